@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 The Cradle authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# One dialect, one floating point: the same preset gives the same bits from
+# GCC and Clang, Debug and Release. So no contraction to fused multiply-add
+# and no -ffast-math.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
+add_compile_definitions(QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII
+                        QT_DISABLE_DEPRECATED_BEFORE=0x060400)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+    add_compile_options(-march=x86-64-v2)
+endif()
+if(CRADLE_WERROR)
+    set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
+endif()
+if(CRADLE_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+                        -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+find_program(CRADLE_CCACHE ccache)
+if(CRADLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CRADLE_CCACHE}")
+endif()
+find_program(CRADLE_MOLD mold)
+if(CRADLE_MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()

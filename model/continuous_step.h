@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/collision_detection.h"
+#include "model/contact_solver.h"
+#include "model/rules.h"
+#include "model/world.h"
+
+namespace cradle {
+
+/// A step that finds every time of impact inside it and spends the rest of the step after it.
+/// Each circle has its own clock and is split only at its own hits. Contacts at the same moment
+/// are resolved together. A circle whose rebound would last less than a step (2 e u / a < Δt)
+/// comes to rest; what rests is held by contact forces until something moves it.
+/// Keeps its working memory between steps.
+class ContinuousStep
+{
+public:
+    /// Moves \p world on by \p dt s; time and step of \p world are those after the step.
+    void run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits);
+
+private:
+    struct Body {
+        double since = 0.0;   ///< s into the step: how far this circle has come
+        Vec2 acceleration{};  ///< gravity less what holds it, m/s²
+        bool touched = false; ///< its events must be found again
+    };
+    struct Event {
+        double time = 0.0; ///< s into the step
+        int a = 0;
+        int b = 0; ///< circle, or Wall as an int
+        bool wall = false;
+        friend bool operator==(const Event &, const Event &) = default;
+    };
+
+    void begin();
+    void findRestingPairs();
+    void findAccelerations();
+    void findEvents();
+    void findPairEvent(std::size_t i, std::size_t j);
+    void takeEventsAt(double time);
+    void touchRestingNeighbours();
+    void carryTo(std::size_t body, double time);
+    void resolve(std::vector<Hit> &hits);
+    void meet(const Event &event);
+    void addSupports();
+    void respondTogether();
+    void respondInTurn();
+    [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
+    [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
+    [[nodiscard]] bool isHeld(std::size_t body, Wall wall) const;
+    [[nodiscard]] double slowSpeed() const;
+    [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
+    [[nodiscard]] double restitutionOf(const Contact &contact) const;
+    [[nodiscard]] double closingSpeed(const Contact &contact) const;
+    [[nodiscard]] double closingAcceleration(const Contact &contact) const;
+
+    const Rules *m_rules = nullptr; ///< of the step that runs
+    World *m_world = nullptr;
+    double m_dt = 0.0;
+    double m_now = 0.0;     ///< s into the step
+    bool m_plastic = false; ///< too many hits in one step: no more rebounds
+    std::vector<Body> m_bodies;
+    std::vector<double> m_inverseMasses;
+    std::vector<Event> m_events; ///< all that lie inside the step, in no order
+    std::vector<Event> m_taken;  ///< those of this moment
+    std::vector<Contact> m_contacts;
+    std::vector<Hit> m_hits;                    ///< one per contact of this moment
+    std::vector<Vec2> m_changes;                ///< of the velocities, m/s
+    std::vector<std::pair<int, int>> m_resting; ///< pairs that stay in touch
+};
+
+} // namespace cradle

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/json_schema.h"
+
+#include "model/shortest_number.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <valijson/adapters/qtjson_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+namespace cradle {
+
+namespace {
+
+struct SchemaText {
+    Q_DECLARE_TR_FUNCTIONS(Schema)
+};
+
+QJsonObject loadSchema(const QString &resource)
+{
+    QFile file(resource);
+    const bool open = file.open(QIODevice::ReadOnly);
+    Q_ASSERT_X(open, "loadSchema", qPrintable(resource));
+    return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+/// A node of a schema and the value that it speaks of, walked down together.
+struct Place {
+    QJsonObject root;
+    QJsonObject node;
+    QJsonValue value;
+    QString pointer{};
+
+    void enter(const QString &key)
+    {
+        if (value.isArray()) {
+            node = node.value(QStringLiteral("items")).toObject();
+            value = value.toArray().at(key.toInt());
+        } else {
+            node = node.value(QStringLiteral("properties")).toObject().value(key).toObject();
+            value = value.toObject().value(key);
+        }
+        pointer += QLatin1Char('/') + key;
+        resolve();
+    }
+
+    /// Follows $ref, and of anyOf takes the branch of the value's own type.
+    void resolve()
+    {
+        const QString ref = node.value(QStringLiteral("$ref")).toString();
+        if (!ref.isEmpty()) {
+            const QString name = ref.section(QLatin1Char('/'), -1);
+            node = root.value(QStringLiteral("definitions")).toObject().value(name).toObject();
+        }
+        if (!value.isArray() && !value.isObject())
+            return;
+        const QString type = value.isArray() ? QStringLiteral("array") : QStringLiteral("object");
+        for (const QJsonValue &branch : node.value(QStringLiteral("anyOf")).toArray()) {
+            const QJsonObject candidate = branch.toObject();
+            if (candidate.value(QStringLiteral("type")).toString() == type) {
+                node = candidate;
+                return;
+            }
+        }
+    }
+};
+
+QString shown(const QJsonValue &value)
+{
+    if (value.isArray())
+        return SchemaText::tr("a list of %n value(s)", nullptr,
+                              static_cast<int>(value.toArray().size()));
+    if (value.isObject())
+        return SchemaText::tr("an object");
+    if (value.isString())
+        return QStringLiteral("\"%1\"").arg(value.toString().left(60));
+    if (value.isDouble())
+        return shortestNumber(value.toDouble());
+    return value.toVariant().toString().isEmpty() ? QStringLiteral("null")
+                                                  : value.toVariant().toString();
+}
+
+/// Says what is wrong at \p place and, by the schema's own description, what would be right.
+Error explain(Place place, const QString &source)
+{
+    const QJsonObject properties = place.node.value(QStringLiteral("properties")).toObject();
+    if (place.value.isObject() && !properties.isEmpty()) {
+        const QJsonObject object = place.value.toObject();
+        const QStringList keys = object.keys();
+        for (const QString &key : keys) {
+            if (!properties.contains(key)) {
+                return {.message =
+                            SchemaText::tr("unknown key \"%1\"; the keys here are %2")
+                                .arg(key.left(60), properties.keys().join(QStringLiteral(", "))),
+                        .file = source,
+                        .pointer = place.pointer + QLatin1Char('/') + key.left(60)};
+            }
+        }
+        for (const QJsonValue &required : place.node.value(QStringLiteral("required")).toArray()) {
+            if (!object.contains(required.toString())) {
+                return {.message = SchemaText::tr("\"%1\" is missing").arg(required.toString()),
+                        .file = source,
+                        .pointer = place.pointer};
+            }
+        }
+    }
+    const QByteArray description =
+        place.node.value(QStringLiteral("description")).toString().toUtf8();
+    return {.message = SchemaText::tr("%1 is not right here; right would be %2")
+                           .arg(shown(place.value), SchemaText::tr(description.constData())),
+            .file = source,
+            .pointer = place.pointer};
+}
+
+Error syntaxError(const QByteArray &text, const QJsonParseError &fault, const QString &source)
+{
+    const auto line = 1 + text.left(fault.offset).count('\n');
+    return {.message = SchemaText::tr("this is not JSON: %1").arg(fault.errorString()),
+            .file = source,
+            .line = static_cast<int>(line)};
+}
+
+} // namespace
+
+Result<QByteArray> readFile(const QString &path, qint64 maxBytes)
+{
+    QFile file(path);
+    if (QFileInfo(path).isDir())
+        return Error{.message = SchemaText::tr("this is a folder; a file is right"), .file = path};
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{.message = SchemaText::tr("cannot be read: %1").arg(file.errorString()),
+                     .file = path};
+    // One byte more than allowed tells too large, even where the size is not known beforehand.
+    const QByteArray text = file.read(maxBytes + 1);
+    if (text.size() > maxBytes) {
+        return Error{.message = SchemaText::tr("the file is too large; at most %1 are right")
+                                    .arg(QLocale::c().formattedDataSize(maxBytes)),
+                     .file = path};
+    }
+    return text;
+}
+
+Result<QJsonObject> parseJson(const QByteArray &text, const QString &schemaResource,
+                              const QString &source)
+{
+    QJsonParseError fault;
+    const QJsonDocument document = QJsonDocument::fromJson(text, &fault);
+    if (fault.error != QJsonParseError::NoError)
+        return syntaxError(text, fault, source);
+
+    const QJsonObject schemaObject = loadSchema(schemaResource);
+    const QJsonValue value =
+        document.isObject() ? QJsonValue(document.object()) : QJsonValue(document.array());
+    valijson::Schema schema;
+    valijson::SchemaParser().populateSchema(
+        valijson::adapters::QtJsonAdapter(QJsonValue(schemaObject)), schema);
+    valijson::ValidationResults results;
+    const valijson::adapters::QtJsonAdapter target(value);
+    if (valijson::Validator().validate(schema, target, &results))
+        return document.object();
+
+    // The deepest place says most: an error inside a branch of anyOf is reported there too.
+    std::vector<std::string> deepest{"<root>"};
+    for (const auto &error : results) {
+        if (error.context.size() > deepest.size())
+            deepest = error.context;
+    }
+    Place place{schemaObject, schemaObject, value};
+    for (std::size_t i = 1; i < deepest.size(); ++i)
+        place.enter(QString::fromStdString(deepest[i].substr(1, deepest[i].size() - 2)));
+    return explain(place, source);
+}
+
+} // namespace cradle

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/recording.h"
+#include "model/simulation_clock.h"
+#include "model/stepper.h"
+
+#include <QObject>
+
+namespace cradle {
+
+/// A run of a preset: advances it as the clock asks, records every step, and shows any moment of
+/// the recording. The one place that the views read from.
+class Simulation final : public QObject
+{
+    Q_OBJECT
+public:
+    static constexpr double slowest = 1.0 / 16.0; ///< times real time
+    static constexpr double fastest = 8.0;
+
+    explicit Simulation(const Preset &preset, QObject *parent = nullptr);
+
+    [[nodiscard]] const Preset &preset() const { return m_preset; }
+    [[nodiscard]] const Recording &recording() const { return m_recording; }
+    /// The moment that is shown: an index into the recording.
+    [[nodiscard]] qint64 current() const { return m_current; }
+    [[nodiscard]] double time() const { return m_recording.time(m_current); } ///< s
+    [[nodiscard]] bool isRunning() const { return m_clock.isRunning(); }
+    [[nodiscard]] bool atStart() const { return m_recording.step(m_current) == 0; }
+    [[nodiscard]] double speed() const { return m_clock.speed(); }
+    [[nodiscard]] bool usesFrameTime() const { return m_frameTime; }
+
+    /// Starts again from \p preset, which must have no fault; runs on if it was running.
+    void setPreset(const Preset &preset);
+
+public slots:
+    void start();
+    void pause();
+    void setRunning(bool running);
+    void restart();          ///< back to the preset, paused
+    void stepForward();      ///< pauses; one recorded or one new step
+    void stepBack();         ///< pauses; one recorded step
+    void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
+    void seekNextHit();      ///< pauses; runs on, at most a minute of the scene, to the next hit
+    void setSpeed(double speed); ///< bounded to slowest … fastest
+    void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did
+
+signals:
+    void frameReady();    ///< the moment shown or the recording changed: repaint once
+    void restarted();     ///< the recording was begun anew; frameReady follows
+    void presetChanged(); ///< restarted and frameReady follow
+    void runningChanged(bool running);
+
+private:
+    void advance(double dt);
+    void appendStep(double dt);
+    void begin();
+
+    Preset m_preset;
+    Stepper m_stepper;
+    World m_world; ///< the newest state
+    Recording m_recording;
+    SimulationClock m_clock;
+    std::vector<Hit> m_hits; ///< of the step that runs
+    qint64 m_current = 0;
+    bool m_frameTime = false;
+};
+
+} // namespace cradle

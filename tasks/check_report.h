@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace cradle {
+
+/// What one check found.
+struct CheckOutcome {
+    QString id;
+    QString title;
+    bool passed = false;
+    QString message{};                ///< what was observed and what was expected, with units
+    std::optional<double> expected{}; ///< in \c unit
+    std::optional<double> observed{}; ///< in \c unit
+    QString unit{};
+    qint64 step = -1;  ///< where it first went wrong; −1 if it passed or nothing can be shown
+    QString variant{}; ///< the scene where it first went wrong: "preset" is the student's own
+
+    friend bool operator==(const CheckOutcome &, const CheckOutcome &) = default;
+};
+
+/// The verdict on one submission of one step.
+struct CheckReport {
+    QString labId;
+    QString labHash; ///< sha256 of the lab's files
+    QString taskId;
+    qint64 seed = 1;
+    bool passed = false;
+    std::vector<CheckOutcome> checks{};
+    QString commit{}; ///< the commit message of the step; filled in as observed
+    qint64 elapsedMs = 0;
+
+    friend bool operator==(const CheckReport &, const CheckReport &) = default;
+};
+
+} // namespace cradle

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "views/formula_renderer.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QJSEngine>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLoggingCategory>
+#include <QMutex>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+// The bundle is in a static library; the macro that links it must stand outside all namespaces.
+static void initMathJaxResource()
+{
+    Q_INIT_RESOURCE(mathjax);
+}
+
+namespace cradle {
+
+namespace {
+
+constexpr auto scriptPath = ":/mathjax/mathjax.js";
+constexpr auto versionPath = ":/mathjax/version";
+
+// MathJax recurses for nested formulas; the default of some systems (512 KiB) is too little.
+constexpr uint stackBytes = 8U << 20U;
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QLoggingCategory::CategoryFilter outerFilter = nullptr;
+
+void silenceCompiler(QLoggingCategory *category)
+{
+    if (outerFilter)
+        outerFilter(category);
+    if (qstrcmp(category->categoryName(), "qt.qml.compiler") == 0)
+        category->setEnabled(QtWarningMsg, false);
+}
+
+/// Evaluates the bundle without Qt's warnings of variables that a script, as this one rightly
+/// does, names above their declaration.
+QJSValue evaluateQuietly(QJSEngine &engine, const QByteArray &script)
+{
+    static QMutex oneAtATime;  // the filter is global
+    const QMutexLocker lock(&oneAtATime);
+    outerFilter = QLoggingCategory::installFilter(silenceCompiler);
+    const QJSValue result = engine.evaluate(QString::fromUtf8(script), scriptPath);
+    QLoggingCategory::installFilter(outerFilter);
+    outerFilter = nullptr;
+    return result;
+}
+
+/// Reads an answer of texToSvg(); nullopt if it is not one, such as a damaged cache file.
+std::optional<Formula> parseAnswer(const QByteArray &json)
+{
+    const QJsonObject answer = QJsonDocument::fromJson(json).object();
+    Formula formula;
+    formula.error = answer["error"].toString();
+    if (!formula.error.isEmpty()) {
+        formula.state = Formula::State::Broken;
+        return formula;
+    }
+    formula.state = Formula::State::Ready;
+    formula.svg = answer["svg"].toString().toUtf8();
+    formula.width = answer["width_ex"].toDouble();
+    formula.height = answer["height_ex"].toDouble();
+    formula.depth = answer["depth_ex"].toDouble();
+    const bool valid = !formula.svg.isEmpty() && formula.width > 0.0 && formula.height > 0.0;
+    return valid ? std::optional(formula) : std::nullopt;
+}
+
+} // namespace
+
+/// MathJax and the formulas on disk; every function but interrupt() runs on the worker thread.
+class FormulaWorker final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit FormulaWorker(const QString &cacheFolder) : m_cacheFolder(cacheFolder) {}
+
+    Formula formula(const QString &tex, bool display)
+    {
+        if (m_interrupted)
+            return {};
+        if (!QFile::exists(scriptPath))
+            return unavailable(tr("Cradle was built without MathJax, so formulas show as text."));
+
+        const QString path = cachePath(tex, display);
+        if (const auto kept = parseAnswer(contentOf(path)))
+            return *kept;
+        if (const QString failure = load(); !failure.isEmpty())
+            return unavailable(failure);
+
+        const QJSValue answer = m_texToSvg.call({tex, display});
+        const QByteArray json = answer.toString().toUtf8();
+        const auto formula = parseAnswer(json);
+        if (answer.isError() || !formula)
+            return {Formula::State::Broken, {}, 0.0, 0.0, 0.0, answer.toString()};
+        keep(path, json);
+        return *formula;
+    }
+
+    /// Makes a formula in work, and all after it, end at once. From any thread.
+    void interrupt()
+    {
+        const QMutexLocker lock(&m_mutex);
+        m_interrupted = true;
+        if (m_engine)
+            m_engine->setInterrupted(true);
+    }
+
+private:
+    static Formula unavailable(const QString &reason)
+    {
+        return {Formula::State::Unavailable, {}, 0.0, 0.0, 0.0, reason};
+    }
+
+    QString cachePath(const QString &tex, bool display) const
+    {
+        QCryptographicHash hash(QCryptographicHash::Sha1);
+        hash.addData(contentOf(versionPath));
+        hash.addData(display ? QByteArrayView("display\n") : QByteArrayView("inline\n"));
+        hash.addData(tex.toUtf8());
+        return m_cacheFolder + '/' + hash.result().toHex() + ".json";
+    }
+
+    /// A formula that cannot be kept is drawn again next time: failure needs no message.
+    void keep(const QString &path, const QByteArray &json) const
+    {
+        QSaveFile file(path);
+        if (QDir().mkpath(m_cacheFolder) && file.open(QIODevice::WriteOnly)) {
+            file.write(json);
+            file.commit();
+        }
+    }
+
+    /// Loads MathJax if that was not tried before. \return the reason of failure, or nothing
+    QString load()
+    {
+        if (m_engine)
+            return m_failure;
+        QMutexLocker lock(&m_mutex);
+        m_engine = std::make_unique<QJSEngine>();
+        m_engine->setInterrupted(m_interrupted);
+        lock.unlock();
+        const QJSValue result = evaluateQuietly(*m_engine, contentOf(scriptPath));
+        m_texToSvg = m_engine->globalObject().property("texToSvg");
+        if (result.isError() || !m_texToSvg.isCallable())
+            m_failure = tr("MathJax does not run: %1").arg(result.toString());
+        return m_failure;
+    }
+
+    const QString m_cacheFolder;
+    QString m_failure;
+    QMutex m_mutex;  ///< guards the birth of m_engine
+    std::atomic_bool m_interrupted = false;
+    std::unique_ptr<QJSEngine> m_engine;
+    QJSValue m_texToSvg;  ///< after m_engine, so that it goes first
+};
+
+FormulaRenderer::FormulaRenderer(QObject *parent, const QString &cacheFolder)
+    : QObject(parent)
+{
+    initMathJaxResource();
+    const QString standard = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    m_worker = new FormulaWorker(cacheFolder.isEmpty() ? standard + "/formulas" : cacheFolder);
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    m_thread.setObjectName("formulas");
+    m_thread.setStackSize(stackBytes);
+}
+
+FormulaRenderer::~FormulaRenderer()
+{
+    if (!m_thread.isRunning()) {
+        delete m_worker;
+        return;
+    }
+    m_worker->interrupt();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void FormulaRenderer::request(const QString &tex, bool display)
+{
+    const Key key(tex, display);
+    if (m_waiting.contains(key))
+        return;
+    m_waiting.insert(key);
+
+    if (const Formula *formula = known(tex, display)) {
+        const auto again = [this, key, copy = *formula] { finish(key, copy); };
+        QMetaObject::invokeMethod(this, again, Qt::QueuedConnection);
+        return;
+    }
+    if (!m_thread.isRunning())
+        m_thread.start();
+    const auto work = [this, worker = m_worker, key] {
+        const Formula formula = worker->formula(key.first, key.second);
+        // The renderer waits for this thread before it dies, and drops calls not yet made.
+        QMetaObject::invokeMethod(this, [this, key, formula] { finish(key, formula); },
+                                  Qt::QueuedConnection);
+    };
+    QMetaObject::invokeMethod(m_worker, work, Qt::QueuedConnection);
+}
+
+const Formula *FormulaRenderer::known(const QString &tex, bool display) const
+{
+    const auto found = m_known.constFind(Key(tex, display));
+    return found == m_known.cend() ? nullptr : &*found;
+}
+
+void FormulaRenderer::finish(const Key &key, const Formula &formula)
+{
+    m_waiting.remove(key);
+    m_known.insert(key, formula);
+    emit ready(key.first, key.second, formula);
+}
+
+FormulaText findFormulas(const QString &markdown)
+{
+    // In order: fenced block, code span, other backticks, escaped character, formula on its own
+    // line, formula within text, other dollars. (?!\n\h*\n) keeps to one paragraph.
+    static const QRegularExpression token(
+        R"((?sm)^[\h>]*(?:(?:[-*+]|\d+[.)])\h+)?(`{3,}|~{3,})[^`\n]*\n.*?(?:^[\h>]*\1[`~]*\h*$|\z))"
+        R"(|(?<!`)(`+)(?!`).+?(?<!`)\2(?!`))"
+        R"(|`+)"
+        R"(|\\.)"
+        R"(|\$\$(?<display>(?:\\.|(?!\n\h*\n)[^\\$`])+)\$\$)"
+        R"(|\$(?=\S)(?<inline>(?:\\.|(?!\n\h*\n)[^\\$`])+)(?<=\S)\$(?![\d$]))"
+        R"(|\$+)");
+    FormulaText result;
+    QString text = markdown;
+    text.remove(QChar(0xE000)).remove(QChar(0xE001)).replace("\r\n", "\n");
+    qsizetype done = 0;
+    for (auto tokens = token.globalMatch(text); tokens.hasNext();) {
+        const QRegularExpressionMatch match = tokens.next();
+        const bool display = match.capturedLength("display") > 0;
+        const QString tex = match.captured(display ? "display" : "inline").trimmed();
+        if (tex.isEmpty())
+            continue;
+        result.markdown += text.mid(done, match.capturedStart() - done);
+        result.markdown += QChar(0xE000) + QString::number(result.formulas.size()) + QChar(0xE001);
+        result.formulas.push_back({tex, match.captured(), display});
+        done = match.capturedEnd();
+    }
+    result.markdown += text.mid(done);
+    return result;
+}
+
+} // namespace cradle
+
+#include "formula_renderer.moc"

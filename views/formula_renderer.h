@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <QByteArray>
+#include <QHash>
+#include <QObject>
+#include <QSet>
+#include <QString>
+#include <QThread>
+
+#include <vector>
+
+namespace cradle {
+
+class FormulaWorker;
+
+/// A typeset formula, or the reason why there is none. Lengths are in ex: 1 ex is the height of
+/// an x, so a caller multiplies by the x-height of the font around the formula.
+struct Formula {
+    enum class State {
+        Ready,      ///< `svg` and the lengths hold
+        Broken,     ///< the TeX is wrong: `error` tells how
+        Unavailable ///< built without MathJax, or it cannot run: `error` tells which
+    };
+
+    State state = State::Unavailable;
+    QByteArray svg;      ///< one complete picture, drawn in `currentColor`
+    double width = 0.0;  ///< ex, > 0
+    double height = 0.0; ///< ex, > 0, from the lowest to the highest point
+    double depth = 0.0;  ///< ex, the part of `height` below the baseline; may be negative
+    QString error;
+
+    friend bool operator==(const Formula &, const Formula &) = default;
+};
+
+/// Where a formula stands in a Markdown text.
+struct FormulaSource {
+    QString tex;      ///< without the dollars
+    QString markdown; ///< as written, with the dollars
+    bool display = false;
+};
+
+/// A Markdown text whose formulas have given way to marks that Markdown leaves alone.
+struct FormulaText {
+    QString markdown;
+    std::vector<FormulaSource> formulas;
+
+    /// The mark of formula i, which stands for it in `markdown`; captures i.
+    static constexpr auto markPattern = u"\uE000([0-9]+)\uE001";
+};
+
+/// Finds `$…$` and `$$…$$` much like pandoc: a single `$` opens before a character that is no
+/// space, and closes after one and not before a digit, so that "$5 and $6" stays as it is.
+/// Code spans, fenced blocks, `\$` and anything across an empty line are no formulas.
+/// Formulas in indented code are marked too: the caller must put `FormulaSource::markdown` back.
+[[nodiscard]] FormulaText findFormulas(const QString &markdown);
+
+/// Typesets TeX formulas as SVG on a thread of its own.
+///
+/// MathJax is loaded on the first formula that is in neither cache; the object itself costs
+/// nothing. Formulas are kept in memory and, across runs, in the cache folder.
+class FormulaRenderer final : public QObject
+{
+    Q_OBJECT
+public:
+    /// \param cacheFolder  created as needed; empty: "formulas" in the user's cache folder
+    explicit FormulaRenderer(QObject *parent = nullptr, const QString &cacheFolder = {});
+
+    /// Stops a formula that is being typeset and waits for the thread.
+    ~FormulaRenderer() override;
+
+    /// Asks for `ready`, which always comes later, never from within this call, and once for
+    /// requests of the same formula that are made before it.
+    void request(const QString &tex, bool display);
+
+    /// The answer of an earlier request, or nullptr; valid until the next one.
+    [[nodiscard]] const Formula *known(const QString &tex, bool display) const;
+
+signals:
+    void ready(const QString &tex, bool display, const cradle::Formula &formula);
+
+private:
+    using Key = std::pair<QString, bool>;
+
+    void finish(const Key &key, const Formula &formula);
+
+    QThread m_thread;
+    FormulaWorker *m_worker; ///< lives in m_thread, which deletes it
+    QHash<Key, Formula> m_known;
+    QSet<Key> m_waiting;
+};
+
+} // namespace cradle

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/preset_document.h"
+
+#include <QUndoCommand>
+
+#include <utility>
+
+namespace cradle {
+
+/// One undo step: the preset before and after.
+class PresetEdit final : public QUndoCommand
+{
+public:
+    PresetEdit(PresetDocument &document, const QString &text, Preset after, QString mergeKey)
+        : QUndoCommand(text)
+        , m_document(document)
+        , m_before(document.preset())
+        , m_after(std::move(after))
+        , m_mergeKey(std::move(mergeKey))
+    {
+    }
+
+    void undo() override { m_document.apply(m_before); }
+    void redo() override { m_document.apply(m_after); }
+    [[nodiscard]] int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand *other) override
+    {
+        const auto *next = static_cast<const PresetEdit *>(other);
+        if (next->m_mergeKey != m_mergeKey)
+            return false;
+        m_after = next->m_after;
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+private:
+    PresetDocument &m_document;
+    Preset m_before;
+    Preset m_after;
+    QString m_mergeKey;
+};
+
+PresetDocument::PresetDocument(Simulation &simulation, QObject *parent)
+    : QObject(parent)
+    , m_simulation(simulation)
+    , m_original(simulation.preset())
+{
+}
+
+void PresetDocument::open(const Preset &original, const std::optional<Preset> &edited)
+{
+    m_undoStack.clear();
+    m_original = original;
+    m_simulation.setPreset(edited.value_or(original));
+}
+
+bool PresetDocument::edit(const QString &text, const Preset &changed, const QString &mergeKey)
+{
+    if (changed == preset())
+        return true;
+    if (const std::optional<Error> fault = findFault(changed)) {
+        emit refused(*fault);
+        return false;
+    }
+    m_undoStack.push(new PresetEdit(*this, text, changed, mergeKey));
+    return true;
+}
+
+void PresetDocument::resetToOriginal()
+{
+    edit(tr("Reset to the step's own scene"), m_original);
+}
+
+void PresetDocument::apply(const Preset &preset)
+{
+    m_simulation.setPreset(preset);
+    emit edited();
+}
+
+} // namespace cradle

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/simulation.h"
+
+#include <QUndoStack>
+
+namespace cradle {
+
+/// The preset that the student edits: every edit is an undo command, checked before it is made,
+/// and starts the simulation again from the changed preset.
+class PresetDocument final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit PresetDocument(Simulation &simulation, QObject *parent = nullptr);
+
+    [[nodiscard]] const Preset &preset() const { return m_simulation.preset(); }
+    [[nodiscard]] Simulation &simulation() const { return m_simulation; }
+    [[nodiscard]] QUndoStack &undoStack() { return m_undoStack; }
+    [[nodiscard]] bool isOriginal() const { return preset() == m_original; }
+
+    /// Takes \p preset as the one that the step came with, and \p edited (if any) as what the
+    /// student has made of it; forgets the undo history.
+    void open(const Preset &original, const std::optional<Preset> &edited = std::nullopt);
+
+    /// Makes an edit named \p text; edits with the same non-empty \p mergeKey in a row (a drag, a
+    /// spin) become one undo step.
+    /// \return false (and refused() is emitted) if \p changed has a fault
+    bool edit(const QString &text, const Preset &changed, const QString &mergeKey = {});
+
+public slots:
+    void resetToOriginal(); ///< as one undoable edit
+
+signals:
+    void refused(const cradle::Error &error); ///< an edit would make an impossible scene
+    void edited(); ///< the preset changed by edit, undo or redo (not by open)
+
+private:
+    friend class PresetEdit;
+    void apply(const Preset &preset);
+
+    Simulation &m_simulation;
+    QUndoStack m_undoStack;
+    Preset m_original;
+};
+
+} // namespace cradle
