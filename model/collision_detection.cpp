@@ -97,9 +97,10 @@ std::optional<double> timeToDistance(const Path &a, const Path &b, double distan
     const Vec2 d = b.position - a.position;
     const Vec2 v = b.velocity - a.velocity;
     const Vec2 k = b.curve - a.curve;
-    const double gap = lengthSquared(d) - distance * distance;
+    // Rounding may leave two that touch a hair too near: from there they may not come nearer.
+    const double gap = std::max(0.0, lengthSquared(d) - distance * distance);
     const double approach = -dot(d, v);
-    if (gap <= 0.0 && approach > 0.0)
+    if (gap == 0.0 && approach > 0.0)
         return 0.0;
 
     if (k == Vec2{}) {
@@ -122,7 +123,7 @@ std::optional<double> timeToDistance(const Path &a, const Path &b, double distan
             return marks.s[i];
     }
     // Touching now, and curving into each other at once.
-    if (gap <= 0.0 && marks.count >= 2 && f.at(0.5 * marks.s[1]) < gap)
+    if (gap == 0.0 && f.at(0.5 * marks.s[1]) < 0.0)
         return 0.0;
     return std::nullopt;
 }

@@ -104,7 +104,8 @@ bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
     const Vec2 n = outwardNormal(wall);
     const double gap = m_rules->halfWidth - c.radius - dot(c.position, n);
     return m_rules->laws.walls == WallLaw::Reflect && gap <= touching * c.radius
-           && dot(c.velocity, n) == 0.0 && (dot(m_rules->gravity, n) > 0.0 || !m_resting.empty());
+           && std::abs(dot(c.velocity, n)) <= slowSpeed()
+           && (dot(m_rules->gravity, n) > 0.0 || !m_resting.empty());
 }
 
 void ContinuousStep::findAccelerations()
@@ -119,6 +120,9 @@ void ContinuousStep::findAccelerations()
             if (!isHeld(i, wall))
                 continue;
             const Vec2 n = outwardNormal(wall);
+            // What a wall holds is held exactly, or rounding would let it go.
+            Vec2 &velocity = m_world->circles[i].velocity;
+            velocity -= dot(velocity, n) * n;
             if (m_resting.empty())
                 body.acceleration -= dot(body.acceleration, n) * n;
             else
@@ -142,7 +146,6 @@ void ContinuousStep::findAccelerations()
             m_bodies[at(contact.b)].acceleration +=
                 (contact.impulse * m_inverseMasses[at(contact.b)]) * contact.normal;
     }
-    // What a wall holds is held exactly, or rounding would let it go.
     for (const Contact &contact : m_contacts) {
         Vec2 &a = m_bodies[at(contact.a)].acceleration;
         if (contact.b < 0 && contact.impulse > 0.0)
@@ -205,7 +208,7 @@ void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
         return;
     const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
     const bool resting = std::find(m_resting.begin(), m_resting.end(), pair) != m_resting.end();
-    if (resting && closingSpeed(contactOf(pair)) <= slowSpeed())
+    if (resting && std::abs(closingSpeed(contactOf(pair))) <= slowSpeed())
         return;
     if (const auto s = timeToDistance(a, b, distance, end))
         m_events.push_back({m_now + *s, pair.first, pair.second, false});
@@ -319,9 +322,6 @@ void ContinuousStep::resolve(std::vector<Hit> &hits)
         Hit &hit = m_hits[i];
         Circle &a = m_world->circles[at(hit.a)];
         const bool wall = hit.kind == Hit::Kind::Wall;
-        // What comes to rest on a wall rests exactly, or the wall would not hold it.
-        if (wall && m_contacts[i].rests && std::abs(dot(a.velocity, hit.normal)) <= slow)
-            a.velocity -= dot(a.velocity, hit.normal) * hit.normal;
         hit.afterA = a.velocity;
         hit.afterB = wall ? Vec2{} : m_world->circles[at(hit.b)].velocity;
         hit.impulse = m_contacts[i].impulse;
@@ -377,7 +377,7 @@ void ContinuousStep::meet(const Event &event)
     }
     contact.normal = hit.normal;
     const double closing = std::max(0.0, closingSpeed(contact));
-    contact.rests = closingSpeed(contact) >= 0.0 && comesToRest(contact, closing);
+    contact.rests = closingSpeed(contact) >= -slowSpeed() && comesToRest(contact, closing);
     contact.change = (contact.rests ? 1.0 : 1.0 + restitutionOf(contact)) * closing;
     const std::pair<int, int> pair(event.a, event.b);
     if (contact.rests && !event.wall
