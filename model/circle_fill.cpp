@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/preset.h"
+#include "model/random.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <random>
 
 namespace cradle {
 
@@ -17,29 +17,6 @@ struct FillText {
 
 /// Above this share of the area random places are too hard to find; a lattice is taken.
 constexpr double crowdedFraction = 0.35;
-
-/// Random numbers that are the same with every standard library.
-class Random
-{
-public:
-    explicit Random(qint64 seed)
-        : m_engine(static_cast<std::uint64_t>(seed))
-    {
-    }
-    /// Evenly from 0 up to, but not including, 1.
-    double uniform() { return static_cast<double>(m_engine() >> 11U) * 0x1p-53; }
-    /// Two independent standard Gaussians (Box and Muller).
-    Vec2 gaussian()
-    {
-        const double r = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-        const double angle = 2.0 * std::numbers::pi * uniform();
-        return {r * std::cos(angle), r * std::sin(angle)};
-    }
-    std::size_t below(std::size_t n) { return m_engine() % n; }
-
-private:
-    std::mt19937_64 m_engine;
-};
 
 /// Places at random, each tried against those before it by a grid of cells 2r wide.
 std::vector<Vec2> randomPlaces(const CircleFill &fill, double room, Random &random)

@@ -227,9 +227,19 @@ QString toName(Integrator integrator)
     return nameIn(integratorNames, integrator);
 }
 
+std::optional<CircleLaw> circleLawFromName(const QString &name)
+{
+    return valueIn(circleNames, name);
+}
+
 std::optional<Timing> timingFromName(const QString &name)
 {
     return valueIn(timingNames, name);
+}
+
+std::optional<Integrator> integratorFromName(const QString &name)
+{
+    return valueIn(integratorNames, name);
 }
 
 } // namespace cradle

@@ -27,7 +27,9 @@ QString toName(CircleLaw law);
 QString toName(Timing timing);
 QString toName(Integrator integrator);
 
-/// The timing of that name; nullopt if there is none.
+/// What has that name in the file format; nullopt if nothing has.
+std::optional<CircleLaw> circleLawFromName(const QString &name);
 std::optional<Timing> timingFromName(const QString &name);
+std::optional<Integrator> integratorFromName(const QString &name);
 
 } // namespace cradle

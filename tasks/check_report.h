@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/preset.h"
+
 #include <QString>
 
 #include <optional>
@@ -20,6 +22,7 @@ struct CheckOutcome {
     QString unit{};
     qint64 step = -1;  ///< where it first went wrong; −1 if it passed or nothing can be shown
     QString variant{}; ///< the scene where it first went wrong: "preset" is the student's own
+    std::optional<Preset> scene{}; ///< that scene, to be shown
 
     friend bool operator==(const CheckOutcome &, const CheckOutcome &) = default;
 };

@@ -16,8 +16,10 @@ namespace cradle {
 struct CheckSpec {
     QString id;
     QString title;
-    QString kind;
-    QJsonObject parameters{};
+    QString kind;               ///< see tasks/checks/check_library.h
+    std::vector<int> circles{}; ///< the circles that it looks at, from 0
+    QJsonObject parameters{};   ///< of the kind
+    QJsonObject scene{};        ///< which scenes it runs, see tasks/variant.h
 
     friend bool operator==(const CheckSpec &, const CheckSpec &) = default;
 };

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/lab.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace cradle {
+
+/// How a judgement is watched and stopped; both may be left empty.
+struct JudgeHooks {
+    std::function<void(int done, int total)> progress{}; ///< after every scene
+    std::function<bool()> cancelled{};                   ///< asked before every scene
+};
+
+/// Judges \p submission by all checks of \p task, in scenes drawn from \p seed. The result depends
+/// on nothing else.
+/// \return nullopt if it was cancelled
+[[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
+                                                   const Preset &submission, qint64 seed,
+                                                   const JudgeHooks &hooks = {});
+
+/// Judges off the GUI thread, one submission at a time.
+class Checker final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Checker(QObject *parent = nullptr);
+    ~Checker() override;
+
+    [[nodiscard]] bool isRunning() const { return m_watcher.isRunning(); }
+
+    /// Begins; a judgement that still runs is cancelled first.
+    void start(const Lab &lab, const Task &task, const Preset &submission, qint64 seed);
+
+public slots:
+    void cancel(); ///< works at once; finished() does not follow
+
+signals:
+    void progressed(int done, int total);
+    void finished(const cradle::CheckReport &report);
+    void cancelled();
+
+private:
+    QFutureWatcher<std::optional<CheckReport>> m_watcher;
+    std::shared_ptr<std::atomic_bool> m_stop;
+};
+
+} // namespace cradle

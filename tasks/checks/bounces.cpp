@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct BounceText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
+/// then a program may well keep it there.
+constexpr double restingSteps = 3.0;
+
+/// One look at a circle that changed its velocity by more than gravity.
+struct Turn {
+    const Observation &o;
+    int circle;
+    qint64 step;
+    Vec2 gravity;
+    double restitution;
+
+    [[nodiscard]] std::optional<Fault> faultAlong(Wall low, Wall high) const;
+
+private:
+    [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;
+    [[nodiscard]] Fault fault(const QString &text, double expected, double observed) const;
+};
+
+Fault Turn::fault(const QString &text, double expected, double observed) const
+{
+    return {.message = text,
+            .expected = expected,
+            .observed = observed,
+            .unit = QStringLiteral("m/s"),
+            .step = step + 1};
+}
+
+/// Judges what happened on one axis, between the walls \p low and \p high.
+std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
+{
+    const Vec2 axis = outwardNormal(high);
+    const Circle &before = o.circle(circle, step);
+    const double change = dot(motion::kick(o, circle, step, gravity), axis);
+    if (std::abs(change) <= motion::sameVelocity * (1.0 + length(before.velocity)))
+        return std::nullopt;
+    const double reach = motion::travel(o, circle, step, gravity);
+    for (const Wall wall : {low, high}) {
+        if (motion::wallGap(o, before, wall) <= reach)
+            return faultAt(wall);
+    }
+    const double kept = dot(before.velocity + o.timestep(step) * gravity, axis);
+    const double after = kept + change;
+    const Wall nearest =
+        motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
+    if (motion::isNearWall(o, circle, step, gravity)) {
+        return fault(BounceText::tr("At step %1 circle %2 hit a wall and its velocity along the "
+                                    "wall changed from %3 to %4 m/s; only the part into the wall "
+                                    "should change")
+                         .arg(QString::number(step + 1), QString::number(circle + 1),
+                              motion::figureBeside(kept, after), motion::figureBeside(after, kept)),
+                     kept, after);
+    }
+    return fault(BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
+                                "from the %4; it should touch first")
+                     .arg(QString::number(step + 1), QString::number(circle + 1),
+                          motion::figure(motion::wallGap(o, before, nearest)),
+                          motion::wallName(nearest)),
+                 kept, after);
+}
+
+/// Judges a bounce off \p wall: v_n' = −e v_n, with gravity's part of the step before or after it.
+std::optional<Fault> Turn::faultAt(Wall wall) const
+{
+    const Vec2 n = outwardNormal(wall);
+    const double dt = o.timestep(step);
+    const double into = dot(o.circle(circle, step).velocity, n);
+    const double after = dot(o.circle(circle, step + 1).velocity, n);
+    const double pull = dot(gravity, n) * dt;
+    const double slack = motion::sameVelocity * (1.0 + length(o.circle(circle, step).velocity));
+    if (into + std::max(pull, 0.0) <= restingSteps * std::abs(pull) + slack
+        && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
+        return std::nullopt;
+    if (std::max(into, into + pull) <= slack) {
+        return fault(BounceText::tr("At step %1 circle %2 was already leaving the %3 with %4 m/s "
+                                    "and was turned round again; it should be left alone")
+                         .arg(QString::number(step + 1), QString::number(circle + 1),
+                              motion::wallName(wall), motion::figure(-into)),
+                     into, after);
+    }
+    const double first = -restitution * into + pull;
+    const double last = -restitution * (into + pull);
+    if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
+        return std::nullopt;
+    return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it with "
+                                "%5 m/s; −e times %4 m/s with e = %6 is %7 m/s")
+                     .arg(QString::number(step + 1), QString::number(circle + 1),
+                          motion::wallName(wall), motion::figure(into + pull),
+                          motion::figureBeside(after, last), motion::figure(restitution),
+                          motion::figureBeside(last, after)),
+                 last, after);
+}
+
+} // namespace
+
+std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    for (const int i : check.circles) {
+        for (qint64 k = 1; k <= o.steps(); ++k) {
+            const double allowed = motion::travel(o, i, k - 1, gravity);
+            for (const Wall wall : allWalls) {
+                const double beyond = -motion::wallGap(o, o.circle(i, k), wall);
+                if (beyond <= allowed)
+                    continue;
+                return Fault{.message = BounceText::tr("At step %1 the rim of circle %2 is %3 m "
+                                                       "beyond the %4; at most the way of one "
+                                                       "step, %5 m, is right")
+                                            .arg(QString::number(k), QString::number(i + 1),
+                                                 motion::figure(beyond), motion::wallName(wall),
+                                                 motion::figure(allowed)),
+                             .expected = allowed,
+                             .observed = beyond,
+                             .unit = QStringLiteral("m"),
+                             .step = k};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
+{
+    if (auto fault = staysInside(check, o))
+        return fault;
+    const Vec2 gravity = motion::gravityOf(check, o);
+    const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
+    const double restitution = check.parameters.value(QStringLiteral("restitution"))
+                                   .toDouble(o.variant.preset.restitution);
+    for (const int i : check.circles) {
+        for (qint64 k = 0; k < o.steps(); ++k) {
+            if (!motion::isKicked(o, i, k, gravity)
+                || (collisions && motion::isNearCircle(o, i, k, gravity)))
+                continue;
+            const Turn turn{o, i, k, gravity, restitution};
+            if (auto fault = turn.faultAlong(Wall::Left, Wall::Right))
+                return fault;
+            if (auto fault = turn.faultAlong(Wall::Bottom, Wall::Top))
+                return fault;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace cradle::kinds

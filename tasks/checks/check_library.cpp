@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_library.h"
+
+#include "tasks/checks/kinds.h"
+
+#include <array>
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+using Judge = std::optional<Fault> (*)(const CheckSpec &, const Observation &);
+
+constexpr std::array<std::pair<const char *, Judge>, 13> library{{
+    {"start", kinds::start},
+    {"integrates", kinds::integrates},
+    {"closed_form", kinds::closedForm},
+    {"bounces", kinds::bounces},
+    {"stays_inside", kinds::staysInside},
+    {"together", kinds::together},
+    {"same_integrator", kinds::sameIntegrator},
+    {"passes_through", kinds::passesThrough},
+    {"collides", kinds::collides},
+    {"conserves", kinds::conserves},
+    {"after_contact", kinds::afterContact},
+    {"loses_energy", kinds::losesEnergy},
+    {"settles", kinds::settles},
+}};
+
+Judge find(const QString &kind)
+{
+    for (const auto &[name, judgeOfKind] : library) {
+        if (kind == QLatin1String(name))
+            return judgeOfKind;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::optional<Fault> judge(const CheckSpec &check, const Observation &observation)
+{
+    const Judge judgeOfKind = find(check.kind);
+    Q_ASSERT(judgeOfKind);
+    return judgeOfKind(check, observation);
+}
+
+bool isCheckKind(const QString &kind)
+{
+    return find(kind) != nullptr;
+}
+
+} // namespace cradle

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include "model/collision_response.h"
+#include "model/preset_json.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct CollideText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// How far a normal may lie outside the honest range, rad: rounding of two subtractions.
+constexpr double sameDirection = 1e-6;
+
+/// One contact with the circles and the laws that may answer it.
+struct Answer {
+    const Observation &o;
+    int a;
+    int b;
+    const motion::Contact &contact;
+    double restitution;
+
+    [[nodiscard]] bool follows(CircleLaw law) const;
+    [[nodiscard]] std::pair<Vec2, Vec2> expected(CircleLaw law, Vec2 n) const;
+    [[nodiscard]] Vec2 usedNormal() const;
+    [[nodiscard]] bool isHonest(Vec2 n) const;
+    [[nodiscard]] Vec2 middleNormal() const;
+    [[nodiscard]] double approach() const;
+};
+
+/// The direction of the push that circle b got: what the program took for the normal.
+Vec2 Answer::usedNormal() const
+{
+    const Vec2 pushB = contact.afterB - contact.beforeB;
+    const Vec2 pushA = contact.beforeA - contact.afterA;
+    return normalized(lengthSquared(pushB) >= lengthSquared(pushA) ? pushB : pushA);
+}
+
+Vec2 Answer::middleNormal() const
+{
+    return normalized(contact.normalFirst + contact.normalLast);
+}
+
+double Answer::approach() const
+{
+    const Vec2 u = contact.beforeA - contact.beforeB;
+    return std::max(dot(u, contact.normalFirst), dot(u, contact.normalLast));
+}
+
+/// With discrete steps the normal may be that of any moment between the step before the hit and
+/// the step of the hit.
+bool Answer::isHonest(Vec2 n) const
+{
+    const auto angle = [](Vec2 p, Vec2 q) { return std::abs(std::atan2(cross(p, q), dot(p, q))); };
+    const double between = angle(contact.normalFirst, contact.normalLast);
+    return angle(n, contact.normalFirst) + angle(n, contact.normalLast)
+           <= between + 2.0 * sameDirection;
+}
+
+/// What the two velocities would be after the contact.
+std::pair<Vec2, Vec2> Answer::expected(CircleLaw law, Vec2 n) const
+{
+    Circle ca = o.circle(a, contact.step);
+    Circle cb = o.circle(b, contact.step);
+    ca.velocity = contact.beforeA;
+    cb.velocity = contact.beforeB;
+    respond(law, ca, cb, n, restitution);
+    return {ca.velocity, cb.velocity};
+}
+
+bool Answer::follows(CircleLaw law) const
+{
+    // Only the last two laws know a direction.
+    const bool directed = law == CircleLaw::SwapNormal || law == CircleLaw::Impulse;
+    const Vec2 n = directed ? usedNormal() : middleNormal();
+    if (directed && !isHonest(n))
+        return false;
+    const auto [afterA, afterB] = expected(law, n);
+    return motion::isSame(contact.afterA, afterA) && motion::isSame(contact.afterB, afterB);
+}
+
+std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
+{
+    std::vector<CircleLaw> laws;
+    for (const QJsonValue &name : check.parameters.value(QStringLiteral("laws")).toArray()) {
+        if (const auto law = circleLawFromName(name.toString()))
+            laws.push_back(*law);
+    }
+    if (laws.empty())
+        laws.push_back(CircleLaw::Impulse);
+    return laws;
+}
+
+Fault tooEarly(const Answer &answer)
+{
+    const double gap = answer.contact.nearest;
+    return {.message = CollideText::tr("At step %1 the circles changed their velocities although "
+                                       "their rims were still %2 m apart; they should touch first, "
+                                       "at a distance of r₁ + r₂")
+                           .arg(QString::number(answer.contact.step + 1), motion::figure(gap)),
+            .expected = 0.0,
+            .observed = gap,
+            .unit = QStringLiteral("m"),
+            .step = answer.contact.step + 1};
+}
+
+Fault hitAgain(const Answer &answer)
+{
+    return {.message = CollideText::tr("At step %1 the circles were already moving apart with %2 "
+                                       "m/s and were hit again; circles that move apart should be "
+                                       "left alone")
+                           .arg(QString::number(answer.contact.step + 1),
+                                motion::figure(-answer.approach())),
+            .step = answer.contact.step + 1};
+}
+
+Fault wrongAnswer(const Answer &answer, CircleLaw law)
+{
+    const motion::Contact &contact = answer.contact;
+    const Vec2 used = answer.usedNormal();
+    const Vec2 n = answer.isHonest(used) ? used : answer.middleNormal();
+    const auto [afterA, afterB] = answer.expected(law, n);
+    const Vec2 error = contact.afterA - afterA;
+    const bool x = std::abs(error.x) > std::abs(error.y);
+    return {.message = CollideText::tr("At step %1 circle 1 left the hit with %2 m/s and circle 2 "
+                                       "with %3 m/s; along the line of centres %4 it should be %5 "
+                                       "and %6 m/s")
+                           .arg(QString::number(contact.step + 1),
+                                motion::figureBeside(contact.afterA, afterA),
+                                motion::figureBeside(contact.afterB, afterB), motion::figure(n),
+                                motion::figureBeside(afterA, contact.afterA),
+                                motion::figureBeside(afterB, contact.afterB)),
+            .expected = x ? afterA.x : afterA.y,
+            .observed = x ? contact.afterA.x : contact.afterA.y,
+            .unit = QStringLiteral("m/s"),
+            .step = contact.step + 1};
+}
+
+std::optional<Fault> faultOf(const Answer &answer, const std::vector<CircleLaw> &laws,
+                             double gravitySlack)
+{
+    if (answer.contact.nearest > motion::samePosition + gravitySlack)
+        return tooEarly(answer);
+    const double slack = motion::sameVelocity * (1.0 + length(answer.contact.beforeA));
+    if (answer.approach() < -slack)
+        return hitAgain(answer);
+    const bool follows =
+        std::any_of(laws.begin(), laws.end(), [&](CircleLaw law) { return answer.follows(law); });
+    return follows ? std::nullopt : std::optional(wrongAnswer(answer, laws.front()));
+}
+
+Fault missed(qint64 step)
+{
+    return {.message = CollideText::tr("At step %1 the circles have run into each other and go on "
+                                       "as if nothing had happened; they should answer as soon as "
+                                       "their distance is r₁ + r₂")
+                           .arg(step),
+            .step = step};
+}
+
+Fault tooFew(std::size_t observed, int wanted)
+{
+    return {.message = CollideText::tr("The circles hit each other %1 times; at least %2 is right")
+                           .arg(observed)
+                           .arg(wanted),
+            .expected = wanted,
+            .observed = static_cast<double>(observed),
+            .step = 0};
+}
+
+/// What gravity moves circles with different integrators apart in a step, m.
+double slackOf(const Observation &o, Vec2 gravity)
+{
+    const double dt = o.timestep(0);
+    return length(gravity) * dt * dt;
+}
+
+} // namespace
+
+std::optional<Fault> collides(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    const std::vector<CircleLaw> laws = wantedLaws(check);
+    const double e = check.parameters.value(QStringLiteral("restitution"))
+                         .toDouble(o.variant.preset.restitution);
+    const std::vector<motion::Contact> contacts = motion::contactsOf(o, 0, 1, gravity);
+    const qint64 missedStep = motion::missedContact(o, 0, 1);
+    for (const motion::Contact &contact : contacts) {
+        if (missedStep >= 0 && missedStep < contact.step)
+            return missed(missedStep);
+        if (auto fault = faultOf({o, 0, 1, contact, e}, laws, slackOf(o, gravity)))
+            return fault;
+    }
+    if (missedStep >= 0)
+        return missed(missedStep);
+    const int wanted = check.parameters.value(QStringLiteral("contacts")).toInt(1);
+    if (contacts.size() < static_cast<std::size_t>(wanted))
+        return tooFew(contacts.size(), wanted);
+    return std::nullopt;
+}
+
+} // namespace cradle::kinds

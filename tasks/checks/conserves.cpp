@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct ConserveText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// Relative: a thousand roundings of a double.
+constexpr double keptMomentum = 1e-9;
+constexpr double keptEnergy = 1e-9;
+/// Less than this share of the energy is no loss that a student set.
+constexpr double visibleLoss = 1e-6;
+
+struct Balance {
+    Vec2 momentumBefore{};
+    Vec2 momentumAfter{};
+    double scale = 0.0; ///< the sum of the momenta's lengths, kg m/s
+    double energyBefore = 0.0;
+    double energyAfter = 0.0;
+};
+
+Balance balanceOf(const Observation &o, const motion::Contact &c)
+{
+    const double ma = mass(o.circle(0, c.step));
+    const double mb = mass(o.circle(1, c.step));
+    return {.momentumBefore = ma * c.beforeA + mb * c.beforeB,
+            .momentumAfter = ma * c.afterA + mb * c.afterB,
+            .scale = ma * length(c.beforeA) + mb * length(c.beforeB),
+            .energyBefore = 0.5 * (ma * lengthSquared(c.beforeA) + mb * lengthSquared(c.beforeB)),
+            .energyAfter = 0.5 * (ma * lengthSquared(c.afterA) + mb * lengthSquared(c.afterB))};
+}
+
+Fault noContact()
+{
+    return {.message = ConserveText::tr("The circles never hit each other; they should"),
+            .step = 0};
+}
+
+std::vector<motion::Contact> contacts(const CheckSpec &check, const Observation &o)
+{
+    return motion::contactsOf(o, 0, 1, motion::gravityOf(check, o));
+}
+
+} // namespace
+
+std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
+{
+    const auto found = contacts(check, o);
+    if (found.empty())
+        return noContact();
+    const bool energy = check.parameters.value(QStringLiteral("energy")).toBool();
+    for (const motion::Contact &contact : found) {
+        const Balance b = balanceOf(o, contact);
+        if (length(b.momentumAfter - b.momentumBefore) > keptMomentum * b.scale) {
+            const bool x = std::abs(b.momentumAfter.x - b.momentumBefore.x)
+                           > std::abs(b.momentumAfter.y - b.momentumBefore.y);
+            return Fault{.message =
+                             ConserveText::tr("At step %1 the hit changed the total "
+                                              "momentum from %2 to %3 kg m/s; it should "
+                                              "stay")
+                                 .arg(QString::number(contact.step + 1),
+                                      motion::figureBeside(b.momentumBefore, b.momentumAfter),
+                                      motion::figureBeside(b.momentumAfter, b.momentumBefore)),
+                         .expected = x ? b.momentumBefore.x : b.momentumBefore.y,
+                         .observed = x ? b.momentumAfter.x : b.momentumAfter.y,
+                         .unit = QStringLiteral("kg m/s"),
+                         .step = contact.step + 1};
+        }
+        if (energy && std::abs(b.energyAfter - b.energyBefore) > keptEnergy * b.energyBefore) {
+            return Fault{.message = ConserveText::tr("At step %1 the hit changed the kinetic "
+                                                     "energy from %2 to %3 J; it should stay")
+                                        .arg(QString::number(contact.step + 1),
+                                             motion::figureBeside(b.energyBefore, b.energyAfter),
+                                             motion::figureBeside(b.energyAfter, b.energyBefore)),
+                         .expected = b.energyBefore,
+                         .observed = b.energyAfter,
+                         .unit = QStringLiteral("J"),
+                         .step = contact.step + 1};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
+{
+    const auto found = contacts(check, o);
+    if (found.empty())
+        return noContact();
+    const double tolerance = check.parameters.value(QStringLiteral("tolerance")).toDouble(1e-6);
+    const QJsonArray wanted = check.parameters.value(QStringLiteral("velocities")).toArray();
+    const Vec2 observed[] = {found.front().afterA, found.front().afterB};
+    for (int i = 0; i < 2 && i < wanted.size(); ++i) {
+        const QJsonArray v = wanted.at(i).toArray();
+        const Vec2 expected{v.at(0).toDouble(), v.at(1).toDouble()};
+        if (length(observed[i] - expected) <= tolerance)
+            continue;
+        const bool x = std::abs(observed[i].x - expected.x) > std::abs(observed[i].y - expected.y);
+        return Fault{.message =
+                         ConserveText::tr("At step %1 circle %2 left the first hit with %3 "
+                                          "m/s; %4 m/s is right")
+                             .arg(QString::number(found.front().step + 1), QString::number(i + 1),
+                                  motion::figureBeside(observed[i], expected),
+                                  motion::figureBeside(expected, observed[i])),
+                     .expected = x ? expected.x : expected.y,
+                     .observed = x ? observed[i].x : observed[i].y,
+                     .unit = QStringLiteral("m/s"),
+                     .step = found.front().step + 1};
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> losesEnergy(const CheckSpec &check, const Observation &o)
+{
+    const auto found = contacts(check, o);
+    if (found.empty())
+        return noContact();
+    const Balance b = balanceOf(o, found.front());
+    if (b.energyAfter < b.energyBefore * (1.0 - visibleLoss))
+        return std::nullopt;
+    return Fault{.message =
+                     ConserveText::tr("At step %1 the kinetic energy was %2 J before the hit "
+                                      "and %3 J after it; with e below 1 it should be less")
+                         .arg(QString::number(found.front().step + 1),
+                              motion::figure(b.energyBefore), motion::figure(b.energyAfter)),
+                 .expected = b.energyBefore,
+                 .observed = b.energyAfter,
+                 .unit = QStringLiteral("J"),
+                 .step = found.front().step + 1};
+}
+
+std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    bool met = false;
+    for (qint64 k = 0; k < o.steps(); ++k) {
+        const Circle &a = o.circle(0, k);
+        const Circle &b = o.circle(1, k);
+        met = met || length(b.position - a.position) < a.radius + b.radius;
+        for (int i = 0; i < 2; ++i) {
+            if (!motion::isKicked(o, i, k, gravity) || motion::isNearWall(o, i, k, gravity))
+                continue;
+            return Fault{.message = ConserveText::tr("At step %1 the velocity of circle %2 changed "
+                                                     "from %3 to %4 m/s; the circles should pass "
+                                                     "through each other unchanged")
+                                        .arg(QString::number(k + 1), QString::number(i + 1),
+                                             motion::figure(o.circle(i, k).velocity),
+                                             motion::figure(o.circle(i, k + 1).velocity)),
+                         .step = k + 1};
+        }
+    }
+    if (met)
+        return std::nullopt;
+    return noContact();
+}
+
+} // namespace cradle::kinds

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/integrator_matching.h"
+
+#include "model/preset_json.h"
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct IntegratorText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+constexpr Integrator allIntegrators[] = {Integrator::Euler, Integrator::SymplecticEuler,
+                                         Integrator::Verlet, Integrator::RungeKutta4};
+
+bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Circle &now = o.circle(i, k);
+    const Motion next = advance(integrator, {now.position, now.velocity}, gravity, o.timestep(k));
+    const double error = length(o.circle(i, k + 1).position - next.position);
+    return error <= motion::samePosition * (1.0 + length(now.position));
+}
+
+/// All integrators that step \p k agrees with.
+std::vector<Integrator> agreeing(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    std::vector<Integrator> found;
+    std::copy_if(std::begin(allIntegrators), std::end(allIntegrators), std::back_inserter(found),
+                 [&](Integrator integrator) { return agrees(integrator, o, i, k, gravity); });
+    return found;
+}
+
+std::vector<Integrator> wantedIntegrators(const CheckSpec &check)
+{
+    const QJsonArray names = check.parameters.value(QStringLiteral("integrators")).toArray();
+    std::vector<Integrator> wanted;
+    for (const QJsonValue &name : names) {
+        if (const auto integrator = integratorFromName(name.toString()))
+            wanted.push_back(*integrator);
+    }
+    if (wanted.empty())
+        wanted.assign(std::begin(allIntegrators), std::end(allIntegrators));
+    return wanted;
+}
+
+Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 change = o.circle(i, k + 1).velocity - o.circle(i, k).velocity;
+    const Vec2 observed = change / o.timestep(k);
+    const bool x = std::abs(observed.x - gravity.x) > std::abs(observed.y - gravity.y);
+    return {.message =
+                IntegratorText::tr("At step %1 the velocity of circle %2 changed by %3 m/s, "
+                                   "an acceleration of %4 m/s²; %5 m/s² is right here")
+                    .arg(QString::number(k + 1), QString::number(i + 1), motion::figure(change),
+                         motion::figureBeside(observed, gravity), motion::figure(gravity)),
+            .expected = x ? gravity.x : gravity.y,
+            .observed = x ? observed.x : observed.y,
+            .unit = QStringLiteral("m/s²"),
+            .step = k + 1};
+}
+
+Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator wanted)
+{
+    const Circle &now = o.circle(i, k);
+    const Vec2 right =
+        advance(wanted, {now.position, now.velocity}, gravity, o.timestep(k)).position
+        - now.position;
+    const Vec2 observed = o.circle(i, k + 1).position - now.position;
+    const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
+    QString message =
+        IntegratorText::tr("At step %1 circle %2 moved by %3 m; by %4 it moves by "
+                           "%5 m")
+            .arg(QString::number(k + 1), QString::number(i + 1),
+                 motion::figureBeside(observed, right), motion::integratorName(wanted),
+                 motion::figureBeside(right, observed));
+    const std::vector<Integrator> instead = agreeing(o, i, k, gravity);
+    if (!instead.empty())
+        message += IntegratorText::tr(". This is what %1 does").arg(namesOf(instead));
+    return {.message = message,
+            .expected = x ? right.x : right.y,
+            .observed = x ? observed.x : observed.y,
+            .unit = QStringLiteral("m"),
+            .step = k + 1};
+}
+
+Fault nothingToSee(int i)
+{
+    return {.message = IntegratorText::tr("Circle %1 is never free of walls and other circles, so "
+                                          "its motion cannot be judged; a start in the open is "
+                                          "right")
+                           .arg(i + 1),
+            .step = 0};
+}
+
+} // namespace
+
+QString namesOf(const std::vector<Integrator> &integrators)
+{
+    QStringList names;
+    for (const Integrator integrator : integrators)
+        names.append(motion::integratorName(integrator));
+    return names.join(IntegratorText::tr(" or "));
+}
+
+std::vector<Integrator> matchingIntegrators(const CheckSpec &check, const Observation &o, int i,
+                                            Vec2 gravity)
+{
+    std::vector<Integrator> left(std::begin(allIntegrators), std::end(allIntegrators));
+    for (qint64 k = 0; k < o.steps() && !left.empty(); ++k) {
+        if (!motion::isFree(check, o, i, k, gravity))
+            continue;
+        std::erase_if(left, [&](Integrator integrator) {
+            return motion::isKicked(o, i, k, gravity) || !agrees(integrator, o, i, k, gravity);
+        });
+    }
+    return left;
+}
+
+namespace kinds {
+
+std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    const std::vector<Integrator> wanted = wantedIntegrators(check);
+    for (const int i : check.circles) {
+        std::vector<Integrator> left = wanted;
+        bool seen = false;
+        for (qint64 k = 0; k < o.steps(); ++k) {
+            if (!motion::isFree(check, o, i, k, gravity))
+                continue;
+            seen = true;
+            if (motion::isKicked(o, i, k, gravity))
+                return wrongAcceleration(o, i, k, gravity);
+            std::erase_if(
+                left, [&](Integrator integrator) { return !agrees(integrator, o, i, k, gravity); });
+            if (left.empty())
+                return wrongPlace(o, i, k, gravity, wanted.front());
+        }
+        if (!seen)
+            return nothingToSee(i);
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    std::vector<Integrator> first;
+    for (const int i : check.circles) {
+        const std::vector<Integrator> own = matchingIntegrators(check, o, i, gravity);
+        if (own.empty()) {
+            return Fault{.message = IntegratorText::tr("Circle %1 moves by none of the four "
+                                                       "integrators under gravity %2 m/s²")
+                                        .arg(QString::number(i + 1), motion::figure(gravity)),
+                         .step = 1};
+        }
+        if (first.empty())
+            first = own;
+        if (own != first) {
+            return Fault{.message = IntegratorText::tr("Circle %1 moves by %2 and circle %3 by %4; "
+                                                       "the same for both is right")
+                                        .arg(QString::number(check.circles.front() + 1),
+                                             namesOf(first), QString::number(i + 1), namesOf(own)),
+                         .step = 1};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    for (const int i : check.circles) {
+        const Circle &begin = o.circle(i, 0);
+        for (qint64 k = 0; k < o.steps() && motion::isFree(check, o, i, k, gravity); ++k) {
+            const double t = o.states.time(k + 1);
+            const Vec2 right = begin.position + t * begin.velocity + (0.5 * t * t) * gravity;
+            const Vec2 observed = o.circle(i, k + 1).position;
+            if (length(observed - right) <= motion::samePosition)
+                continue;
+            const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
+            return Fault{.message =
+                             IntegratorText::tr("At step %1 circle %2 is at %3 m; x₀ + v₀t + ½gt² "
+                                                "is %4 m")
+                                 .arg(QString::number(k + 1), QString::number(i + 1),
+                                      motion::figureBeside(observed, right),
+                                      motion::figureBeside(right, observed)),
+                         .expected = x ? right.x : right.y,
+                         .observed = x ? observed.x : observed.y,
+                         .unit = QStringLiteral("m"),
+                         .step = k + 1};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace kinds
+
+} // namespace cradle

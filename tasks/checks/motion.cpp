@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace cradle::motion {
+
+namespace {
+
+struct MotionText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// Least distance of two centres while both go straight for \p seconds from their state. Gravity
+/// acts on both alike and takes no part.
+double nearestCentres(const Circle &a, const Circle &b, double seconds)
+{
+    const Vec2 d = b.position - a.position;
+    const Vec2 v = b.velocity - a.velocity;
+    const double speed2 = lengthSquared(v);
+    const double s = speed2 > 0.0 ? std::clamp(-dot(d, v) / speed2, 0.0, seconds) : 0.0;
+    return length(d + s * v);
+}
+
+} // namespace
+
+bool isSame(Vec2 a, Vec2 b)
+{
+    return length(a - b) <= sameVelocity * (1.0 + length(b));
+}
+
+Vec2 gravityOf(const CheckSpec &check, const Observation &o)
+{
+    const QJsonArray list = check.parameters.value(QStringLiteral("gravity")).toArray();
+    if (list.size() == 2)
+        return {list.at(0).toDouble(), list.at(1).toDouble()};
+    return o.variant.preset.gravity;
+}
+
+Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    return o.circle(i, k + 1).velocity - o.circle(i, k).velocity - o.timestep(k) * gravity;
+}
+
+bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    return length(kick(o, i, k, gravity)) > sameVelocity * (1.0 + length(o.circle(i, k).velocity));
+}
+
+double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const double dt = o.timestep(k);
+    return (length(o.circle(i, k).velocity) + length(gravity) * dt) * dt + samePosition;
+}
+
+double wallGap(const Observation &o, const Circle &c, Wall wall)
+{
+    return o.variant.preset.halfWidth - c.radius - dot(c.position, outwardNormal(wall));
+}
+
+bool isNearWall(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        return wallGap(o, o.circle(i, k), wall) <= travel(o, i, k, gravity);
+    });
+}
+
+bool isNearCircle(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    for (int j = 0; j < o.circleCount(); ++j) {
+        const double gap = length(o.circle(j, k).position - o.circle(i, k).position)
+                           - o.circle(i, k).radius - o.circle(j, k).radius;
+        if (j != i && gap <= travel(o, i, k, gravity) + travel(o, j, k, gravity))
+            return true;
+    }
+    return false;
+}
+
+bool isFree(const CheckSpec &check, const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    if (isNearWall(o, i, k, gravity))
+        return false;
+    const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
+    return !collisions || !isNearCircle(o, i, k, gravity);
+}
+
+std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity)
+{
+    std::vector<Contact> contacts;
+    for (qint64 k = 0; k < o.steps(); ++k) {
+        const bool kickedA = isKicked(o, a, k, gravity);
+        const bool kickedB = isKicked(o, b, k, gravity);
+        if (!kickedA && !kickedB)
+            continue;
+        const Circle &ca = o.circle(a, k);
+        const Circle &cb = o.circle(b, k);
+        const double dt = o.timestep(k);
+        const double sum = ca.radius + cb.radius;
+        Contact contact{.step = k};
+        contact.nearest = nearestCentres(ca, cb, dt) - sum;
+        // What happens at a wall, far from the other circle, is not theirs.
+        const bool wall = (!kickedA || isNearWall(o, a, k, gravity))
+                          && (!kickedB || isNearWall(o, b, k, gravity));
+        if (wall && contact.nearest > travel(o, a, k, gravity) + travel(o, b, k, gravity))
+            continue;
+        contact.beforeA = ca.velocity;
+        contact.beforeB = cb.velocity;
+        contact.afterA = o.circle(a, k + 1).velocity - dt * gravity;
+        contact.afterB = o.circle(b, k + 1).velocity - dt * gravity;
+        // A program that sees the hit late may still use the step before.
+        const qint64 early = std::max<qint64>(0, k - 1);
+        const Circle &ea = o.circle(a, early);
+        const Circle &eb = o.circle(b, early);
+        contact.normalFirst = normalized(eb.position - ea.position);
+        contact.normalLast =
+            normalized(cb.position + dt * cb.velocity - ca.position - dt * ca.velocity);
+        contacts.push_back(contact);
+    }
+    return contacts;
+}
+
+qint64 missedContact(const Observation &o, int a, int b)
+{
+    int inside = 0;
+    for (qint64 k = 0; k <= o.steps(); ++k) {
+        const Circle &ca = o.circle(a, k);
+        const Circle &cb = o.circle(b, k);
+        const Vec2 d = cb.position - ca.position;
+        const double sum = ca.radius + cb.radius;
+        const bool nearer = dot(d, cb.velocity - ca.velocity) < 0.0;
+        const bool in = length(d) < sum * (1.0 - 1e-9);
+        inside = in && nearer ? inside + 1 : 0;
+        // One state may show the overlap that the next step answers.
+        if (inside > 2)
+            return k - 2;
+    }
+    return -1;
+}
+
+QString wallName(Wall wall)
+{
+    switch (wall) {
+    case Wall::Left:
+        return MotionText::tr("left wall");
+    case Wall::Right:
+        return MotionText::tr("right wall");
+    case Wall::Bottom:
+        return MotionText::tr("floor");
+    case Wall::Top:
+        break;
+    }
+    return MotionText::tr("ceiling");
+}
+
+QString integratorName(Integrator integrator)
+{
+    switch (integrator) {
+    case Integrator::Euler:
+        return MotionText::tr("Euler");
+    case Integrator::SymplecticEuler:
+        return MotionText::tr("symplectic Euler");
+    case Integrator::Verlet:
+        return MotionText::tr("velocity Verlet");
+    case Integrator::RungeKutta4:
+        break;
+    }
+    return MotionText::tr("Runge-Kutta 4");
+}
+
+QString figure(double value)
+{
+    // The rounding noise of a sum that should be zero is not worth a reader's time.
+    return QString::number(std::abs(value) < 1e-12 ? 0.0 : value, 'g', 6);
+}
+
+QString figure(Vec2 value)
+{
+    return QStringLiteral("(%1, %2)").arg(figure(value.x), figure(value.y));
+}
+
+QString figureBeside(double value, double other)
+{
+    for (int digits = 4; digits < 16; ++digits) {
+        const QString text = QString::number(value, 'g', digits);
+        if (text != QString::number(other, 'g', digits))
+            return digits < 6 ? figure(value) : QString::number(value, 'g', digits + 1);
+    }
+    return figure(value);
+}
+
+QString figureBeside(Vec2 value, Vec2 other)
+{
+    return QStringLiteral("(%1, %2)")
+        .arg(figureBeside(value.x, other.x), figureBeside(value.y, other.y));
+}
+
+QString circleName(int index)
+{
+    return MotionText::tr("circle %1").arg(index + 1);
+}
+
+} // namespace cradle::motion

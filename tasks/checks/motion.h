@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/checks/check_library.h"
+
+namespace cradle {
+
+/// Tools that the kinds of checks share: what happened in one step of an observation.
+namespace motion {
+
+/// A velocity that differs by less than this (m/s, times 1 + speed) is the same: a hundred times
+/// what rounding makes of a few hundred operations on doubles, a thousandth of any mistake.
+inline constexpr double sameVelocity = 1e-9;
+/// The same for positions (m), which gather the rounding of many steps.
+inline constexpr double samePosition = 1e-9;
+
+[[nodiscard]] bool isSame(Vec2 a, Vec2 b);
+
+/// The gravity that the check names, else that of the scene, m/s².
+[[nodiscard]] Vec2 gravityOf(const CheckSpec &check, const Observation &o);
+
+/// What changed the velocity of circle \p i in the step after \p k besides gravity, m/s.
+[[nodiscard]] Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity);
+[[nodiscard]] bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity);
+
+/// The furthest that circle \p i can come in the step after \p k, m.
+[[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);
+
+/// From the rim to \p wall, m; negative beyond it.
+[[nodiscard]] double wallGap(const Observation &o, const Circle &c, Wall wall);
+
+/// Whether circle \p i can reach a wall in the step after \p k.
+[[nodiscard]] bool isNearWall(const Observation &o, int i, qint64 k, Vec2 gravity);
+
+/// Whether circle \p i can reach another circle in the step after \p k.
+[[nodiscard]] bool isNearCircle(const Observation &o, int i, qint64 k, Vec2 gravity);
+
+/// Whether nothing can meet circle \p i in the step after \p k: no wall and, if the check says
+/// that its circles collide ("collisions"), no other circle.
+[[nodiscard]] bool isFree(const CheckSpec &check, const Observation &o, int i, qint64 k,
+                          Vec2 gravity);
+
+/// A contact of circles 1 and 2 that changed a velocity.
+struct Contact {
+    qint64 step = 0; ///< the velocities of the next state are the changed ones
+    Vec2 beforeA{};  ///< without the step's gravity, m/s
+    Vec2 beforeB{};
+    Vec2 afterA{};
+    Vec2 afterB{};
+    double nearest = 0.0; ///< least distance of the rims on the way through the step, m
+    Vec2 normalFirst{};   ///< the first and the last normal that is honest with discrete steps
+    Vec2 normalLast{};
+};
+
+/// The contacts of circles \p a and \p b, oldest first, walls left out.
+[[nodiscard]] std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity);
+
+/// The first step at which both have been inside each other, still coming nearer, for longer than
+/// an honest program needs to see it; −1 if there is none.
+[[nodiscard]] qint64 missedContact(const Observation &o, int a, int b);
+
+[[nodiscard]] QString wallName(Wall wall); ///< "right wall"
+[[nodiscard]] QString integratorName(Integrator integrator);
+[[nodiscard]] QString figure(double value);                     ///< enough digits to read
+[[nodiscard]] QString figure(Vec2 value);                       ///< "(2, 0)"
+[[nodiscard]] QString figureBeside(double value, double other); ///< enough to see the difference
+[[nodiscard]] QString figureBeside(Vec2 value, Vec2 other);
+[[nodiscard]] QString circleName(int index); ///< "circle 1"
+
+} // namespace motion
+} // namespace cradle

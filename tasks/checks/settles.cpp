@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/integrator_matching.h"
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct SettleText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// The end of the run that is looked at, s.
+constexpr double lastSeconds = 5.0;
+/// How much higher than the reference a circle may still hop: other correct ways to handle the
+/// wall (clamping, mirroring) lose a little less than going back does.
+constexpr double generosity = 2.0;
+constexpr double roundOff = 2e-3; ///< m; two steps of gravity from rest at 1/60 s
+
+/// How high above the floor the rim of circle \p i still comes at the end, m.
+double lastHeight(const Observation &o, int i)
+{
+    double highest = -1e9;
+    for (qint64 k = o.steps(); k >= 0; --k) {
+        if (o.states.time(k) < o.states.time(o.steps()) - lastSeconds)
+            break;
+        highest = std::max(highest, motion::wallGap(o, o.circle(i, k), Wall::Bottom));
+    }
+    return highest;
+}
+
+/// The same of the lab's own way with \p integrator.
+double referenceHeight(const Observation &o, int i, Integrator integrator)
+{
+    Variant reference = o.variant;
+    reference.preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Discrete};
+    for (PresetCircle &circle : reference.preset.circles)
+        circle.integrator = integrator;
+    return lastHeight(observe(reference), i);
+}
+
+} // namespace
+
+std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
+{
+    const Vec2 gravity = motion::gravityOf(check, o);
+    for (const int i : check.circles) {
+        double allowed = 0.0;
+        for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
+            allowed = std::max(allowed, referenceHeight(o, i, integrator));
+        allowed = generosity * allowed + roundOff;
+        const double observed = lastHeight(o, i);
+        if (observed > allowed) {
+            return Fault{.message = SettleText::tr("After %1 s circle %2 still comes %3 m above "
+                                                   "the floor with e = %4; at most %5 m is right "
+                                                   "for its integrator")
+                                        .arg(motion::figure(o.variant.duration),
+                                             QString::number(i + 1), motion::figure(observed),
+                                             motion::figure(o.variant.preset.restitution),
+                                             motion::figure(allowed)),
+                         .expected = allowed,
+                         .observed = observed,
+                         .unit = QStringLiteral("m"),
+                         .step = o.steps()};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace cradle::kinds

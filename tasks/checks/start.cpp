@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/kinds.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct StartText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+Fault wrongValue(const QString &what, const QString &observed, const QString &expected,
+                 const QString &unit)
+{
+    return {.message = StartText::tr("%1 is %2 %4 at the start; %3 %4 is asked for")
+                           .arg(what, observed, expected, unit)
+                           .trimmed(),
+            .unit = unit,
+            .step = 0};
+}
+
+std::optional<Fault> wrongNumber(const QString &what, double observed, const QJsonValue &value,
+                                 const QString &unit)
+{
+    const double expected = value.toDouble();
+    if (!value.isDouble()
+        || std::abs(observed - expected) <= motion::samePosition * (1.0 + std::abs(expected)))
+        return std::nullopt;
+    Fault fault = wrongValue(what, motion::figureBeside(observed, expected),
+                             motion::figureBeside(expected, observed), unit);
+    fault.observed = observed;
+    fault.expected = expected;
+    return fault;
+}
+
+std::optional<Fault> wrongVector(const QString &what, Vec2 observed, const QJsonValue &value,
+                                 const QString &unit)
+{
+    const QJsonArray list = value.toArray();
+    const Vec2 expected{list.at(0).toDouble(), list.at(1).toDouble()};
+    if (list.size() != 2 || length(observed - expected) <= motion::samePosition)
+        return std::nullopt;
+    Fault fault = wrongValue(what, motion::figureBeside(observed, expected),
+                             motion::figureBeside(expected, observed), unit);
+    const bool x = observed.x != expected.x;
+    fault.observed = x ? observed.x : observed.y;
+    fault.expected = x ? expected.x : expected.y;
+    return fault;
+}
+
+} // namespace
+
+std::optional<Fault> start(const CheckSpec &check, const Observation &o)
+{
+    const auto wanted = [&](const char *key) { return check.parameters.value(QLatin1String(key)); };
+    for (const int i : check.circles) {
+        const Circle &c = o.circle(i, 0);
+        const QString number = QString::number(i + 1);
+        if (auto f = wrongVector(StartText::tr("The position of circle %1").arg(number), c.position,
+                                 wanted("position"), QStringLiteral("m")))
+            return f;
+        if (auto f = wrongVector(StartText::tr("The velocity of circle %1").arg(number), c.velocity,
+                                 wanted("velocity"), QStringLiteral("m/s")))
+            return f;
+        if (auto f = wrongNumber(StartText::tr("The radius of circle %1").arg(number), c.radius,
+                                 wanted("radius"), QStringLiteral("m")))
+            return f;
+        if (auto f = wrongNumber(StartText::tr("The density of circle %1").arg(number), c.density,
+                                 wanted("density"), QStringLiteral("· 1000 kg/m³")))
+            return f;
+    }
+    const QJsonValue count = wanted("count");
+    if (count.isDouble() && o.circleCount() != count.toInt()) {
+        return Fault{.message = StartText::tr("There are %1 circles; %2 are asked for")
+                                    .arg(o.circleCount())
+                                    .arg(count.toInt()),
+                     .expected = count.toInt(),
+                     .observed = o.circleCount(),
+                     .step = 0};
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> together(const CheckSpec &check, const Observation &o)
+{
+    const int a = check.circles.front();
+    const int b = check.circles.back();
+    for (qint64 k = 0; k <= o.steps(); ++k) {
+        const Circle &ca = o.circle(a, k);
+        const Circle &cb = o.circle(b, k);
+        const double apart = length(cb.position - ca.position);
+        if (apart > motion::samePosition || !motion::isSame(ca.velocity, cb.velocity)) {
+            return Fault{.message =
+                             StartText::tr("At step %1 circle %2 is at %3 m with %4 m/s and circle "
+                                           "%5 at %6 m with %7 m/s; they should be in the same "
+                                           "place with the same velocity")
+                                 .arg(QString::number(k), QString::number(a + 1),
+                                      motion::figureBeside(ca.position, cb.position),
+                                      motion::figureBeside(ca.velocity, cb.velocity),
+                                      QString::number(b + 1),
+                                      motion::figureBeside(cb.position, ca.position),
+                                      motion::figureBeside(cb.velocity, ca.velocity)),
+                         .expected = 0.0,
+                         .observed = apart,
+                         .unit = QStringLiteral("m"),
+                         .step = k};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace cradle::kinds

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/lab.h"
+
+namespace cradle {
+
+/// The lab that ships inside the program.
+inline constexpr char shippedLab[] = ":/labs/lab-4.2";
+
+/// Reads a lab's folder. Steps that cannot be read are left out and named in Lab::findings; texts
+/// are taken in \p language ("de") where the lab has them, else in its own.
+/// \return an error if there is no lab.json that can be read
+Result<Lab> readLab(const QString &folder, const QString &language = QStringLiteral("en"));
+
+} // namespace cradle
