@@ -95,6 +95,20 @@ void Simulation::seek(qint64 index)
     emit frameReady();
 }
 
+void Simulation::goTo(qint64 step)
+{
+    const qint64 ahead = step - m_recording.step(m_recording.last());
+    if (ahead <= 0) {
+        seek(m_recording.last() + ahead);
+        return;
+    }
+    pause();
+    m_current = m_recording.last();
+    for (qint64 k = 0; k < ahead; ++k)
+        advance(m_preset.timestep);
+    emit frameReady();
+}
+
 void Simulation::seekNextHit()
 {
     pause();

@@ -42,6 +42,7 @@ public slots:
     void stepForward();      ///< pauses; one recorded or one new step
     void stepBack();         ///< pauses; one recorded step
     void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
+    void goTo(qint64 step);  ///< pauses; shows that step, computed if it is yet to come
     void seekNextHit();      ///< pauses; runs on, at most a minute of the scene, to the next hit
     void setSpeed(double speed); ///< bounded to slowest … fastest
     void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did

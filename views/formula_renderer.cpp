@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "views/formula_renderer.h"
 
 #include <QCryptographicHash>
@@ -11,7 +10,6 @@
 #include <QJsonObject>
 #include <QLoggingCategory>
 #include <QMutex>
-#include <QRegularExpression>
 #include <QSaveFile>
 #include <QStandardPaths>
 
@@ -29,8 +27,8 @@ namespace cradle {
 
 namespace {
 
-constexpr auto scriptPath = ":/mathjax/mathjax.js";
-constexpr auto versionPath = ":/mathjax/version";
+constexpr QLatin1String scriptPath(":/mathjax/mathjax.js");
+constexpr QLatin1String versionPath(":/mathjax/version");
 
 // MathJax recurses for nested formulas; the default of some systems (512 KiB) is too little.
 constexpr uint stackBytes = 8U << 20U;
@@ -55,7 +53,7 @@ void silenceCompiler(QLoggingCategory *category)
 /// does, names above their declaration.
 QJSValue evaluateQuietly(QJSEngine &engine, const QByteArray &script)
 {
-    static QMutex oneAtATime;  // the filter is global
+    static QMutex oneAtATime; // the filter is global
     const QMutexLocker lock(&oneAtATime);
     outerFilter = QLoggingCategory::installFilter(silenceCompiler);
     const QJSValue result = engine.evaluate(QString::fromUtf8(script), scriptPath);
@@ -69,16 +67,16 @@ std::optional<Formula> parseAnswer(const QByteArray &json)
 {
     const QJsonObject answer = QJsonDocument::fromJson(json).object();
     Formula formula;
-    formula.error = answer["error"].toString();
+    formula.error = answer[u"error"].toString();
     if (!formula.error.isEmpty()) {
         formula.state = Formula::State::Broken;
         return formula;
     }
     formula.state = Formula::State::Ready;
-    formula.svg = answer["svg"].toString().toUtf8();
-    formula.width = answer["width_ex"].toDouble();
-    formula.height = answer["height_ex"].toDouble();
-    formula.depth = answer["depth_ex"].toDouble();
+    formula.svg = answer[u"svg"].toString().toUtf8();
+    formula.width = answer[u"width_ex"].toDouble();
+    formula.height = answer[u"height_ex"].toDouble();
+    formula.depth = answer[u"depth_ex"].toDouble();
     const bool valid = !formula.svg.isEmpty() && formula.width > 0.0 && formula.height > 0.0;
     return valid ? std::optional(formula) : std::nullopt;
 }
@@ -88,16 +86,19 @@ std::optional<Formula> parseAnswer(const QByteArray &json)
 /// MathJax and the formulas on disk; every function but interrupt() runs on the worker thread.
 class FormulaWorker final : public QObject
 {
-    Q_OBJECT
 public:
-    explicit FormulaWorker(const QString &cacheFolder) : m_cacheFolder(cacheFolder) {}
+    explicit FormulaWorker(const QString &cacheFolder)
+        : m_cacheFolder(cacheFolder)
+    {
+    }
 
     Formula formula(const QString &tex, bool display)
     {
         if (m_interrupted)
             return {};
         if (!QFile::exists(scriptPath))
-            return unavailable(tr("Cradle was built without MathJax, so formulas show as text."));
+            return unavailable(FormulaRenderer::tr("Cradle was built without MathJax, so "
+                                                   "formulas show as text."));
 
         const QString path = cachePath(tex, display);
         if (const auto kept = parseAnswer(contentOf(path)))
@@ -135,7 +136,8 @@ private:
         hash.addData(contentOf(versionPath));
         hash.addData(display ? QByteArrayView("display\n") : QByteArrayView("inline\n"));
         hash.addData(tex.toUtf8());
-        return m_cacheFolder + '/' + hash.result().toHex() + ".json";
+        return m_cacheFolder + u'/' + QString::fromLatin1(hash.result().toHex())
+               + QLatin1String(".json");
     }
 
     /// A formula that cannot be kept is drawn again next time: failure needs no message.
@@ -158,18 +160,18 @@ private:
         m_engine->setInterrupted(m_interrupted);
         lock.unlock();
         const QJSValue result = evaluateQuietly(*m_engine, contentOf(scriptPath));
-        m_texToSvg = m_engine->globalObject().property("texToSvg");
+        m_texToSvg = m_engine->globalObject().property(QStringLiteral("texToSvg"));
         if (result.isError() || !m_texToSvg.isCallable())
-            m_failure = tr("MathJax does not run: %1").arg(result.toString());
+            m_failure = FormulaRenderer::tr("MathJax does not run: %1").arg(result.toString());
         return m_failure;
     }
 
     const QString m_cacheFolder;
     QString m_failure;
-    QMutex m_mutex;  ///< guards the birth of m_engine
+    QMutex m_mutex; ///< guards the birth of m_engine
     std::atomic_bool m_interrupted = false;
     std::unique_ptr<QJSEngine> m_engine;
-    QJSValue m_texToSvg;  ///< after m_engine, so that it goes first
+    QJSValue m_texToSvg; ///< after m_engine, so that it goes first
 };
 
 FormulaRenderer::FormulaRenderer(QObject *parent, const QString &cacheFolder)
@@ -177,10 +179,11 @@ FormulaRenderer::FormulaRenderer(QObject *parent, const QString &cacheFolder)
 {
     initMathJaxResource();
     const QString standard = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-    m_worker = new FormulaWorker(cacheFolder.isEmpty() ? standard + "/formulas" : cacheFolder);
+    m_worker = new FormulaWorker(cacheFolder.isEmpty() ? standard + QLatin1String("/formulas")
+                                                       : cacheFolder);
     m_worker->moveToThread(&m_thread);
     connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
-    m_thread.setObjectName("formulas");
+    m_thread.setObjectName(QStringLiteral("formulas"));
     m_thread.setStackSize(stackBytes);
 }
 
@@ -212,8 +215,8 @@ void FormulaRenderer::request(const QString &tex, bool display)
     const auto work = [this, worker = m_worker, key] {
         const Formula formula = worker->formula(key.first, key.second);
         // The renderer waits for this thread before it dies, and drops calls not yet made.
-        QMetaObject::invokeMethod(this, [this, key, formula] { finish(key, formula); },
-                                  Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, key, formula] { finish(key, formula); }, Qt::QueuedConnection);
     };
     QMetaObject::invokeMethod(m_worker, work, Qt::QueuedConnection);
 }
@@ -231,37 +234,4 @@ void FormulaRenderer::finish(const Key &key, const Formula &formula)
     emit ready(key.first, key.second, formula);
 }
 
-FormulaText findFormulas(const QString &markdown)
-{
-    // In order: fenced block, code span, other backticks, escaped character, formula on its own
-    // line, formula within text, other dollars. (?!\n\h*\n) keeps to one paragraph.
-    static const QRegularExpression token(
-        R"((?sm)^[\h>]*(?:(?:[-*+]|\d+[.)])\h+)?(`{3,}|~{3,})[^`\n]*\n.*?(?:^[\h>]*\1[`~]*\h*$|\z))"
-        R"(|(?<!`)(`+)(?!`).+?(?<!`)\2(?!`))"
-        R"(|`+)"
-        R"(|\\.)"
-        R"(|\$\$(?<display>(?:\\.|(?!\n\h*\n)[^\\$`])+)\$\$)"
-        R"(|\$(?=\S)(?<inline>(?:\\.|(?!\n\h*\n)[^\\$`])+)(?<=\S)\$(?![\d$]))"
-        R"(|\$+)");
-    FormulaText result;
-    QString text = markdown;
-    text.remove(QChar(0xE000)).remove(QChar(0xE001)).replace("\r\n", "\n");
-    qsizetype done = 0;
-    for (auto tokens = token.globalMatch(text); tokens.hasNext();) {
-        const QRegularExpressionMatch match = tokens.next();
-        const bool display = match.capturedLength("display") > 0;
-        const QString tex = match.captured(display ? "display" : "inline").trimmed();
-        if (tex.isEmpty())
-            continue;
-        result.markdown += text.mid(done, match.capturedStart() - done);
-        result.markdown += QChar(0xE000) + QString::number(result.formulas.size()) + QChar(0xE001);
-        result.formulas.push_back({tex, match.captured(), display});
-        done = match.capturedEnd();
-    }
-    result.markdown += text.mid(done);
-    return result;
-}
-
 } // namespace cradle
-
-#include "formula_renderer.moc"

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #pragma once
 
 #include <QByteArray>
@@ -10,7 +9,7 @@
 #include <QString>
 #include <QThread>
 
-#include <vector>
+#include <utility>
 
 namespace cradle {
 
@@ -35,28 +34,6 @@ struct Formula {
     friend bool operator==(const Formula &, const Formula &) = default;
 };
 
-/// Where a formula stands in a Markdown text.
-struct FormulaSource {
-    QString tex;      ///< without the dollars
-    QString markdown; ///< as written, with the dollars
-    bool display = false;
-};
-
-/// A Markdown text whose formulas have given way to marks that Markdown leaves alone.
-struct FormulaText {
-    QString markdown;
-    std::vector<FormulaSource> formulas;
-
-    /// The mark of formula i, which stands for it in `markdown`; captures i.
-    static constexpr auto markPattern = u"\uE000([0-9]+)\uE001";
-};
-
-/// Finds `$…$` and `$$…$$` much like pandoc: a single `$` opens before a character that is no
-/// space, and closes after one and not before a digit, so that "$5 and $6" stays as it is.
-/// Code spans, fenced blocks, `\$` and anything across an empty line are no formulas.
-/// Formulas in indented code are marked too: the caller must put `FormulaSource::markdown` back.
-[[nodiscard]] FormulaText findFormulas(const QString &markdown);
-
 /// Typesets TeX formulas as SVG on a thread of its own.
 ///
 /// MathJax is loaded on the first formula that is in neither cache; the object itself costs
@@ -77,6 +54,9 @@ public:
 
     /// The answer of an earlier request, or nullptr; valid until the next one.
     [[nodiscard]] const Formula *known(const QString &tex, bool display) const;
+
+    /// Whether no formula is being waited for.
+    [[nodiscard]] bool isIdle() const { return m_waiting.isEmpty(); }
 
 signals:
     void ready(const QString &tex, bool display, const cradle::Formula &formula);

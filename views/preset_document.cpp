@@ -51,6 +51,8 @@ PresetDocument::PresetDocument(Simulation &simulation, QObject *parent)
 void PresetDocument::open(const Preset &original, const std::optional<Preset> &edited)
 {
     m_undoStack.clear();
+    if (std::exchange(m_own, std::nullopt))
+        emit visitingChanged(false);
     m_original = original;
     m_simulation.setPreset(edited.value_or(original));
 }
@@ -59,12 +61,34 @@ bool PresetDocument::edit(const QString &text, const Preset &changed, const QStr
 {
     if (changed == preset())
         return true;
+    if (isVisiting()) {
+        emit refused({.message = tr("This is a scene of the check; go back to your own scene to "
+                                    "change it")});
+        return false;
+    }
     if (const std::optional<Error> fault = findFault(changed)) {
         emit refused(*fault);
         return false;
     }
     m_undoStack.push(new PresetEdit(*this, text, changed, mergeKey));
     return true;
+}
+
+void PresetDocument::visit(const Preset &preset)
+{
+    if (!m_own)
+        m_own = this->preset();
+    m_simulation.setPreset(preset);
+    emit visitingChanged(true);
+}
+
+void PresetDocument::leave()
+{
+    if (!m_own)
+        return;
+    const Preset own = *std::exchange(m_own, std::nullopt);
+    m_simulation.setPreset(own);
+    emit visitingChanged(false);
 }
 
 void PresetDocument::resetToOriginal()
@@ -74,6 +98,9 @@ void PresetDocument::resetToOriginal()
 
 void PresetDocument::apply(const Preset &preset)
 {
+    // Undo and redo speak of the student's own scene, so a visit ends here.
+    if (std::exchange(m_own, std::nullopt))
+        emit visitingChanged(false);
     m_simulation.setPreset(preset);
     emit edited();
 }

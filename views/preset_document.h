@@ -20,6 +20,9 @@ public:
     [[nodiscard]] Simulation &simulation() const { return m_simulation; }
     [[nodiscard]] QUndoStack &undoStack() { return m_undoStack; }
     [[nodiscard]] bool isOriginal() const { return preset() == m_original; }
+    /// The student's own preset: preset(), but for a visit.
+    [[nodiscard]] const Preset &own() const { return m_own ? *m_own : preset(); }
+    [[nodiscard]] bool isVisiting() const { return m_own.has_value(); }
 
     /// Takes \p preset as the one that the step came with, and \p edited (if any) as what the
     /// student has made of it; forgets the undo history.
@@ -30,11 +33,16 @@ public:
     /// \return false (and refused() is emitted) if \p changed has a fault
     bool edit(const QString &text, const Preset &changed, const QString &mergeKey = {});
 
+    /// Shows \p preset, a scene that is not the student's to edit; leave() goes back.
+    void visit(const Preset &preset);
+
 public slots:
+    void leave();           ///< ends a visit
     void resetToOriginal(); ///< as one undoable edit
 
 signals:
     void refused(const cradle::Error &error); ///< an edit would make an impossible scene
+    void visitingChanged(bool visiting);
     void edited(); ///< the preset changed by edit, undo or redo (not by open)
 
 private:
@@ -44,6 +52,7 @@ private:
     Simulation &m_simulation;
     QUndoStack m_undoStack;
     Preset m_original;
+    std::optional<Preset> m_own; ///< during a visit
 };
 
 } // namespace cradle

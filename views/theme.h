@@ -3,11 +3,17 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
+
+class QWidget;
 
 namespace cradle {
 
 /// What a colour stands for; it means the same thing in scene, charts, tables and text.
+/// Those called text below, and accent, success and warning, can be read (4.5 : 1) on window,
+/// panel, scene and accentSoft; warning and text also on warningSoft; onAccent on accent and
+/// success.
 struct Theme {
     QColor window;     ///< behind the panes
     QColor panel;      ///< panes, tables, charts
@@ -28,6 +34,9 @@ struct Theme {
     QColor warning;       ///< failed: text
     QColor warningSoft;   ///< failed: background
     QColor warningBorder; ///< failed: frame
+    QColor onAccent;      ///< text on accent or success
+    QColor controlBorder; ///< frames of buttons and fields
+    QColor hover;         ///< behind what the pointer is on
     bool dark = false;
 
     static const Theme &lightTheme();
@@ -40,8 +49,29 @@ enum class ThemeChoice { System, Light, Dark };
 /// The theme in force; widgets read it anew at QEvent::PaletteChange.
 const Theme &theme();
 
-/// Sets style, palette, fonts and style sheet of the application.
+/// Sets style, palette, fonts and style sheet of the application. System means dark if the
+/// palette that the desktop gave at the start is dark.
 void applyTheme(ThemeChoice choice);
+
+/// The palette of \p theme for QApplication.
+QPalette paletteOf(const Theme &theme);
+
+/// Figures that stand still: one width for all digits, the size of the application's text.
+QFont numericFont();
+
+/// Section headings: small, spaced, upper case.
+QFont headingFont();
+
+/// How the style sheet dresses a widget: a button as "primary", "success" or "link", a label as
+/// "heading", "muted", "warning", "warningTitle", "success" or "successTitle", a frame as "card" or
+/// "warningCard".
+void setKind(QWidget *widget, const char *kind);
+
+/// The contrast of two opaque colours by WCAG 2.1, from 1 to 21.
+double contrast(const QColor &a, const QColor &b);
+
+/// \p colour, darkened or lightened just so far that text in it can be read on \p background.
+QColor readableOn(const QColor &colour, const QColor &background);
 
 /// The colour of circle \p index where its preset names none that can be told apart, and the
 /// dash that goes with it: lines differ by dash as well as by colour.

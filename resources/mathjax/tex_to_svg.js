@@ -57,21 +57,24 @@ const page = mathjax.document('', {
     OutputJax: new SVG({fontCache: 'none'}),
 });
 
-// Qt's renderer takes no style sheet, so lines of tables get their width here. The width is that
-// of MathJax's own style sheet, in units of 1/1000 em.
+// Qt's renderer takes no style sheet, so lines of tables get their width here, which is that of
+// MathJax's own style sheet, in units of 1/1000 em. A \rule gets the colour of the text, not black.
 const LINE_WIDTH = '70';
 
-function drawTableLines(node) {
+function styleLines(node) {
     for (const child of adaptor.childNodes(node)) {
         if (adaptor.kind(child) === '#text') continue;
         if (adaptor.hasAttribute(child, 'data-line') || adaptor.hasAttribute(child, 'data-frame')) {
             adaptor.setAttribute(child, 'stroke-width', LINE_WIDTH);
             adaptor.setAttribute(child, 'fill', 'none');
         }
+        if (adaptor.getAttribute(node, 'data-mml-node') === 'mspace') {
+            adaptor.setAttribute(child, 'fill', 'currentColor');
+        }
         if (adaptor.hasClass(child, 'mjx-dashed')) {
             adaptor.setAttribute(child, 'stroke-dasharray', '140');
         }
-        drawTableLines(child);
+        styleLines(child);
     }
 }
 
@@ -81,7 +84,7 @@ function typeset(tex, display) {
     if (adaptor.getAttribute(svg, 'width').endsWith('%')) {
         throw new Error('Numbered equations (\\tag) are not supported');
     }
-    drawTableLines(svg);
+    styleLines(svg);
     const style = adaptor.getAttribute(svg, 'style') || '';
     const depth = /vertical-align:\s*(-?[\d.]+)/.exec(style);
     adaptor.removeAttribute(svg, 'style');

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/subcommand.h"
+
+#include "model/preset_json.h"
+#include "tasks/checker.h"
+#include "tasks/lab_reader.h"
+#include "tasks/report_json.h"
+
+#include <QCoreApplication>
+#include <QTextStream>
+
+namespace cradle::cli {
+
+namespace {
+
+struct CheckText {
+    Q_DECLARE_TR_FUNCTIONS(Cli)
+};
+
+QStringList idsOf(const Lab &lab)
+{
+    QStringList ids;
+    for (const Task &task : lab.tasks)
+        ids.append(task.id);
+    return ids;
+}
+
+} // namespace
+
+ExitCode check(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        CheckText::tr("Judges a preset for one step: the engine's laws, by what they do."));
+    parser.addPositionalArgument(QStringLiteral("TASK"), CheckText::tr("the step, like L42T5"));
+    const QCommandLineOption preset(QStringLiteral("preset"), CheckText::tr("the preset to judge"),
+                                    QStringLiteral("P.json"));
+    const QCommandLineOption labDir(QStringLiteral("lab"),
+                                    CheckText::tr("the lab's folder; without it the shipped lab"),
+                                    QStringLiteral("DIR"));
+    const QCommandLineOption seed(QStringLiteral("seed"),
+                                  CheckText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
+                                  QStringLiteral("1"));
+    const QCommandLineOption format(QStringLiteral("format"), CheckText::tr("text or json"),
+                                    QStringLiteral("NAME"), QStringLiteral("text"));
+    const QCommandLineOption output(QStringLiteral("output"),
+                                    CheckText::tr("where to write; without it the terminal"),
+                                    QStringLiteral("FILE"));
+    const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
+                                      CheckText::tr("exit with 0 also if it did not pass"));
+    parser.addOptions({preset, labDir, seed, format, output, exitZero});
+    if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    if (!parser.isSet(preset))
+        return complain(CheckText::tr("--preset P.json is missing: what is to be judged?"));
+    const bool json = parser.value(format) == QLatin1String("json");
+    if (!json && parser.value(format) != QLatin1String("text"))
+        return complain(
+            CheckText::tr("unknown format %1; text or json is right").arg(parser.value(format)));
+    bool isNumber = false;
+    const qint64 seedValue = parser.value(seed).toLongLong(&isNumber);
+    if (!isNumber)
+        return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
+
+    const Result<Lab> lab =
+        readLab(parser.isSet(labDir) ? parser.value(labDir) : QLatin1String(shippedLab));
+    if (!lab)
+        return complain(lab.error());
+    for (const Error &finding : lab->findings)
+        QTextStream(stderr) << finding.toString() << Qt::endl;
+    const QString id = parser.positionalArguments().first();
+    const int index = lab->indexOf(id);
+    if (index < 0)
+        return complain(CheckText::tr("the lab has no step %1; it has %2")
+                            .arg(id, idsOf(*lab).join(QStringLiteral(", "))));
+    const Result<Preset> submission = readPreset(parser.value(preset));
+    if (!submission)
+        return complain(submission.error());
+
+    const CheckReport report =
+        *judgeTask(*lab, lab->tasks[static_cast<std::size_t>(index)], *submission, seedValue);
+    const QByteArray text = json ? writeReport(report) : describeReport(report).toUtf8();
+    if (const auto error = writeText(parser.value(output), text))
+        return complain(*error);
+    return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
+}
+
+} // namespace cradle::cli

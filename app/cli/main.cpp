@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/subcommand.h"
+
+#include <QCoreApplication>
+#include <QTextStream>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace cradle::cli;
+
+struct Entry {
+    const char *name;
+    const char *what;
+    Subcommand run;
+};
+
+constexpr std::array subcommands{
+    Entry{"check", "judges a preset for one step of a lab", check},
+    Entry{"simulate", "runs a scene and writes what happens", simulate},
+};
+
+void printUsage(FILE *where)
+{
+    QTextStream out(where);
+    out << "Usage: cradle-cli SUBCOMMAND ...\n\n";
+    for (const Entry &entry : subcommands)
+        out << "  " << qSetFieldWidth(10) << Qt::left << entry.name << qSetFieldWidth(0)
+            << entry.what << '\n';
+    out << "\ncradle-cli SUBCOMMAND --help says more. Exit status: 0 done and all passed,\n"
+           "1 something did not pass, 2 wrong usage or unreadable input, 3 a defect of ours.\n";
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const QCoreApplication app(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("cradle-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));
+    QStringList arguments = QCoreApplication::arguments();
+    arguments.removeFirst();
+    const QString name = arguments.value(0);
+    if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
+        printUsage(stdout);
+        return Done;
+    }
+    if (name == QLatin1String("--version")) {
+        QTextStream(stdout) << "cradle-cli " << CRADLE_VERSION << '\n';
+        return Done;
+    }
+    for (const Entry &entry : subcommands) {
+        if (name != QLatin1String(entry.name))
+            continue;
+        arguments[0] = QStringLiteral("cradle-cli ") + name;
+        try {
+            return entry.run(arguments);
+        } catch (const std::exception &e) {
+            QTextStream(stderr) << "cradle-cli: this is a defect of ours: " << e.what() << '\n';
+            return Defect;
+        }
+    }
+    if (!name.isEmpty())
+        QTextStream(stderr) << "cradle-cli: unknown subcommand " << name << "\n\n";
+    printUsage(stderr);
+    return BadInput;
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/result.h"
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include <optional>
+
+namespace cradle::cli {
+
+/// What the programs of a grader look at.
+enum ExitCode {
+    Done = 0,      ///< done, and all passed
+    NotPassed = 1, ///< done, and something did not pass
+    BadInput = 2,  ///< wrong usage or unreadable input
+    Defect = 3     ///< a defect of ours
+};
+
+/// Runs "cradle-cli NAME ARGUMENTS…"; \p arguments begin with the program's name.
+using Subcommand = ExitCode (*)(const QStringList &arguments);
+
+ExitCode check(const QStringList &arguments);
+ExitCode simulate(const QStringList &arguments);
+
+/// Writes "cradle-cli: message" or "FILE:LINE: message" to standard error.
+ExitCode complain(const QString &message);
+ExitCode complain(const Error &error);
+
+/// Parses; on a fault says so. \return what to exit with, or nullopt to go on
+std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments,
+                              int leastPositional, int mostPositional);
+
+/// Writes \p text to \p path whole or not at all; "-" or an empty path is standard output.
+std::optional<Error> writeText(const QString &path, const QByteArray &text);
+
+} // namespace cradle::cli

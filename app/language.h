@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace cradle {
+
+/// The languages that the application speaks, by code ("en", "de").
+QStringList languages();
+
+/// The name of a language in itself ("Deutsch").
+QString languageName(const QString &code);
+
+/// The language in force.
+QString currentLanguage();
+
+/// Speaks \p code from now on; an empty or unknown one is the system's language, or English.
+/// Widgets get QEvent::LanguageChange.
+void setLanguage(const QString &code);
+
+} // namespace cradle

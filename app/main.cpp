@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/display_check.h"
+#include "app/language.h"
+#include "app/main_window.h"
+#include "app/screenshot.h"
+#include "tasks/lab_reader.h"
+#include "views/shortcut_guard.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTextStream>
+
+#include <cstdio>
+#include <string_view>
+
+namespace {
+
+using namespace cradle;
+
+constexpr int badUsage = 2;
+
+int complain(const QString &message)
+{
+    QTextStream(stderr) << message << Qt::endl;
+    return badUsage;
+}
+
+bool wantsScreenshot(int argc, char **argv)
+{
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument(argv[i]);
+        if (argument == "--screenshot" || argument.starts_with("--screenshot="))
+            return true;
+    }
+    return false;
+}
+
+/// Command line options; the names are those that --help shows.
+struct Options {
+    QCommandLineOption step{QStringLiteral("step"),
+                            QCoreApplication::translate("Main", "open this step"),
+                            QStringLiteral("L42T5")};
+    QCommandLineOption language{
+        QStringLiteral("language"),
+        QCoreApplication::translate("Main", "speak this language: en or de"),
+        QStringLiteral("CODE")};
+    QCommandLineOption theme{QStringLiteral("theme"),
+                             QCoreApplication::translate("Main", "system, light or dark"),
+                             QStringLiteral("NAME")};
+    QCommandLineOption screenshot{
+        QStringLiteral("screenshot"),
+        QCoreApplication::translate("Main", "draw the window into this file and quit"),
+        QStringLiteral("FILE.png")};
+    QCommandLineOption at{
+        QStringLiteral("at"),
+        QCoreApplication::translate("Main", "of the scene's time, s, in the picture"),
+        QStringLiteral("SECONDS"), QStringLiteral("0")};
+    QCommandLineOption size{QStringLiteral("size"),
+                            QCoreApplication::translate("Main", "of the window, pixels"),
+                            QStringLiteral("1280x800")};
+};
+
+std::optional<ThemeChoice> themeFrom(const QString &name)
+{
+    if (name == QLatin1String("light"))
+        return ThemeChoice::Light;
+    if (name == QLatin1String("dark"))
+        return ThemeChoice::Dark;
+    return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
+}
+
+/// Opens what the command line names; \return what is wrong with it
+std::optional<Error> openNamed(Workbench &bench, const QString &path, const QString &step)
+{
+    const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
+    if (auto error = bench.openLab(isLab && !path.isEmpty() ? path : QLatin1String(shippedLab),
+                                   currentLanguage()))
+        return error;
+    if (!isLab)
+        return bench.openPreset(path);
+    if (step.isEmpty() || bench.openTask(step))
+        return std::nullopt;
+    QStringList ids;
+    for (const Task &task : bench.lab().tasks)
+        ids.append(task.id);
+    return Error{.message = QCoreApplication::translate("Main", "there is no step %1; there are %2")
+                                .arg(step, ids.join(QStringLiteral(", ")))};
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    // A picture needs no display.
+    if (wantsScreenshot(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (const QString missing = missingDisplay(argc, argv); !missing.isEmpty())
+        return complain(missing);
+
+    QApplication app(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("Cradle"));
+    QApplication::setApplicationName(QStringLiteral("cradle"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Cradle"));
+    QApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));
+    QSettings settings;
+
+    const Options options;
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QCoreApplication::translate("Main", "Learn how a physics engine works by writing one."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(
+        QStringLiteral("LAB-DIR or PRESET.json"),
+        QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
+    parser.addOptions({options.step, options.language, options.theme, options.screenshot,
+                       options.at, options.size});
+    parser.process(app);
+
+    const QString language = parser.isSet(options.language)
+                                 ? parser.value(options.language)
+                                 : settings.value(QStringLiteral("language")).toString();
+    if (parser.isSet(options.language) && !languages().contains(language))
+        return complain(
+            QCoreApplication::translate("Main", "cradle: --language %1: en or de is right")
+                .arg(language));
+    setLanguage(language);
+    const auto theme = parser.isSet(options.theme)
+        ? themeFrom(parser.value(options.theme))
+        : static_cast<ThemeChoice>(settings.value(QStringLiteral("theme"), 0).toInt());
+    if (!theme)
+        return complain(QCoreApplication::translate(
+                            "Main", "cradle: --theme %1: system, light or dark is right")
+                            .arg(parser.value(options.theme)));
+    applyTheme(*theme);
+    guardShortcuts();
+
+    const bool picture = parser.isSet(options.screenshot);
+    // A picture is of the step as it is shipped, and leaves no traces.
+    const QString progressFile =
+        picture ? QString()
+                : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                      + QStringLiteral("/progress.json");
+    Workbench bench(progressFile);
+    MainWindow window(bench, settings, *theme);
+    if (const auto error =
+            openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step)))
+        return complain(QStringLiteral("cradle: ") + error->toString());
+    if (picture)
+        return takeScreenshot(window, parser.value(options.screenshot), parser.value(options.at),
+                              parser.value(options.size));
+    window.show();
+    return QApplication::exec();
+}

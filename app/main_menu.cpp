@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_menu.h"
+
+#include "app/language.h"
+#include "app/main_window.h"
+#include "views/scene/scene_view.h"
+#include "views/transport_bar.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace cradle {
+
+namespace {
+
+struct MenuText {
+    Q_DECLARE_TR_FUNCTIONS(MainMenu)
+};
+
+/// Adds an action that calls a slot of \p target; its shortcut holds in the whole window.
+template <typename Target, typename Slot>
+QAction *add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Target *target,
+             Slot slot)
+{
+    QAction *action = menu->addAction(text);
+    action->setShortcut(shortcut);
+    QObject::connect(action, &QAction::triggered, target, slot);
+    return action;
+}
+
+void addLab(MainWindow &window, QMenuBar &bar)
+{
+    QMenu *menu = bar.addMenu(MenuText::tr("&Lab"));
+    Workbench *bench = &window.workbench();
+    menu->addAction(window.transportBar().checkAction());
+    menu->addSeparator();
+    add(menu, MenuText::tr("&Next step"), QKeySequence(Qt::CTRL | Qt::Key_PageDown), bench,
+        &Workbench::openNextTask);
+    add(menu, MenuText::tr("&Previous step"), QKeySequence(Qt::CTRL | Qt::Key_PageUp), bench,
+        &Workbench::openPreviousTask);
+    menu->addSeparator();
+    add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
+        &MainWindow::openLabFolder);
+    add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
+        &MainWindow::openPresetFile);
+    add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
+        &MainWindow::savePresetAs);
+    menu->addSeparator();
+    add(menu, MenuText::tr("&Quit"), QKeySequence::Quit, &window, &QWidget::close)
+        ->setMenuRole(QAction::QuitRole);
+}
+
+void addEdit(MainWindow &window, QMenuBar &bar)
+{
+    QMenu *menu = bar.addMenu(MenuText::tr("&Edit"));
+    PresetDocument *document = &window.workbench().document();
+    SceneView *scene = &window.scene();
+    // The menu is filled anew with every language; the actions belong to it and go with it.
+    QAction *undo = document->undoStack().createUndoAction(menu, MenuText::tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction *redo = document->undoStack().createRedoAction(menu, MenuText::tr("&Redo"));
+    redo->setShortcut(QKeySequence::Redo);
+    menu->addActions({undo, redo});
+    menu->addSeparator();
+    add(menu, MenuText::tr("&Add circle"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), scene,
+        [scene] { scene->addCircle(); });
+    add(menu, MenuText::tr("&Duplicate circle"), QKeySequence(Qt::CTRL | Qt::Key_D), scene,
+        &SceneView::duplicateSelected);
+    add(menu, MenuText::tr("Re&move circle"), QKeySequence(Qt::CTRL | Qt::Key_Backspace), scene,
+        &SceneView::removeSelected);
+    menu->addSeparator();
+    add(menu, MenuText::tr("Reset to the &step's scene"), {}, document,
+        &PresetDocument::resetToOriginal);
+}
+
+void addSimulation(MainWindow &window, QMenuBar &bar)
+{
+    QMenu *menu = bar.addMenu(MenuText::tr("&Simulation"));
+    TransportBar &transport = window.transportBar();
+    menu->addActions({transport.runAction(), transport.stepAction(), transport.stepBackAction(),
+                      transport.nextHitAction(), transport.restartAction()});
+    menu->addSeparator();
+    menu->addActions({transport.slowerAction(), transport.fasterAction()});
+    menu->addSeparator();
+    Simulation *simulation = &window.workbench().simulation();
+    QAction *frameTime = menu->addAction(MenuText::tr("Steps as long as the &frames took"));
+    frameTime->setCheckable(true);
+    frameTime->setChecked(simulation->usesFrameTime());
+    frameTime->setToolTip(MenuText::tr("As the original lab did: see why stable timesteps matter"));
+    menu->setToolTipsVisible(true);
+    QObject::connect(frameTime, &QAction::toggled, simulation, &Simulation::setFrameTime);
+}
+
+template <typename Value, typename Choose>
+void addChoice(QMenu *menu, QActionGroup *group, const QString &text, Value value, Value inForce,
+               QObject *context, Choose choose)
+{
+    QAction *action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(value == inForce);
+    group->addAction(action);
+    QObject::connect(action, &QAction::triggered, context, [choose, value] { choose(value); });
+}
+
+void addSceneOptions(MainWindow &window, QMenu *menu)
+{
+    QMenu *options = menu->addMenu(MenuText::tr("&Scene shows"));
+    SceneView *scene = &window.scene();
+    const auto addOption = [&](const QString &text, bool SceneOptions::*member) {
+        QAction *action = options->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(scene->options().*member);
+        QObject::connect(action, &QAction::toggled, scene, [scene, member](bool on) {
+            SceneOptions changed = scene->options();
+            changed.*member = on;
+            scene->setOptions(changed);
+        });
+    };
+    addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
+    addOption(MenuText::tr("&Trails"), &SceneOptions::trails);
+    addOption(MenuText::tr("&Parts of a hit"), &SceneOptions::hitParts);
+    addOption(MenuText::tr("&Names"), &SceneOptions::names);
+    addOption(MenuText::tr("&Grid"), &SceneOptions::grid);
+    add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
+    add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
+    add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
+        &SceneView::fit);
+}
+
+void addView(MainWindow &window, QMenuBar &bar)
+{
+    QMenu *menu = bar.addMenu(MenuText::tr("&View"));
+    addSceneOptions(window, menu);
+    menu->addSeparator();
+
+    QMenu *panes = menu->addMenu(MenuText::tr("&Panes"));
+    for (QDockWidget *dock : window.panes())
+        panes->addAction(dock->toggleViewAction());
+    panes->addSeparator();
+    QAction *unlock = panes->addAction(MenuText::tr("&Move panes"));
+    unlock->setCheckable(true);
+    QObject::connect(unlock, &QAction::toggled, &window, &MainWindow::unlockPanes);
+    add(panes, MenuText::tr("&Reset layout"), {}, &window, &MainWindow::resetLayout);
+
+    MainWindow *w = &window;
+    QMenu *themes = menu->addMenu(MenuText::tr("&Colours"));
+    auto *themeGroup = new QActionGroup(themes);
+    const auto chooseTheme = [w](ThemeChoice choice) { w->chooseTheme(choice); };
+    const ThemeChoice theme = window.themeChoice();
+    addChoice(themes, themeGroup, MenuText::tr("As the &system"), ThemeChoice::System, theme, w,
+              chooseTheme);
+    addChoice(themes, themeGroup, MenuText::tr("&Light"), ThemeChoice::Light, theme, w,
+              chooseTheme);
+    addChoice(themes, themeGroup, MenuText::tr("&Dark"), ThemeChoice::Dark, theme, w, chooseTheme);
+
+    QMenu *speech = menu->addMenu(MenuText::tr("Lan&guage"));
+    auto *speechGroup = new QActionGroup(speech);
+    for (const QString &code : languages())
+        addChoice(speech, speechGroup, languageName(code), code, currentLanguage(), w,
+                  [w](const QString &chosen) { w->chooseLanguage(chosen); });
+
+    QMenu *drawing = menu->addMenu(MenuText::tr("Scene drawn &by"));
+    auto *drawingGroup = new QActionGroup(drawing);
+    const auto chooseRenderer = [w](Renderer renderer) { w->chooseRenderer(renderer); };
+    const Renderer renderer = window.scene().renderer();
+    addChoice(drawing, drawingGroup, MenuText::tr("&Automatic"), Renderer::Automatic, renderer, w,
+              chooseRenderer);
+    addChoice(drawing, drawingGroup, MenuText::tr("&OpenGL"), Renderer::OpenGl, renderer, w,
+              chooseRenderer);
+    addChoice(drawing, drawingGroup, MenuText::tr("&Processor"), Renderer::Raster, renderer, w,
+              chooseRenderer);
+}
+
+void addHelp(MainWindow &window, QMenuBar &bar)
+{
+    QMenu *menu = bar.addMenu(MenuText::tr("&Help"));
+    add(menu, MenuText::tr("&Keyboard shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_Slash), &window,
+        &MainWindow::showShortcuts);
+    menu->addSeparator();
+    add(menu, MenuText::tr("&About Cradle"), {}, &window, &MainWindow::showAbout)
+        ->setMenuRole(QAction::AboutRole);
+    add(menu, MenuText::tr("About &Qt"), {}, qApp, &QApplication::aboutQt)
+        ->setMenuRole(QAction::AboutQtRole);
+}
+
+} // namespace
+
+void fillMenuBar(MainWindow &window)
+{
+    QMenuBar &bar = *window.menuBar();
+    bar.clear();
+    addLab(window, bar);
+    addEdit(window, bar);
+    addSimulation(window, bar);
+    addView(window, bar);
+    addHelp(window, bar);
+}
+
+} // namespace cradle

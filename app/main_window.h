@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workbench.h"
+#include "views/charts/run_curves.h"
+#include "views/theme.h"
+
+#include <QMainWindow>
+
+class QSettings;
+
+namespace cradle {
+
+class Inspector;
+class NoticeBar;
+class SceneView;
+class TaskPane;
+class Timeline;
+class TransportBar;
+class ValuesPane;
+enum class Renderer;
+
+/// The window: panes around the scene, and the wiring between them and the workbench.
+class MainWindow final : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// \param settings  where the layout and the choices of the View menu are kept
+    /// \param theme     the choice in force
+    MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice theme);
+    ~MainWindow() override;
+
+    [[nodiscard]] Workbench &workbench() { return m_workbench; }
+    [[nodiscard]] TransportBar &transportBar() { return *m_transport; }
+    [[nodiscard]] TaskPane &taskPane() { return *m_taskPane; }
+    [[nodiscard]] SceneView &scene() { return *m_scene; }
+    [[nodiscard]] Inspector &inspector() { return *m_inspector; }
+    [[nodiscard]] NoticeBar &notice() { return *m_notice; }
+    [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
+
+    [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
+
+public slots:
+    void chooseTheme(cradle::ThemeChoice choice);
+    void chooseLanguage(const QString &code);
+    void chooseRenderer(cradle::Renderer renderer);
+    void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by
+    void resetLayout();
+    void openLabFolder();
+    void openPresetFile();
+    void savePresetAs();
+    void showAbout();
+    void showShortcuts();
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    void makePanes();
+    QDockWidget *addPane(QWidget *widget, const QString &name, Qt::DockWidgetArea area);
+    void wireWorkbench();
+    void wireViews();
+    void arrangePanes();
+    void retranslate();
+    void showTask();
+    void showReport();
+    void showVisit(bool visiting);
+    void report(const Error &error);
+
+    Workbench &m_workbench;
+    QSettings &m_settings;
+    RunCurves m_curves;
+    TransportBar *m_transport = nullptr;
+    TaskPane *m_taskPane = nullptr;
+    SceneView *m_scene = nullptr;
+    Inspector *m_inspector = nullptr;
+    NoticeBar *m_notice = nullptr;
+    Timeline *m_timeline = nullptr;
+    ValuesPane *m_values = nullptr;
+    std::vector<QDockWidget *> m_docks;
+    ThemeChoice m_theme = ThemeChoice::System;
+    bool m_unlocked = false;
+};
+
+} // namespace cradle

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/screenshot.h"
+
+#include "app/main_window.h"
+#include "views/markdown_view.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QTextStream>
+
+#include <cmath>
+#include <cstdio>
+
+namespace cradle {
+
+namespace {
+
+/// Formulas are set by a thread of their own; a picture waits for them so long, ms.
+constexpr int patience = 5000;
+/// The longest run before a picture, s of the scene.
+constexpr double longestRun = 3600.0;
+
+bool isComplete(const MainWindow &window)
+{
+    const auto *text = window.findChild<MarkdownView *>();
+    return !text || text->isComplete();
+}
+
+int complain(const QString &message)
+{
+    QTextStream(stderr) << QStringLiteral("cradle: ") << message << Qt::endl;
+    return 2;
+}
+
+} // namespace
+
+int takeScreenshot(MainWindow &window, const QString &path, const QString &seconds,
+                   const QString &size)
+{
+    bool ok = false;
+    const double at = seconds.toDouble(&ok);
+    if (!ok || !(at >= 0.0 && at <= longestRun))
+        return complain(QCoreApplication::translate(
+                            "Main", "--at %1: a number of seconds from 0 to %2 is right")
+                            .arg(seconds)
+                            .arg(longestRun));
+    if (!size.isEmpty()) {
+        const QStringList parts = size.split(QLatin1Char('x'));
+        const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
+        if (wanted.width() < 320 || wanted.height() < 240 || wanted.width() > 8192
+            || wanted.height() > 8192)
+            return complain(
+                QCoreApplication::translate("Main", "--size %1: a size like 1280x800 is right")
+                    .arg(size));
+        window.resize(wanted);
+    }
+    window.show();
+    Simulation &simulation = window.workbench().simulation();
+    simulation.goTo(static_cast<qint64>(std::llround(at / simulation.preset().timestep)));
+    QElapsedTimer waited;
+    waited.start();
+    do {
+        QApplication::processEvents(QEventLoop::AllEvents, 50);
+    } while (waited.elapsed() < 200 || (!isComplete(window) && waited.elapsed() < patience));
+    const QPixmap picture = window.grab();
+    if (!picture.save(path, "PNG"))
+        return complain(QCoreApplication::translate("Main", "%1 cannot be written").arg(path));
+    return 0;
+}
+
+} // namespace cradle

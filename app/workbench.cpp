@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+
+#include "model/preset_json.h"
+#include "tasks/lab_reader.h"
+
+#include <QRandomGenerator>
+
+#include <algorithm>
+#include <chrono>
+
+namespace cradle {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// After the last edit; a drag makes many.
+constexpr auto saveDelay = 300ms;
+
+} // namespace
+
+Workbench::Workbench(const QString &progressFile, QObject *parent)
+    : QObject(parent)
+    , m_store(progressFile)
+    , m_simulation(Preset{})
+    , m_document(m_simulation)
+{
+    m_saveSoon.setSingleShot(true);
+    m_saveSoon.setInterval(saveDelay);
+    connect(&m_saveSoon, &QTimer::timeout, this, &Workbench::save);
+    connect(&m_document, &PresetDocument::edited, this, &Workbench::keepEdited);
+    connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
+    connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
+    connect(&m_checker, &Checker::cancelled, this, &Workbench::checkEnded);
+}
+
+Workbench::~Workbench()
+{
+    if (m_saveSoon.isActive())
+        save();
+}
+
+const Task *Workbench::task() const
+{
+    return m_current >= 0 ? &m_lab.tasks[static_cast<std::size_t>(m_current)] : nullptr;
+}
+
+TaskProgress &Workbench::progress()
+{
+    Q_ASSERT(task());
+    return m_store.lab(m_lab.id).tasks[task()->id];
+}
+
+std::vector<bool> Workbench::passed() const
+{
+    std::vector<bool> result;
+    const auto &tasks = const_cast<ProgressStore &>(m_store).lab(m_lab.id).tasks;
+    for (const Task &task : m_lab.tasks) {
+        const auto found = tasks.find(task.id);
+        result.push_back(found != tasks.end() && found->second.passed);
+    }
+    return result;
+}
+
+int Workbench::hintsOpened()
+{
+    return task() ? progress().hintsOpened : 0;
+}
+
+std::optional<Error> Workbench::openLab(const QString &folder, const QString &language)
+{
+    Result<Lab> lab = readLab(folder, language);
+    if (!lab)
+        return lab.error();
+    if (const auto error = m_store.load())
+        emit failed(*error);
+    m_lab = std::move(*lab);
+    m_current = -1;
+    LabProgress &progressOfLab = m_store.lab(m_lab.id);
+    m_firstStart = progressOfLab.tasks.empty();
+    emit labChanged();
+    if (!m_lab.tasks.empty())
+        openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
+    return std::nullopt;
+}
+
+void Workbench::setLanguage(const QString &language)
+{
+    Result<Lab> lab = readLab(m_lab.folder, language);
+    if (!lab || lab->tasks.size() != m_lab.tasks.size())
+        return;
+    m_lab = std::move(*lab);
+    emit labChanged();
+    emit taskChanged();
+    // The messages of a report are in the language of its time.
+    if (m_report)
+        check();
+}
+
+std::optional<Error> Workbench::openPreset(const QString &path)
+{
+    const Result<Preset> preset = readPreset(path);
+    if (!preset)
+        return preset.error();
+    cancelCheck();
+    m_current = -1;
+    m_report.reset();
+    m_document.open(*preset);
+    emit taskChanged();
+    emit reportChanged();
+    return std::nullopt;
+}
+
+bool Workbench::openTask(const QString &id)
+{
+    const int index = m_lab.indexOf(id);
+    if (index >= 0)
+        openTaskAt(index);
+    return index >= 0;
+}
+
+void Workbench::openTaskAt(int index)
+{
+    if (index < 0 || index >= static_cast<int>(m_lab.tasks.size()))
+        return;
+    cancelCheck();
+    m_simulation.pause();
+    m_current = index;
+    m_report.reset();
+    m_store.lab(m_lab.id).currentTask = task()->id;
+    m_document.open(task()->preset, progress().edited);
+    m_saveSoon.start();
+    emit taskChanged();
+    emit reportChanged();
+    emit progressChanged();
+}
+
+void Workbench::openNextTask()
+{
+    openTaskAt(m_current + 1);
+}
+
+void Workbench::openPreviousTask()
+{
+    openTaskAt(m_current - 1);
+}
+
+void Workbench::check()
+{
+    if (!task())
+        return;
+    m_checker.start(m_lab, *task(), m_document.own(), QRandomGenerator::global()->bounded(1, 1000));
+    emit checkStarted();
+}
+
+void Workbench::cancelCheck()
+{
+    m_checker.cancel();
+}
+
+void Workbench::finishCheck(const CheckReport &report)
+{
+    // A step that was left while it was judged keeps its verdict to itself.
+    if (!task() || report.taskId != task()->id)
+        return;
+    m_report = report;
+    if (report.passed && !progress().passed) {
+        progress().passed = true;
+        m_saveSoon.start();
+        emit progressChanged();
+    }
+    emit checkEnded();
+    emit reportChanged();
+}
+
+void Workbench::setHintsOpened(int count)
+{
+    if (!task())
+        return;
+    progress().hintsOpened = count;
+    m_saveSoon.start();
+}
+
+void Workbench::showMoment(const CheckOutcome &outcome)
+{
+    if (!outcome.scene)
+        return;
+    if (*outcome.scene == m_document.own())
+        m_document.leave();
+    else
+        m_document.visit(*outcome.scene);
+    m_simulation.goTo(std::max<qint64>(0, outcome.step));
+}
+
+void Workbench::keepEdited()
+{
+    emit reportStale();
+    if (!task())
+        return;
+    const bool original = m_document.isOriginal();
+    progress().edited = original ? std::nullopt : std::optional(m_document.preset());
+    m_saveSoon.start();
+}
+
+void Workbench::save()
+{
+    m_saveSoon.stop();
+    if (const auto error = m_store.save())
+        emit failed(*error);
+}
+
+} // namespace cradle

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/checker.h"
+#include "tasks/progress.h"
+#include "views/preset_document.h"
+
+#include <QTimer>
+
+namespace cradle {
+
+/// What the student works on, without any window: the lab and its step, the scene, the check, and
+/// the progress that is kept between starts.
+class Workbench final : public QObject
+{
+    Q_OBJECT
+public:
+    /// \param progressFile  where the progress is kept
+    explicit Workbench(const QString &progressFile, QObject *parent = nullptr);
+    ~Workbench() override;
+
+    [[nodiscard]] const Lab &lab() const { return m_lab; }
+    [[nodiscard]] int current() const { return m_current; } ///< −1: a scene without a step
+    [[nodiscard]] const Task *task() const;                 ///< nullptr for a scene without a step
+    [[nodiscard]] Simulation &simulation() { return m_simulation; }
+    [[nodiscard]] PresetDocument &document() { return m_document; }
+    [[nodiscard]] const std::optional<CheckReport> &report() const { return m_report; }
+    [[nodiscard]] bool isChecking() const { return m_checker.isRunning(); }
+    [[nodiscard]] std::vector<bool> passed() const; ///< one for each step
+    [[nodiscard]] int hintsOpened();                ///< of the current step
+    /// Whether nothing has ever been done in this lab.
+    [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
+
+    /// Reads a lab and opens the step where the student left off.
+    std::optional<Error> openLab(const QString &folder, const QString &language);
+    /// Reads the same lab again, in another language; keeps step, scene and report.
+    void setLanguage(const QString &language);
+    /// Opens a scene that belongs to no step.
+    std::optional<Error> openPreset(const QString &path);
+    bool openTask(const QString &id);
+
+public slots:
+    void openTaskAt(int index);
+    void openNextTask();
+    void openPreviousTask();
+    void check(); ///< judges the student's own scene
+    void cancelCheck();
+    void setHintsOpened(int count);
+    void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
+    void save();                                          ///< the progress, now
+
+signals:
+    void labChanged();
+    void taskChanged();
+    void progressChanged();
+    void checkStarted();
+    void checkProgressed(int done, int total);
+    void checkEnded(); ///< with a report or cancelled
+    void reportChanged();
+    void reportStale();                      ///< the scene was edited since the report
+    void failed(const cradle::Error &error); ///< something could not be saved or read
+
+private:
+    void keepEdited();
+    void finishCheck(const CheckReport &report);
+    TaskProgress &progress();
+
+    ProgressStore m_store;
+    Lab m_lab;
+    int m_current = -1;
+    bool m_firstStart = false;
+    Simulation m_simulation;
+    PresetDocument m_document;
+    Checker m_checker;
+    std::optional<CheckReport> m_report;
+    QTimer m_saveSoon;
+};
+
+} // namespace cradle

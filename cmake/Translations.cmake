@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: 2026 The Cradle authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# translations/*.ts become the resource :/translations/*.qm of the desktop application.
+# `cmake --build --preset release --target update_translations` brings new strings into the .ts.
+file(GLOB_RECURSE translated CONFIGURE_DEPENDS
+     "${CMAKE_SOURCE_DIR}/model/*.cpp" "${CMAKE_SOURCE_DIR}/model/*.h"
+     "${CMAKE_SOURCE_DIR}/tasks/*.cpp" "${CMAKE_SOURCE_DIR}/tasks/*.h"
+     "${CMAKE_SOURCE_DIR}/views/*.cpp" "${CMAKE_SOURCE_DIR}/views/*.h"
+     "${CMAKE_SOURCE_DIR}/app/*.cpp" "${CMAKE_SOURCE_DIR}/app/*.h")
+file(GLOB ts_files CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/translations/*.ts")
+
+qt_add_lrelease(cradle_app TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_files)
+qt_add_resources(cradle_app translations PREFIX "/translations"
+                 BASE "${CMAKE_BINARY_DIR}" FILES ${qm_files})
+add_custom_target(update_translations
+    COMMAND Qt6::lupdate -silent -no-obsolete -locations none ${translated}
+            -ts ${ts_files}
+    VERBATIM)

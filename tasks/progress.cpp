@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/progress.h"
+
+#include "model/json_schema.h"
+#include "model/preset_json.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+namespace cradle {
+
+namespace {
+
+struct ProgressText {
+    Q_DECLARE_TR_FUNCTIONS(Progress)
+};
+
+constexpr qint64 maxBytes = 64 * 1024 * 1024;
+
+QJsonObject jsonOf(const TaskProgress &task)
+{
+    QJsonObject json{{QStringLiteral("passed"), task.passed},
+                     {QStringLiteral("hints"), task.hintsOpened}};
+    if (task.edited)
+        json.insert(QStringLiteral("preset"),
+                    QJsonDocument::fromJson(writePreset(*task.edited)).object());
+    return json;
+}
+
+TaskProgress taskFrom(const QJsonObject &json)
+{
+    TaskProgress task;
+    task.passed = json.value(QStringLiteral("passed")).toBool();
+    task.hintsOpened = json.value(QStringLiteral("hints")).toInt();
+    const QJsonValue preset = json.value(QStringLiteral("preset"));
+    if (preset.isObject()) {
+        // A preset that an older or newer version wrote and this one refuses is left out.
+        if (auto read = parsePreset(QJsonDocument(preset.toObject()).toJson()))
+            task.edited = *read;
+    }
+    return task;
+}
+
+} // namespace
+
+ProgressStore::ProgressStore(QString path)
+    : m_path(std::move(path))
+{
+}
+
+std::optional<Error> ProgressStore::load()
+{
+    m_labs.clear();
+    if (!QFileInfo::exists(m_path))
+        return std::nullopt;
+    const Result<QByteArray> text = readFile(m_path, maxBytes);
+    if (!text)
+        return text.error();
+    const QJsonDocument document = QJsonDocument::fromJson(*text);
+    if (!document.isObject() || document.object().value(QStringLiteral("format")).toInt() != 1) {
+        const QString aside = m_path + QStringLiteral(".unreadable");
+        QFile::remove(aside);
+        QFile::rename(m_path, aside);
+        return Error{.message = ProgressText::tr("your progress could not be read and was moved to "
+                                                 "%1; Cradle begins anew")
+                                    .arg(aside),
+                     .file = m_path};
+    }
+    const QJsonObject labs = document.object().value(QStringLiteral("labs")).toObject();
+    for (auto lab = labs.begin(); lab != labs.end(); ++lab) {
+        LabProgress &progress = m_labs[lab.key()];
+        const QJsonObject json = lab.value().toObject();
+        progress.currentTask = json.value(QStringLiteral("current")).toString();
+        const QJsonObject tasks = json.value(QStringLiteral("tasks")).toObject();
+        for (auto task = tasks.begin(); task != tasks.end(); ++task)
+            progress.tasks[task.key()] = taskFrom(task.value().toObject());
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> ProgressStore::save() const
+{
+    if (m_path.isEmpty())
+        return std::nullopt;
+    QJsonObject labs;
+    for (const auto &[id, lab] : m_labs) {
+        QJsonObject tasks;
+        for (const auto &[taskId, task] : lab.tasks)
+            tasks.insert(taskId, jsonOf(task));
+        labs.insert(id, QJsonObject{{QStringLiteral("current"), lab.currentTask},
+                                    {QStringLiteral("tasks"), tasks}});
+    }
+    const QJsonObject json{{QStringLiteral("format"), 1}, {QStringLiteral("labs"), labs}};
+    QDir().mkpath(QFileInfo(m_path).absolutePath());
+    QSaveFile file(m_path);
+    if (file.open(QIODevice::WriteOnly)) {
+        file.write(QJsonDocument(json).toJson());
+        if (file.commit())
+            return std::nullopt;
+    }
+    return Error{
+        .message = ProgressText::tr("your progress could not be saved: %1").arg(file.errorString()),
+        .file = m_path};
+}
+
+} // namespace cradle

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/preset.h"
+
+#include <QString>
+
+#include <map>
+#include <optional>
+
+namespace cradle {
+
+/// How far a student has come with one step.
+struct TaskProgress {
+    bool passed = false;
+    int hintsOpened = 0;
+    std::optional<Preset> edited{}; ///< what the student has made of the step's scene
+
+    friend bool operator==(const TaskProgress &, const TaskProgress &) = default;
+};
+
+/// How far a student has come with one lab.
+struct LabProgress {
+    QString currentTask;
+    std::map<QString, TaskProgress> tasks{}; ///< by the step's id
+
+    friend bool operator==(const LabProgress &, const LabProgress &) = default;
+};
+
+/// The student's progress in all labs, kept in one file that survives a crash while writing.
+class ProgressStore
+{
+public:
+    /// \param path  of the file; it need not be there yet; empty to keep nothing
+    explicit ProgressStore(QString path);
+
+    /// Reads the file. A broken one is moved aside, never overwritten.
+    /// \return what was wrong with it
+    std::optional<Error> load();
+    /// Writes the file (QSaveFile). \return what kept it from being written
+    [[nodiscard]] std::optional<Error> save() const;
+
+    LabProgress &lab(const QString &labId) { return m_labs[labId]; }
+
+private:
+    QString m_path;
+    std::map<QString, LabProgress> m_labs;
+};
+
+} // namespace cradle

@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/energy_chart.h"
+#include "views/charts/hits_model.h"
+#include "views/charts/momentum_chart.h"
+#include "views/charts/number_text.h"
+#include "views/charts/values_model.h"
+#include "views/values_table.h"
+
+#include "model/measurements.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLineSeries>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+#include <QValueAxis>
+
+using namespace cradle;
+
+namespace {
+
+/// Circle 1 runs into circle 2 at rest; after 1.8 s they part.
+Preset glancing()
+{
+    Preset preset;
+    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous};
+    preset.circles = {{QStringLiteral("circle 1"), {{-2.0, 2.3}, {2.0, 0.0}}},
+                      {QStringLiteral("circle 2"), {{2.0, 2.0}, {0.0, 0.0}}}};
+    return preset;
+}
+
+/// Balls that lose energy on the floor.
+Preset falling(int count)
+{
+    Preset preset;
+    preset.gravity = {0.0, -9.81};
+    preset.restitution = 0.8;
+    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous};
+    for (int i = 0; i < count; ++i) {
+        const Circle body{.position = {0.6 * i - 3.0, 0.1 * i}, .velocity = {0.3, 0.1 * i}};
+        preset.circles.push_back(
+            {QString::number(i + 1), body, QStringLiteral("#1e90ff"), Integrator::Verlet});
+    }
+    return preset;
+}
+
+void run(Simulation &simulation, int steps)
+{
+    for (int i = 0; i < steps; ++i)
+        simulation.stepForward();
+}
+
+bool overlapping(const std::vector<std::pair<QString, QRectF>> &labels)
+{
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t j = i + 1; j < labels.size(); ++j) {
+            if (labels[i].second.intersects(labels[j].second))
+                return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+class TestCharts final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void curvesFollowTheRecording();
+    void curvesBeginAnewWithTheRun();
+    void energyIsKeptOrCountedAsDissipated();
+    void manyCirclesHaveOnlyTheirSum();
+    void curvesStayWithinTheirMemory();
+    void labelsNeverOverlap_data();
+    void labelsNeverOverlap();
+    void labelsShowTheValueAtTheMoment();
+    void noiseIsNotBlownUp();
+    void rangeGrowsAtOnceAndRests();
+    void seriesHaveAtMostTwoPointsPerColumn();
+    void clickAsksForThatTime();
+    void hiddenChartDrawsNothing();
+    void niceStepsAre125();
+    void numbersAreWritten_data();
+    void numbersAreWritten();
+    void valuesAreThoseOfTheMoment();
+    void sentenceTellsTheLastHit();
+    void hitsAreBounded();
+    void hitSeeksToItsFrame();
+    void tableIsCopied();
+};
+
+void TestCharts::curvesFollowTheRecording()
+{
+    Simulation simulation(glancing());
+    RunCurves curves(simulation);
+    run(simulation, 200);
+    const Recording &recording = simulation.recording();
+    for (qint64 i = 0; i <= recording.last(); ++i) {
+        const Totals sum = measure(recording.circles(i), {}, 4.0);
+        QCOMPARE(curves.sum().momentum[0].valueAt(recording.time(i)), sum.momentum.x);
+        const Circle &first = recording.circles(i)[0];
+        QCOMPARE(curves.circle(0).kinetic.valueAt(recording.time(i)),
+                 measure(first, {}, 4.0).kinetic);
+    }
+}
+
+void TestCharts::curvesBeginAnewWithTheRun()
+{
+    Simulation simulation(glancing());
+    RunCurves curves(simulation);
+    run(simulation, 50);
+    simulation.restart();
+    QCOMPARE(curves.total().lastTime(), 0.0);
+    simulation.setPreset(falling(3));
+    QCOMPARE(curves.circleCount(), std::size_t{3});
+    QCOMPARE(curves.dissipated().lastValue(), 0.0);
+}
+
+void TestCharts::energyIsKeptOrCountedAsDissipated()
+{
+    Simulation simulation(falling(2));
+    RunCurves curves(simulation);
+    run(simulation, 300);
+    const double start = curves.total().valueAt(0.0);
+    const double end = curves.total().lastValue() + curves.dissipated().lastValue();
+    QVERIFY(curves.dissipated().lastValue() > 0.1 * start);
+    QVERIFY2(std::abs(end - start) < 1e-6 * start, qPrintable(QString::number(end - start)));
+}
+
+void TestCharts::manyCirclesHaveOnlyTheirSum()
+{
+    Simulation simulation(falling(9));
+    RunCurves curves(simulation);
+    QCOMPARE(curves.circleCount(), std::size_t{0});
+    run(simulation, 3);
+    QCOMPARE(curves.sum().kinetic.lastTime(), simulation.time());
+}
+
+void TestCharts::curvesStayWithinTheirMemory()
+{
+    constexpr qint64 bound = 30'000;
+    Simulation simulation(falling(2));
+    RunCurves curves(simulation, nullptr, bound);
+    run(simulation, 3000);
+    QVERIFY(curves.bytes() <= bound);
+    QCOMPARE(curves.total().lastTime(), simulation.time());
+    QVERIFY(curves.total().firstTime() > 0.0);
+}
+
+void TestCharts::labelsNeverOverlap_data()
+{
+    QTest::addColumn<int>("circles");
+    QTest::addColumn<QSize>("size");
+    for (const int circles : {1, 2, 5, 8}) {
+        for (const QSize size : {QSize(300, 220), QSize(420, 260), QSize(900, 500)})
+            QTest::addRow("%d circles, %d px", circles, size.width()) << circles << size;
+    }
+}
+
+void TestCharts::labelsNeverOverlap()
+{
+    QFETCH(int, circles);
+    QFETCH(QSize, size);
+    Simulation simulation(falling(circles));
+    RunCurves curves(simulation);
+    EnergyChart energy(simulation, curves);
+    MomentumChart momentum(simulation, curves);
+    for (ChartPane *pane :
+         {static_cast<ChartPane *>(&energy), static_cast<ChartPane *>(&momentum)}) {
+        pane->resize(size);
+        pane->show();
+    }
+    for (int i = 0; i < 12; ++i) {
+        run(simulation, 20);
+        QTest::qWait(40); // longer than the views hold back
+        for (const ChartPane *pane :
+             {static_cast<ChartPane *>(&energy), static_cast<ChartPane *>(&momentum)}) {
+            const auto labels = pane->plot().labels();
+            QVERIFY(!labels.empty());
+            QVERIFY(!overlapping(labels));
+            for (const auto &[text, rect] : labels)
+                QVERIFY(pane->plot().plotArea().contains(rect));
+        }
+    }
+}
+
+void TestCharts::labelsShowTheValueAtTheMoment()
+{
+    Simulation simulation(glancing());
+    RunCurves curves(simulation);
+    MomentumChart chart(simulation, curves);
+    chart.resize(420, 260);
+    chart.show();
+    run(simulation, 130);
+    simulation.seek(10);
+    QTest::qWait(40); // longer than the views hold back
+    QStringList texts;
+    for (const auto &[text, rect] : chart.plot().labels())
+        texts.append(text);
+    // m = 7800 · 4/3 π 0.2³ = 261.4 kg at 2 m/s
+    QVERIFY2(texts.contains(QStringLiteral("circle 1: 522.8")), qPrintable(texts.join(u'|')));
+    QVERIFY2(texts.contains(QStringLiteral("circle 2: 0")), qPrintable(texts.join(u'|')));
+    QVERIFY2(texts.contains(QStringLiteral("sum p_x: 522.8")), qPrintable(texts.join(u'|')));
+}
+
+void TestCharts::noiseIsNotBlownUp()
+{
+    SteadyRange range;
+    range.fit(-1e-12, 2e-12, 500.0);
+    QVERIFY(range.scale(5, 0.0).high >= 100.0);
+    range.reset();
+    range.fit(522.7, 522.7, 522.7);
+    const AxisScale level = range.scale(5, 0.0);
+    QCOMPARE(level.low, 0.0);
+    QCOMPARE(level.high, 600.0);
+    range.reset();
+    range.fit(0.0, 0.0, 0.0);
+    QVERIFY(range.scale(5, 0.0).low < range.scale(5, 0.0).high);
+}
+
+void TestCharts::rangeGrowsAtOnceAndRests()
+{
+    SteadyRange range;
+    range.fit(0.0, 90.0, 90.0);
+    const AxisScale first = range.scale(5, 0.0);
+    range.fit(0.0, 60.0, 90.0);
+    QCOMPARE(range.scale(5, 0.0), first);
+    range.fit(0.0, 150.0, 150.0);
+    QVERIFY(range.scale(5, 0.0).high >= 150.0);
+    range.fit(0.0, 10.0, 150.0);
+    QVERIFY(range.scale(5, 0.0).high < 20.0);
+}
+
+void TestCharts::seriesHaveAtMostTwoPointsPerColumn()
+{
+    Simulation simulation(falling(3));
+    RunCurves curves(simulation);
+    EnergyChart chart(simulation, curves);
+    chart.resize(420, 260);
+    chart.show();
+    run(simulation, 3000);
+    QTest::qWait(40); // longer than the views hold back
+    const auto columns = static_cast<qsizetype>(chart.plot().plotArea().width());
+    QVERIFY(!chart.plot().chart()->series().isEmpty());
+    for (const QAbstractSeries *series : chart.plot().chart()->series()) {
+        const qsizetype count = qobject_cast<const QLineSeries *>(series)->count();
+        QVERIFY(count > 1 && count <= 2 * (columns + 2));
+    }
+}
+
+void TestCharts::clickAsksForThatTime()
+{
+    Simulation simulation(glancing());
+    RunCurves curves(simulation);
+    MomentumChart chart(simulation, curves);
+    chart.resize(420, 260);
+    chart.show();
+    QSignalSpy asked(&chart, &ChartPane::seekRequested);
+    const auto viewport = chart.plot().viewport();
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, {200, 60});
+    QCOMPARE(asked.count(), 0); // nothing is recorded yet
+    run(simulation, 120);
+    QTest::qWait(40); // longer than the views hold back
+    const QRectF area = chart.plot().plotArea();
+    const QPoint middle = area.center().toPoint();
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, middle);
+    QCOMPARE(asked.count(), 1);
+    const double end = chart.plot().timeAt(area.right());
+    QVERIFY(end >= 2.0 && end < 2.5);
+    QVERIFY(std::abs(asked.takeFirst().at(0).toDouble() - 0.5 * end) < 0.02);
+}
+
+void TestCharts::hiddenChartDrawsNothing()
+{
+    Simulation simulation(glancing());
+    RunCurves curves(simulation);
+    MomentumChart chart(simulation, curves);
+    run(simulation, 20);
+    QVERIFY(chart.plot().labels().empty());
+    chart.show();
+    QTRY_VERIFY(!chart.plot().labels().empty());
+}
+
+void TestCharts::niceStepsAre125()
+{
+    QCOMPARE(niceStep(0.03), 0.05);
+    QCOMPARE(niceStep(1.0), 1.0);
+    QCOMPARE(niceStep(1.1), 2.0);
+    QCOMPARE(niceStep(700.0), 1000.0);
+    QCOMPARE(niceStep(0.0), 1.0);
+}
+
+void TestCharts::numbersAreWritten_data()
+{
+    QTest::addColumn<QString>("written");
+    QTest::addColumn<QString>("wanted");
+    QTest::newRow("fixed") << fixedNumber(1.7349) << QStringLiteral("1.735");
+    QTest::newRow("no minus zero") << fixedNumber(-1e-9) << QStringLiteral("0.000");
+    QTest::newRow("large") << fixedNumber(-1234567.0) << QStringLiteral("-1.235e+06");
+    QTest::newRow("short") << shortNumber(522.7612) << QStringLiteral("522.8");
+    QTest::newRow("short, small") << shortNumber(0.0123456) << QStringLiteral("0.012");
+    QTest::newRow("noise") << shortNumber(1e-12, 500.0) << QStringLiteral("0");
+    QTest::newRow("tick") << tickNumber(0.6000000001, 0.2) << QStringLiteral("0.6");
+    QTest::newRow("tick at zero") << tickNumber(-1e-17, 0.2) << QStringLiteral("0");
+}
+
+void TestCharts::numbersAreWritten()
+{
+    QFETCH(QString, written);
+    QFETCH(QString, wanted);
+    QCOMPARE(written, wanted);
+}
+
+void TestCharts::valuesAreThoseOfTheMoment()
+{
+    Simulation simulation(glancing());
+    ValuesModel model(simulation);
+    run(simulation, 60);
+    model.refresh(0, 2);
+    QCOMPARE(model.rowCount(), 3); // two circles and their sum
+    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("0.000"));
+    QCOMPARE(model.index(0, ValuesModel::VelocityX).data().toString(), QStringLiteral("2.000"));
+    QCOMPARE(model.index(2, ValuesModel::MomentumX).data().toString(), QStringLiteral("522.761"));
+    QCOMPARE(model.index(2, ValuesModel::X).data().toString(), QString());
+    simulation.seek(0);
+    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("-2.000"));
+}
+
+void TestCharts::sentenceTellsTheLastHit()
+{
+    Simulation simulation(glancing());
+    ValuesPane pane(simulation);
+    QCOMPARE(pane.hitSentence(), QStringLiteral("No hit so far."));
+    run(simulation, 120);
+    QCOMPARE(pane.hitSentence(), QStringLiteral("Hit 1 at 1.868 s: momentum before 522.8, "
+                                                "after 522.8, change 0."));
+}
+
+void TestCharts::hitsAreBounded()
+{
+    Preset preset;
+    preset.halfWidth = 0.3;
+    preset.laws.walls = WallLaw::Reflect;
+    preset.laws.timing = Timing::Continuous;
+    preset.circles = {{QStringLiteral("fast"), {{0.0, 0.0}, {60.0, 0.0}}}};
+    Simulation simulation(preset);
+    HitsModel model(simulation);
+    for (int i = 0; i < 40; ++i) {
+        run(simulation, 10);
+        model.update();
+        QVERIFY(model.rowCount() <= HitsModel::mostRows);
+        QCOMPARE(model.hitCount(), static_cast<qint64>(simulation.recording().hits().size()));
+    }
+    QCOMPARE(model.rowCount(), static_cast<int>(HitsModel::mostRows));
+    QCOMPARE(model.hit(model.rowCount() - 1), simulation.recording().hits().back());
+    simulation.restart();
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void TestCharts::hitSeeksToItsFrame()
+{
+    Simulation simulation(glancing());
+    ValuesPane pane(simulation);
+    pane.resize(340, 300);
+    pane.show();
+    run(simulation, 130);
+    pane.tabs().setCurrentIndex(1);
+    QTest::qWait(40); // longer than the views hold back
+    QCOMPARE(pane.tabs().tabText(1), QStringLiteral("Hits 1"));
+    auto *table = qobject_cast<QTableView *>(pane.tabs().currentWidget());
+    QSignalSpy asked(&pane, &ValuesPane::seekRequested);
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualRect(table->model()->index(0, 0)).center());
+    QVERIFY(asked.count() >= 1);
+    const auto frame = asked.takeFirst().at(0).toLongLong();
+    QCOMPARE(simulation.recording().step(frame), simulation.recording().hits().front().step);
+}
+
+void TestCharts::tableIsCopied()
+{
+    Simulation simulation(glancing());
+    ValuesPane pane(simulation);
+    pane.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&pane));
+    auto *table = pane.tabs().widget(0)->findChild<QTableView *>();
+    table->setFocus();
+    table->selectionModel()->select({table->model()->index(0, 0), table->model()->index(1, 1)},
+                                    QItemSelectionModel::ClearAndSelect);
+    pane.copySelection();
+    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("-2.000\t2.300\n2.000\t2.000\n"));
+    pane.copyAll();
+    const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
+    QCOMPARE(lines.size(), 5);
+    QVERIFY(lines[0].startsWith(QStringLiteral("number\tx (m)\ty (m)\tv_x (m/s)")));
+    QVERIFY(lines[1].startsWith(QStringLiteral("1\t-2.000\t2.300\t2.000")));
+    QVERIFY(lines[3].startsWith(QStringLiteral("Σ\t")));
+}
+
+QTEST_MAIN(TestCharts)
+
+#include "test_charts.moc"

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/action_button.h"
+#include "views/theme.h"
+#include "views/transport_bar.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTableWidget>
+#include <QTest>
+#include <QVBoxLayout>
+
+using namespace cradle;
+
+namespace {
+
+/// A circle that meets a wall after a second.
+Preset rolling()
+{
+    Preset preset;
+    preset.laws.walls = WallLaw::Reflect;
+    PresetCircle circle;
+    circle.body = {.position = {2.8, 0.0}, .velocity = {1.0, 0.0}};
+    preset.circles = {circle};
+    return preset;
+}
+
+QString allText(const QWidget &bar)
+{
+    QStringList texts;
+    for (const QLabel *label : bar.findChildren<QLabel *>())
+        texts.append(label->text());
+    return texts.join(QLatin1Char('|'));
+}
+
+ActionButton *buttonOf(const TransportBar &bar, const QString &name)
+{
+    for (ActionButton *button : bar.findChildren<ActionButton *>()) {
+        if (button->accessibleName() == name)
+            return button;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+class TestTransportBar final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { applyTheme(ThemeChoice::Light); }
+    void stepsForwardAndBack();
+    void keysDriveTheSimulation();
+    void runsAndPauses();
+    void goesToTheNextHit();
+    void speedGoesInPowersOfTwo();
+    void readoutDoesNotJump();
+    void checkBecomesStop();
+    void modesAppearFromTwoOn();
+    void fitsNarrowWindows();
+    void focusedControlsKeepTheirKeys();
+};
+
+void TestTransportBar::stepsForwardAndBack()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    QVERIFY(!bar.stepBackAction()->isEnabled());
+    bar.stepAction()->trigger();
+    bar.stepAction()->trigger();
+    QVERIFY(allText(bar).contains(QStringLiteral("step 2")));
+    QVERIFY(allText(bar).contains(QStringLiteral("t = 0.033 s")));
+    bar.stepBackAction()->trigger();
+    QVERIFY(allText(bar).contains(QStringLiteral("step 1")));
+    bar.restartAction()->trigger();
+    QVERIFY(simulation.atStart());
+}
+
+void TestTransportBar::keysDriveTheSimulation()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.show();
+    bar.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&bar));
+    bar.setFocus();
+    QTest::keyClick(&bar, Qt::Key_Right);
+    QTest::keyClick(&bar, Qt::Key_Right);
+    QCOMPARE(simulation.current(), 2);
+    QTest::keyClick(&bar, Qt::Key_Left);
+    QCOMPARE(simulation.current(), 1);
+    QTest::keyClick(&bar, Qt::Key_R);
+    QCOMPARE(simulation.current(), 0);
+    QTest::keyClick(&bar, Qt::Key_Space);
+    QVERIFY(simulation.isRunning());
+    QTest::keyClick(&bar, Qt::Key_Space);
+    QVERIFY(!simulation.isRunning());
+    QTest::keyClick(&bar, Qt::Key_BracketLeft);
+    QCOMPARE(simulation.speed(), 0.5);
+    QTest::keyClick(&bar, Qt::Key_BracketRight);
+    QCOMPARE(simulation.speed(), 1.0);
+    QSignalSpy checks(&bar, &TransportBar::checkRequested);
+    QTest::keyClick(&bar, Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(checks.size(), 1);
+}
+
+void TestTransportBar::runsAndPauses()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    QCOMPARE(bar.runAction()->text(), QStringLiteral("Run"));
+    QTest::mouseClick(buttonOf(bar, QStringLiteral("Run")), Qt::LeftButton);
+    QVERIFY(simulation.isRunning());
+    QCOMPARE(bar.runAction()->text(), QStringLiteral("Pause"));
+    simulation.pause();
+    QCOMPARE(bar.runAction()->text(), QStringLiteral("Run"));
+}
+
+void TestTransportBar::goesToTheNextHit()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.nextHitAction()->trigger();
+    QVERIFY(!simulation.recording().hits().empty());
+    QVERIFY(std::abs(simulation.time() - 1.0) < 0.05);
+}
+
+void TestTransportBar::speedGoesInPowersOfTwo()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    for (int i = 0; i < 10; ++i)
+        bar.slowerAction()->trigger();
+    QCOMPARE(simulation.speed(), 1.0 / 16.0);
+    QVERIFY(!bar.slowerAction()->isEnabled());
+    QVERIFY(allText(bar).contains(QStringLiteral("1/16×")));
+    bar.findChild<QSlider *>()->setValue(3);
+    QCOMPARE(simulation.speed(), 8.0);
+    QVERIFY(!bar.fasterAction()->isEnabled());
+    QVERIFY(allText(bar).contains(QStringLiteral("8×")));
+}
+
+void TestTransportBar::readoutDoesNotJump()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.resize(1280, 48);
+    bar.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&bar));
+    const auto places = [&] {
+        QList<QRect> all;
+        for (const QLabel *label : bar.findChildren<QLabel *>())
+            all.append(label->geometry());
+        return all;
+    };
+    const QList<QRect> before = places();
+    for (int i = 0; i < 1000; ++i)
+        simulation.stepForward();
+    bar.slowerAction()->trigger();
+    QCoreApplication::processEvents();
+    QCOMPARE(places(), before);
+}
+
+void TestTransportBar::checkBecomesStop()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.show();
+    QSignalSpy requested(&bar, &TransportBar::checkRequested);
+    QSignalSpy cancelled(&bar, &TransportBar::checkCancelled);
+    auto *progress = bar.findChild<QProgressBar *>();
+    QVERIFY(!progress->isVisible());
+    bar.checkAction()->trigger();
+    QCOMPARE(requested.size(), 1);
+    bar.setChecking(true);
+    bar.setCheckProgress(0.25);
+    QCOMPARE(bar.checkAction()->text(), QStringLiteral("Stop"));
+    QVERIFY(progress->isVisible());
+    QCOMPARE(progress->value(), progress->maximum() / 4);
+    QTest::mouseClick(buttonOf(bar, QStringLiteral("Stop")), Qt::LeftButton);
+    QCOMPARE(cancelled.size(), 1);
+    QCOMPARE(requested.size(), 1);
+    bar.setChecking(false);
+    QCOMPARE(bar.checkAction()->text(), QStringLiteral("Check"));
+    QVERIFY(!progress->isVisible());
+}
+
+void TestTransportBar::modesAppearFromTwoOn()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.show();
+    const auto segment = [&](const QString &name) -> QPushButton * {
+        for (QPushButton *button : bar.findChildren<QPushButton *>()) {
+            if (button->accessibleName() == name && button->isVisible())
+                return button;
+        }
+        return nullptr;
+    };
+    bar.setModes({QStringLiteral("Explore")}, 0);
+    QVERIFY(!segment(QStringLiteral("Explore")));
+    bar.setModes({QStringLiteral("Explore"), QStringLiteral("Code")}, 0);
+    QVERIFY(segment(QStringLiteral("Explore"))->isChecked());
+    QSignalSpy chosen(&bar, &TransportBar::modeChosen);
+    QTest::mouseClick(segment(QStringLiteral("Code")), Qt::LeftButton);
+    QCOMPARE(chosen.size(), 1);
+    QCOMPARE(chosen.front().front().toInt(), 1);
+}
+
+void TestTransportBar::fitsNarrowWindows()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    for (const int width : {1280, 900, bar.minimumSizeHint().width()}) {
+        bar.resize(width, 48);
+        bar.show();
+        QCoreApplication::processEvents();
+        QCOMPARE(bar.width(), width);
+        int right = 0;
+        for (ActionButton *button : bar.findChildren<ActionButton *>()) {
+            QVERIFY(button->geometry().left() >= right);
+            right = button->geometry().right();
+            QVERIFY(button->width() >= button->minimumSizeHint().width());
+            QVERIFY(!button->accessibleName().isEmpty());
+        }
+        QVERIFY(right < width);
+    }
+}
+
+void TestTransportBar::focusedControlsKeepTheirKeys()
+{
+    Simulation simulation(rolling());
+    QWidget window;
+    auto *column = new QVBoxLayout(&window);
+    auto *bar = new TransportBar(simulation);
+    auto *line = new QLineEdit;
+    auto *table = new QTableWidget(1, 3);
+    column->addWidget(bar);
+    column->addWidget(line);
+    column->addWidget(table);
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+
+    line->setFocus();
+    QTest::keyClicks(line, QStringLiteral("r n"));
+    QCOMPARE(line->text(), QStringLiteral("r n"));
+    QVERIFY(!simulation.isRunning());
+
+    table->setCurrentCell(0, 0);
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_Right);
+    QCOMPARE(table->currentColumn(), 1);
+    QCOMPARE(simulation.current(), 0);
+
+    auto *slider = bar->findChild<QSlider *>();
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(simulation.speed(), 2.0);
+    QCOMPARE(simulation.current(), 0);
+
+    ActionButton *step = buttonOf(*bar, QStringLiteral("Next hit"));
+    step->setFocus();
+    QTest::keyClick(step, Qt::Key_Space);
+    QVERIFY(!simulation.isRunning());
+    QVERIFY(simulation.current() > 0);
+}
+
+QTEST_MAIN(TestTransportBar)
+#include "test_transport_bar.moc"

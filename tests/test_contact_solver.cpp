@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/contact_solver.h"
+
+#include "tests/scenes.h"
+
+#include <algorithm>
+#include <array>
+
+using namespace cradle;
+using namespace cradle::scenes;
+
+class TestContactSolver : public QObject
+{
+    Q_OBJECT
+private slots:
+    void noContactsNeedNothing();
+    void aloneAContactIsSolvedByItsOwnEquation();
+    void aWallContactCountsOnlyTheBody();
+    void threeInARowShareTheImpulse();
+    void aContactThatWouldPullGetsNone();
+    void aBreakOfThreeIsSymmetric();
+    void cornerWallsActEachForItself();
+    void theOrderOfTheContactsDoesNotMatter();
+    void aStackIsHeldByTheSumOfItsWeights_data();
+    void aStackIsHeldByTheSumOfItsWeights();
+};
+
+void TestContactSolver::noContactsNeedNothing()
+{
+    std::vector<Contact> contacts;
+    solveContacts(contacts, {});
+    QVERIFY(contacts.empty());
+}
+
+void TestContactSolver::aloneAContactIsSolvedByItsOwnEquation()
+{
+    // (1/m_a + 1/m_b) J = change: (½ + ¼) J = 3
+    std::vector<Contact> contacts{{.a = 0, .b = 1, .normal = {1, 0}, .change = 3.0}};
+    solveContacts(contacts, std::array{0.5, 0.25});
+    COMPARE_NEAR(contacts[0].impulse, 4.0, 1e-15);
+}
+
+void TestContactSolver::aWallContactCountsOnlyTheBody()
+{
+    std::vector<Contact> contacts{{.a = 0, .b = -1, .normal = {0, -1}, .change = 3.0}};
+    solveContacts(contacts, std::array{0.5});
+    COMPARE_NEAR(contacts[0].impulse, 6.0, 1e-15);
+}
+
+void TestContactSolver::threeInARowShareTheImpulse()
+{
+    // The first of three 1 kg circles in touch runs into the others at 2 m/s, e = 1:
+    //     2 J₁ − J₂ = 4,  −J₁ + 2 J₂ = 0   ⇒   J₁ = 8/3, J₂ = 4/3
+    std::vector<Contact> contacts{{.a = 0, .b = 1, .normal = {1, 0}, .change = 4.0},
+                                  {.a = 1, .b = 2, .normal = {1, 0}, .change = 0.0}};
+    solveContacts(contacts, std::array{1.0, 1.0, 1.0});
+    COMPARE_NEAR(contacts[0].impulse, 8.0 / 3.0, 1e-13);
+    COMPARE_NEAR(contacts[1].impulse, 4.0 / 3.0, 1e-13);
+}
+
+void TestContactSolver::aContactThatWouldPullGetsNone()
+{
+    // The middle one is hit from the right: the contact on its left is pressed, the one of the
+    // far pair that moves apart by itself is not pulled together.
+    std::vector<Contact> contacts{{.a = 0, .b = 1, .normal = {1, 0}, .change = 2.0},
+                                  {.a = 1, .b = 2, .normal = {1, 0}, .change = -6.0}};
+    solveContacts(contacts, std::array{1.0, 1.0, 1.0});
+    COMPARE_NEAR(contacts[0].impulse, 1.0, 1e-15);
+    COMPARE_NEAR(contacts[1].impulse, 0.0, 0.0);
+}
+
+void TestContactSolver::aBreakOfThreeIsSymmetric()
+{
+    // 1 kg hits two 1 kg circles in touch along their axis at u = 1 m/s, e = 1. With
+    // n = (cos 30°, ±sin 30°), A = [[2, ½], [½, 2]], change = 2 cos 30°:
+    //     J = 2 cos 30° / 2.5 = (2/5)√3
+    const double c = std::sqrt(0.75);
+    std::vector<Contact> contacts{{.a = 0, .b = 1, .normal = {c, 0.5}, .change = 2.0 * c},
+                                  {.a = 0, .b = 2, .normal = {c, -0.5}, .change = 2.0 * c}};
+    solveContacts(contacts, std::array{1.0, 1.0, 1.0});
+    COMPARE_NEAR(contacts[0].impulse, 0.4 * std::sqrt(3.0), 1e-14);
+    QCOMPARE(contacts[1].impulse, contacts[0].impulse);
+}
+
+void TestContactSolver::cornerWallsActEachForItself()
+{
+    std::vector<Contact> contacts{{.a = 0, .b = -1, .normal = {0, -1}, .change = 3.0},
+                                  {.a = 0, .b = -1, .normal = {1, 0}, .change = 5.0}};
+    solveContacts(contacts, std::array{0.5});
+    COMPARE_NEAR(contacts[0].impulse, 6.0, 1e-15);
+    COMPARE_NEAR(contacts[1].impulse, 10.0, 1e-15);
+}
+
+void TestContactSolver::theOrderOfTheContactsDoesNotMatter()
+{
+    const double c = std::sqrt(0.75);
+    const std::array masses{1.0, 0.5, 2.0, 1.0};
+    std::vector<Contact> contacts{{.a = 0, .b = 1, .normal = {c, 0.5}, .change = 2.0},
+                                  {.a = 0, .b = 2, .normal = {c, -0.5}, .change = 1.0},
+                                  {.a = 1, .b = 2, .normal = {0, -1}, .change = 0.0},
+                                  {.a = 2, .b = 3, .normal = {0, -1}, .change = 0.5}};
+    std::vector<Contact> turned(contacts.rbegin(), contacts.rend());
+    solveContacts(contacts, masses);
+    solveContacts(turned, masses);
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        COMPARE_NEAR(turned[contacts.size() - 1 - i].impulse, contacts[i].impulse, 1e-13);
+}
+
+void TestContactSolver::aStackIsHeldByTheSumOfItsWeights_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<double>("heavier"); // kg, each than the one below
+    for (const int count : {1, 2, 5, 10}) {
+        QTest::addRow("%d alike", count) << count << 0.0;
+        QTest::addRow("%d, each heavier than the one below", count) << count << 1.0;
+    }
+}
+
+void TestContactSolver::aStackIsHeldByTheSumOfItsWeights()
+{
+    QFETCH(int, count);
+    QFETCH(double, heavier);
+    // Circle 0 lies on the floor, i + 1 on i. A contact carries all above it.
+    std::vector<double> inverseMasses;
+    std::vector<Contact> contacts;
+    for (int i = 0; i < count; ++i) {
+        inverseMasses.push_back(1.0 / (1.0 + heavier * i));
+        if (i == 0)
+            contacts.push_back({.a = 0, .b = -1, .normal = {0, -1}, .change = g});
+        else
+            contacts.push_back({.a = i - 1, .b = i, .normal = {0, 1}, .change = 0.0});
+    }
+    solveContacts(contacts, inverseMasses);
+    double above = 0.0;
+    for (int i = count - 1; i >= 0; --i) {
+        above += 1.0 + heavier * i;
+        COMPARE_NEAR(contacts[static_cast<std::size_t>(i)].impulse, above * g, 1e-9 * above * g);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestContactSolver)
+#include "test_contact_solver.moc"

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "views/formula_renderer.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTest>
+
+using cradle::findFormulas;
+using cradle::Formula;
+using cradle::FormulaRenderer;
+
+namespace {
+
+constexpr int patience = 20000; // ms; MathJax takes 0.3 s, and far longer under sanitizers
+
+/// The answer to one request, or a formula without any state that a test expects.
+Formula answerOf(FormulaRenderer &renderer, const QString &tex, bool display = false)
+{
+    QSignalSpy spy(&renderer, &FormulaRenderer::ready);
+    renderer.request(tex, display);
+    return spy.wait(patience) ? spy.first().at(2).value<Formula>() : Formula();
+}
+
+/// Number of pixels that a picture marks.
+int inkOf(const QByteArray &svg)
+{
+    QImage image(200, 200, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    QSvgRenderer(QByteArray(svg).replace("currentColor", "#000000")).render(&painter);
+    int ink = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            ink += qAlpha(image.pixel(x, y)) > 0 ? 1 : 0;
+    }
+    return ink;
+}
+
+} // namespace
+
+class TestFormulaRenderer : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void typesetsFraction();
+    void typesetsTallBracketsWithoutNestedPictures();
+    void givesDepthBelowBaseline();
+    void tellsWhyTexIsBroken_data();
+    void tellsWhyTexIsBroken();
+    void saysSoWithoutMathJax();
+    void answersLaterEvenIfKnown();
+    void answersOnceForTheSameFormula();
+    void readsFormulaOfEarlierRunFromDisk();
+    void drawsAgainIfCacheFileIsDamaged();
+    void survivesDestructionDuringWork();
+    void findsFormulas_data();
+    void findsFormulas();
+
+private:
+    QTemporaryDir m_folder;
+    bool m_hasMathJax = false;
+};
+
+void TestFormulaRenderer::initTestCase()
+{
+    FormulaRenderer renderer(nullptr, m_folder.path()); // links the resource, too
+    m_hasMathJax = QFile::exists(":/mathjax/mathjax.js");
+}
+
+void TestFormulaRenderer::typesetsFraction()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    const Formula formula = answerOf(renderer, "\\frac{1}{2}");
+    QCOMPARE(formula.state, Formula::State::Ready);
+    QVERIFY(formula.width > 0.5 && formula.height > formula.width);
+    QVERIFY(inkOf(formula.svg) > 100);
+}
+
+void TestFormulaRenderer::typesetsTallBracketsWithoutNestedPictures()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    const QString tex = "\\begin{pmatrix} 1 \\\\ 2 \\\\ 3 \\\\ 4 \\\\ 5 \\end{pmatrix}";
+    const Formula formula = answerOf(renderer, tex, true);
+    QCOMPARE(formula.state, Formula::State::Ready);
+    QCOMPARE(formula.svg.count("<svg"), 1); // QtSvg cannot draw an <svg> within another
+}
+
+void TestFormulaRenderer::givesDepthBelowBaseline()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    const Formula x = answerOf(renderer, "x");
+    QVERIFY(qAbs(x.height - 1.0) < 0.1); // by the definition of ex
+    QVERIFY(x.depth < 0.1);
+    QVERIFY(answerOf(renderer, "p_x").depth > 0.3);
+}
+
+void TestFormulaRenderer::tellsWhyTexIsBroken_data()
+{
+    QTest::addColumn<QString>("tex");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("open brace") << "\\frac{1}{"
+                                << "Missing close brace";
+    QTest::newRow("unknown name") << "\\circel"
+                                  << "\\circel";
+    QTest::newRow("nothing") << " "
+                             << "empty";
+    QTest::newRow("numbered") << "x \\tag{1}"
+                              << "\\tag";
+}
+
+void TestFormulaRenderer::tellsWhyTexIsBroken()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    QFETCH(QString, tex);
+    QFETCH(QString, reason);
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    const Formula formula = answerOf(renderer, tex, true);
+    QCOMPARE(formula.state, Formula::State::Broken);
+    QVERIFY2(formula.error.contains(reason), qPrintable(formula.error));
+}
+
+void TestFormulaRenderer::saysSoWithoutMathJax()
+{
+    if (m_hasMathJax)
+        QSKIP("built with MathJax");
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    const Formula formula = answerOf(renderer, "x");
+    QCOMPARE(formula.state, Formula::State::Unavailable);
+    QVERIFY(formula.error.contains("MathJax"));
+}
+
+void TestFormulaRenderer::answersLaterEvenIfKnown()
+{
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    QVERIFY(!renderer.known("x", false));
+    const Formula first = answerOf(renderer, "x");
+    QVERIFY(renderer.known("x", false));
+    QVERIFY(!renderer.known("x", true));
+
+    QSignalSpy spy(&renderer, &FormulaRenderer::ready);
+    renderer.request("x", false);
+    QCOMPARE(spy.count(), 0);
+    QVERIFY(spy.wait(patience));
+    QCOMPARE(spy.first().at(2).value<Formula>(), first);
+}
+
+void TestFormulaRenderer::answersOnceForTheSameFormula()
+{
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    QSignalSpy spy(&renderer, &FormulaRenderer::ready);
+    renderer.request("a", false);
+    renderer.request("a", false);
+    renderer.request("b", false); // answered after all of a
+    QTRY_COMPARE_WITH_TIMEOUT(spy.count(), 2, patience);
+    QCOMPARE(spy.at(0).at(0).toString(), "a");
+    QCOMPARE(spy.at(1).at(0).toString(), "b");
+}
+
+void TestFormulaRenderer::readsFormulaOfEarlierRunFromDisk()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    const QTemporaryDir folder;
+    {
+        FormulaRenderer renderer(nullptr, folder.path());
+        QCOMPARE(answerOf(renderer, "x").state, Formula::State::Ready);
+    }
+    // A mark in the file tells what was read from what was typeset anew.
+    const QStringList files = QDir(folder.path()).entryList(QDir::Files);
+    QCOMPARE(files.size(), 1);
+    QFile file(folder.filePath(files.first()));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"svg":"<svg/>","width_ex":7,"height_ex":2,"depth_ex":1})");
+    file.close();
+    FormulaRenderer renderer(nullptr, folder.path());
+    QCOMPARE(answerOf(renderer, "x").width, 7.0);
+}
+
+void TestFormulaRenderer::drawsAgainIfCacheFileIsDamaged()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    const QTemporaryDir folder;
+    Formula whole;
+    {
+        FormulaRenderer renderer(nullptr, folder.path());
+        whole = answerOf(renderer, "x");
+    }
+    const QStringList files = QDir(folder.path()).entryList(QDir::Files);
+    QCOMPARE(files.size(), 1);
+    QVERIFY(QFile::resize(folder.filePath(files.first()), 20));
+    FormulaRenderer renderer(nullptr, folder.path());
+    QCOMPARE(answerOf(renderer, "x"), whole);
+}
+
+void TestFormulaRenderer::survivesDestructionDuringWork()
+{
+    const QTemporaryDir folder;
+    for (const int wait : {0, 50, 400}) { // ms: before, while and after MathJax loads
+        FormulaRenderer renderer(nullptr, folder.path());
+        for (int i = 0; i < 200; ++i)
+            renderer.request(QString("\\sqrt{\\frac{x_{%1}}{%2}}").arg(i).arg(wait), true);
+        QTest::qWait(wait);
+    }
+}
+
+void TestFormulaRenderer::findsFormulas_data()
+{
+    QTest::addColumn<QString>("markdown");
+    QTest::addColumn<QStringList>("formulas"); // as TeX, "D " before those on their own line
+    const auto row = [](const char *name, const char *markdown, const QStringList &formulas) {
+        QTest::newRow(name) << QString(markdown) << formulas;
+    };
+    row("inline", "the $p_x$ and $p_y$.", {"p_x", "p_y"});
+    row("display", "so\n$$\na = b\n$$\nthen", {"D a = b"});
+    row("prices", "$5 and $6", {});
+    row("digit after", "$5 or US$20", {});
+    row("space after opening", "a $ x$ b", {});
+    row("space before closing", "a $x $ b", {});
+    row("escaped", "\\$x$ and \\$y\\$", {});
+    row("dollar within", "$a \\$ b$", {"a \\$ b"});
+    row("code span", "`$a$` and ``x ` $b$``", {});
+    row("unmatched backtick", "a ` and $x$", {"x"});
+    row("fenced block", "```lua\n$a$\n```\n$b$", {"b"});
+    row("tilde block", "~~~\n$a$\n```\n$b$\n~~~\n$c$", {"c"});
+    row("open block", "```\n$a$\n", {});
+    row("block in list", "- x\n\n  ```\n  $a$\n  ```\n", {});
+    row("two paragraphs", "a $x\n\ny$ b", {});
+    row("two lines", "a $x\n+ y$ b", {"x\n+ y"});
+    row("no end", "$$ a", {});
+    row("nothing inside", "$$$$ and $$ $$", {});
+}
+
+void TestFormulaRenderer::findsFormulas()
+{
+    QFETCH(QString, markdown);
+    QFETCH(QStringList, formulas);
+    const cradle::FormulaText text = findFormulas(markdown);
+    QStringList found;
+    for (const cradle::FormulaSource &formula : text.formulas)
+        found += (formula.display ? "D " : "") + formula.tex;
+    QCOMPARE(found, formulas);
+
+    QString restored = text.markdown;
+    for (size_t i = 0; i < text.formulas.size(); ++i) {
+        const QString mark = QChar(0xE000) + QString::number(i) + QChar(0xE001);
+        restored.replace(mark, text.formulas[i].markdown);
+    }
+    QCOMPARE(restored, markdown);
+}
+
+QTEST_MAIN(TestFormulaRenderer)
+#include "test_formula_renderer.moc"

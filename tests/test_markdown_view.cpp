@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "views/markdown_view.h"
+
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFile>
+#include <QGuiApplication>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using cradle::FormulaRenderer;
+using cradle::MarkdownView;
+
+namespace {
+
+constexpr int patience = 20000; // ms; MathJax takes 0.3 s, and far longer under sanitizers
+const QChar object = QChar::ObjectReplacementCharacter;
+
+class Browser : public QObject
+{
+    Q_OBJECT
+public:
+    QList<QUrl> opened;
+public slots:
+    void open(const QUrl &url) { opened += url; }
+};
+
+int pixelsLike(const QWidget &widget, const QColor &colour)
+{
+    const QImage image = const_cast<QWidget &>(widget).grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            count += image.pixelColor(x, y) == colour ? 1 : 0;
+    }
+    return count;
+}
+
+void setColours(QWidget &widget, const QColor &text, const QColor &base)
+{
+    QPalette palette;
+    palette.setColor(QPalette::Text, text);
+    palette.setColor(QPalette::Base, base);
+    widget.setPalette(palette);
+}
+
+} // namespace
+
+class TestMarkdownView : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void showsTexUntilFormulaIsReady();
+    void drawsFormulaInColourOfText();
+    void showsReasonOfBrokenTex();
+    void givesDisplayFormulaItsOwnCentredLine();
+    void keepsPunctuationWithFormula();
+    void leavesCodeAndDollarsAlone_data();
+    void leavesCodeAndDollarsAlone();
+    void copiesFormulaAsTex();
+    void showsFigureInColourOfText();
+    void fitsWideFigureIntoPane();
+    void refusesPictures_data();
+    void refusesPictures();
+    void ignoresForgedMarks();
+    void opensOnlyWebLinksAndSteps();
+    void scalesHeadings();
+
+private:
+    /// Shows `markdown` and waits for the answers to its formulas.
+    void show(MarkdownView &view, const QString &markdown, int formulas = 0);
+
+    QTemporaryDir m_folder;
+    FormulaRenderer m_renderer{nullptr, m_folder.filePath("cache")};
+    bool m_hasMathJax = false;
+};
+
+void TestMarkdownView::initTestCase()
+{
+    m_hasMathJax = QFile::exists(":/mathjax/mathjax.js");
+    const auto write = [this](const QString &name, const QByteArray &content) {
+        QFile file(m_folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    };
+    QVERIFY(QDir(m_folder.path()).mkpath("lab/pictures"));
+    const QByteArray open = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='60'>";
+    const QByteArray box = open + "<rect width='600' height='60' fill='currentColor'/></svg>";
+    write("lab/box.svg", box);
+    write("lab/pictures/box.svg", box);
+    write("outside.svg", box);
+    write("lab/reads.svg", open + "<image href='/etc/logo.png' width='9' height='9'/></svg>");
+    write("lab/broken.png", "no picture");
+    QVERIFY(QFile::link(m_folder.filePath("outside.svg"), m_folder.filePath("lab/link.svg")));
+}
+
+void TestMarkdownView::show(MarkdownView &view, const QString &markdown, int formulas)
+{
+    view.resize(320, 400);
+    QSignalSpy spy(&m_renderer, &FormulaRenderer::ready);
+    view.setMarkdown(markdown, QUrl::fromLocalFile(m_folder.filePath("lab")));
+    QTRY_COMPARE_WITH_TIMEOUT(spy.count(), formulas, patience);
+}
+
+void TestMarkdownView::showsTexUntilFormulaIsReady()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    QSignalSpy spy(&m_renderer, &FormulaRenderer::ready);
+    view.setMarkdown("Keep $p_1$ here", {});
+    QCOMPARE(view.toPlainText(), "Keep p_1 here");
+    QVERIFY(spy.wait(patience));
+    const QString drawn = QString("Keep %1 here").arg(object);
+    QCOMPARE(view.document()->toRawText(), m_hasMathJax ? drawn : "Keep p_1 here");
+}
+
+void TestMarkdownView::drawsFormulaInColourOfText()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    MarkdownView view(nullptr, &m_renderer);
+    setColours(view, Qt::red, Qt::white);
+    show(view, "$\\rule{2em}{2em} \\frac{a}{b}$", 1);
+    QVERIFY(pixelsLike(view, Qt::red) > 5);
+    setColours(view, Qt::green, Qt::black);
+    QVERIFY(pixelsLike(view, Qt::green) > 5);
+    QCOMPARE(pixelsLike(view, Qt::red), 0);
+}
+
+void TestMarkdownView::showsReasonOfBrokenTex()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "A $\\frac{1}{$ b", 1);
+    const QString reason = m_hasMathJax ? " (Missing close brace)" : "";
+    QCOMPARE(view.toPlainText(), "A \\frac{1}{" + reason + " b");
+}
+
+void TestMarkdownView::givesDisplayFormulaItsOwnCentredLine()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "So $$c = d$$ holds.\n\n- item $$e = f$$ on\n", 2);
+    const QString first = m_hasMathJax ? QString(object) : "c = d";
+    const QString second = m_hasMathJax ? QString(object) : "e = f";
+    const QStringList lines = {"So", first, "holds.", "item", second, "on"};
+    QCOMPARE(view.document()->toRawText().split(QChar::ParagraphSeparator), lines);
+    const QTextBlock block = view.document()->findBlockByNumber(1);
+    QCOMPARE(block.blockFormat().alignment(), Qt::AlignHCenter);
+    QVERIFY(!view.document()->findBlockByNumber(4).textList());
+}
+
+void TestMarkdownView::keepsPunctuationWithFormula()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "the sum ($q_1$), too", 1);
+    QCOMPARE(view.document()->toRawText(), QString("the sum %1 too").arg(object));
+}
+
+void TestMarkdownView::leavesCodeAndDollarsAlone_data()
+{
+    QTest::addColumn<QString>("markdown");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("prices") << "$5 and $6"
+                            << "$5 and $6";
+    QTest::newRow("escaped") << "\\$x\\$"
+                             << "$x$";
+    QTest::newRow("code span") << "a `$x$` b"
+                               << "a $x$ b";
+    QTest::newRow("fenced block") << "```\n$x_1$ = $_y_$\n```"
+                                  << "$x_1$ = $_y_$";
+    QTest::newRow("indented block") << "a\n\n    $x_1$ = $y_1$\n"
+                                    << "a\n$x_1$ = $y_1$";
+    QTest::newRow("HTML") << "a <img src=\"x.png\"> b"
+                          << "a <img src=\"x.png\"> b";
+}
+
+void TestMarkdownView::leavesCodeAndDollarsAlone()
+{
+    QFETCH(QString, markdown);
+    QFETCH(QString, text);
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, markdown);
+    QString shown = view.toPlainText().trimmed();
+    shown.replace(QRegularExpression("\n+"), "\n"); // a frame of code brings empty lines
+    QCOMPARE(shown, text);
+}
+
+void TestMarkdownView::copiesFormulaAsTex()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "Sum ($m_1$), and\n\n$$m_2 = 3$$", 2);
+    view.selectAll();
+    view.copy();
+    const QString copied = QGuiApplication::clipboard()->text();
+    QCOMPARE(copied, m_hasMathJax ? "Sum ($m_1$), and\n$$m_2 = 3$$" : "Sum (m_1), and\nm_2 = 3");
+}
+
+void TestMarkdownView::showsFigureInColourOfText()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    setColours(view, Qt::red, Qt::white);
+    show(view, "![box](pictures/box.svg)");
+    QVERIFY(pixelsLike(view, Qt::red) > 1000);
+    setColours(view, Qt::green, Qt::black);
+    QVERIFY(pixelsLike(view, Qt::green) > 1000);
+    QCOMPARE(pixelsLike(view, Qt::red), 0);
+}
+
+void TestMarkdownView::fitsWideFigureIntoPane()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "![box](box.svg)");
+    view.grab(); // lays the text out
+    QVERIFY(view.document()->idealWidth() <= view.viewport()->width());
+}
+
+void TestMarkdownView::refusesPictures_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("parent") << "../outside.svg"
+                            << "in the folder";
+    QTest::newRow("encoded parent") << "%2e%2e/outside.svg"
+                                    << "in the folder";
+    QTest::newRow("parent midway") << "pictures/../box.svg"
+                                   << "in the folder";
+    QTest::newRow("absolute") << m_folder.filePath("outside.svg") << "in the folder";
+    QTest::newRow("resource") << ":/mathjax/version"
+                              << "in the folder";
+    QTest::newRow("symbolic link") << "link.svg"
+                                   << "in the folder";
+    QTest::newRow("web") << "https://example.org/a.png"
+                         << "elsewhere";
+    QTest::newRow("host") << "//example.org/a.png"
+                          << "elsewhere";
+    QTest::newRow("file URL") << "file:///etc/logo.png"
+                              << "elsewhere";
+    QTest::newRow("missing") << "none.svg"
+                             << "no picture";
+    QTest::newRow("no picture") << "broken.png"
+                                << "cannot be read";
+    QTest::newRow("reads others") << "reads.svg"
+                                  << "another file";
+}
+
+void TestMarkdownView::refusesPictures()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, reason);
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "![two circles](" + name + ")");
+    QVERIFY(!view.document()->toRawText().contains(object));
+    QVERIFY(view.toPlainText().contains("two circles"));
+    QVERIFY2(view.toPlainText().contains(reason), qPrintable(view.toPlainText()));
+}
+
+void TestMarkdownView::ignoresForgedMarks()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "a &#xE000;7&#xE001; b");
+    QVERIFY(view.toPlainText().contains('7'));
+}
+
+void TestMarkdownView::opensOnlyWebLinksAndSteps()
+{
+    Browser browser;
+    for (const char *scheme : {"http", "https", "file", "ftp"})
+        QDesktopServices::setUrlHandler(scheme, &browser, "open");
+    MarkdownView view(nullptr, &m_renderer);
+    QSignalSpy steps(&view, &MarkdownView::stepRequested);
+    for (const char *link : {"https://example.org", "file:///etc/passwd", "ftp://example.org",
+                             "step:L42T1", "other.md", "javascript:alert(1)"})
+        emit view.anchorClicked(QUrl(link));
+    for (const char *scheme : {"http", "https", "file", "ftp"})
+        QDesktopServices::unsetUrlHandler(scheme);
+    QCOMPARE(browser.opened, QList<QUrl>{QUrl("https://example.org")});
+    QCOMPARE(QList<QVariantList>(steps), QList<QVariantList>{{"L42T1"}});
+}
+
+void TestMarkdownView::scalesHeadings()
+{
+    MarkdownView view(nullptr, &m_renderer);
+    show(view, "# One\n\n## Two\n\ntext");
+    const double size = QFontInfo(view.font()).pointSizeF();
+    const auto sizeOf = [&view](int i) {
+        const QTextBlock block = view.document()->findBlockByNumber(i);
+        return block.begin().fragment().charFormat().fontPointSize();
+    };
+    QCOMPARE(sizeOf(0), 1.25 * size);
+    QCOMPARE(sizeOf(1), 1.05 * size);
+}
+
+QTEST_MAIN(TestMarkdownView)
+#include "test_markdown_view.moc"

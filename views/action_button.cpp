@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/action_button.h"
+
+#include <QAction>
+
+namespace cradle {
+
+ActionButton::ActionButton(QAction *action, QWidget *parent)
+    : QPushButton(parent)
+    , m_action(action)
+{
+    setFocusPolicy(Qt::TabFocus);
+    setIconSize(QSize(18, 18));
+    connect(action, &QAction::changed, this, &ActionButton::followAction);
+    connect(this, &QPushButton::clicked, action, &QAction::trigger);
+    followAction();
+}
+
+void ActionButton::setIconName(const QString &name, IconTint tint)
+{
+    setIcon(cradle::icon(name, tint));
+}
+
+void ActionButton::setCollapsed(bool collapsed)
+{
+    m_collapsed = collapsed;
+    followAction();
+}
+
+void ActionButton::followAction()
+{
+    const QString text = m_action->iconText();
+    const QString keys = m_action->shortcut().toString(QKeySequence::NativeText);
+    const QString tip = m_action->toolTip();
+    setText(m_collapsed ? QString() : text);
+    setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys));
+    setAccessibleName(text);
+    setEnabled(m_action->isEnabled());
+}
+
+} // namespace cradle

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/icons.h"
+
+#include <QPushButton>
+
+class QAction;
+
+namespace cradle {
+
+/// A push button that does what an action does, with its text, tool tip and state. It can do
+/// without its text where room is scarce.
+class ActionButton final : public QPushButton
+{
+    Q_OBJECT
+public:
+    explicit ActionButton(QAction *action, QWidget *parent = nullptr);
+
+    /// The icon of the button; the action's own is for menus.
+    void setIconName(const QString &name, IconTint tint = IconTint::Text);
+    void setCollapsed(bool collapsed);
+    [[nodiscard]] bool isCollapsed() const { return m_collapsed; }
+
+private:
+    void followAction();
+
+    QAction *m_action;
+    bool m_collapsed = false;
+};
+
+} // namespace cradle

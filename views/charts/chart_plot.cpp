@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/chart_plot.h"
+
+#include "views/charts/hit_columns.h"
+#include "views/charts/number_text.h"
+#include "views/charts/subscript_text.h"
+#include "views/theme.h"
+
+#include <QFontMetricsF>
+#include <QLineSeries>
+#include <QMouseEvent>
+#include <QValueAxis>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr int textPixels = 11;
+constexpr double flat = 0.05;        ///< px that a level line may be off
+constexpr double leastGutter = 42.0; ///< px for the values left of the plot
+constexpr double rightRoom = 14.0;   ///< px
+constexpr double topRoom = 4.0;      ///< px
+constexpr double axisRoom = 22.0;    ///< px for the times below the plot
+constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
+constexpr double margin = 0.08;      ///< of the height, above and below the range
+
+/// Leaves out the points within level stretches: rounding would make beads of a thick line, and
+/// every point costs.
+void dropLevel(QList<QPointF> &points, double tolerance)
+{
+    qsizetype kept = 0;
+    for (qsizetype i = 0; i < points.size(); ++i) {
+        const bool level = kept > 0 && i + 1 < points.size()
+                           && std::abs(points[i].y() - points[kept - 1].y()) < tolerance
+                           && std::abs(points[i + 1].y() - points[kept - 1].y()) < tolerance;
+        if (!level)
+            points[kept++] = points[i];
+    }
+    points.resize(kept);
+}
+
+} // namespace
+
+ChartPlot::ChartPlot(QWidget *parent)
+    : QChartView(parent)
+    , m_timeAxis(new QValueAxis(this))
+    , m_valueAxis(new QValueAxis(this))
+{
+    setFrameShape(QFrame::NoFrame);
+    setRenderHint(QPainter::Antialiasing);
+    setInteractive(false);
+    setMinimumSize(160, 96);
+    setFocusPolicy(Qt::NoFocus); // the keys of the timeline do the same
+    setCursor(Qt::CrossCursor);
+    chart()->setMargins({});
+    chart()->setBackgroundVisible(false);
+    chart()->setDropShadowEnabled(false);
+    chart()->legend()->hide();
+    chart()->addAxis(m_timeAxis, Qt::AlignBottom);
+    chart()->addAxis(m_valueAxis, Qt::AlignLeft);
+    for (QValueAxis *axis : {m_timeAxis, m_valueAxis}) {
+        axis->setLabelsVisible(false);
+        axis->setGridLineVisible(false);
+        axis->setLineVisible(false);
+    }
+}
+
+void ChartPlot::showMoment(const ChartMoment &moment, const std::vector<ChartCurve> &curves,
+                           const std::deque<Hit> &hits)
+{
+    m_showsRun = true;
+    m_moment = moment;
+    setCurves(curves);
+    layOut();
+    fillSeries();
+    placeLabels();
+    markHits(hits);
+    viewport()->update();
+}
+
+void ChartPlot::showEmpty(const QString &text)
+{
+    setCurves({});
+    m_showsRun = false;
+    m_emptyText = text;
+    m_labelTexts.clear();
+    m_labelRects.clear();
+    viewport()->update();
+}
+
+void ChartPlot::setCurves(const std::vector<ChartCurve> &curves)
+{
+    if (curves == m_curves)
+        return;
+    m_curves = curves;
+    m_layout.forget();
+    for (QLineSeries *series : m_series) {
+        chart()->removeSeries(series);
+        delete series;
+    }
+    m_series.clear();
+    for (const ChartCurve &curve : curves) {
+        auto *series = new QLineSeries;
+        QPen pen(curve.colour, curve.width, curve.dash, Qt::FlatCap, Qt::MiterJoin);
+        series->setPen(pen);
+        chart()->addSeries(series);
+        series->attachAxis(m_timeAxis);
+        series->attachAxis(m_valueAxis);
+        m_series.push_back(series);
+    }
+}
+
+void ChartPlot::layOut()
+{
+    const QSizeF size = viewport()->size();
+    const double height = size.height() - topRoom - axisRoom;
+    m_scale = m_moment.range.scale(static_cast<int>(height / tickHeight), margin);
+    const QFontMetricsF metrics(smallFont());
+    double gutter = leastGutter;
+    for (const double tick : m_scale.ticks()) {
+        const double text = metrics.horizontalAdvance(tickNumber(tick, m_scale.step));
+        gutter = std::max(gutter, std::ceil(text) + 18.0);
+    }
+    const QRectF area(gutter, topRoom, size.width() - gutter - rightRoom, height);
+    if (area != m_area) {
+        m_area = area;
+        chart()->setPlotArea(area);
+    }
+    m_timeAxis->setRange(0.0, m_moment.to - m_moment.from);
+    m_valueAxis->setRange(m_scale.low, m_scale.high);
+}
+
+void ChartPlot::fillSeries()
+{
+    m_profiles.clear();
+    const int columns = std::max(1, static_cast<int>(m_area.width()));
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        QList<QPointF> points = m_curves[i].samples->decimate(m_moment.from, m_moment.to, columns);
+        dropLevel(points, flat * (m_scale.high - m_scale.low) / m_area.height());
+        QList<QPointF> pixels;
+        pixels.reserve(points.size());
+        // Relative to the left end: the axis of QtCharts rests while the window slides.
+        for (QPointF &point : points) {
+            pixels.emplaceBack(xOf(point.x()), yOf(point.y()));
+            point.rx() -= m_moment.from;
+        }
+        m_series[i]->replace(points);
+        m_profiles.emplace_back(pixels, m_area);
+    }
+}
+
+void ChartPlot::placeLabels()
+{
+    m_labelTexts.clear();
+    std::vector<QSizeF> sizes;
+    const QFont font = smallFont();
+    const double height = std::ceil(QFontMetricsF(font).height());
+    for (const ChartCurve &curve : m_curves) {
+        const double value = curve.samples->valueAt(m_moment.shown);
+        m_labelTexts.push_back(curve.label + QStringLiteral(": ")
+                               + shortNumber(value, m_moment.scale));
+        sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
+    }
+    m_labelRects = m_layout.place(m_area, m_profiles, sizes);
+}
+
+void ChartPlot::markHits(const std::deque<Hit> &hits)
+{
+    m_hitMarks.clear();
+    m_nearestHit.reset();
+    const int width = static_cast<int>(m_area.width());
+    for (const HitColumn &column : hitColumns(hits, m_moment.from, m_moment.to, width))
+        m_hitMarks.push_back(xOf(hits[column.first].time));
+    if (const auto nearest = nearestHit(hits, m_moment.shown)) {
+        const double time = hits[*nearest].time;
+        if (time >= m_moment.from && time <= m_moment.to)
+            m_nearestHit = xOf(time);
+    }
+}
+
+double ChartPlot::timeAt(double x) const
+{
+    const double part = m_area.width() > 0.0 ? (x - m_area.left()) / m_area.width() : 0.0;
+    return m_moment.from + std::clamp(part, 0.0, 1.0) * (m_moment.to - m_moment.from);
+}
+
+std::vector<std::pair<QString, QRectF>> ChartPlot::labels() const
+{
+    std::vector<std::pair<QString, QRectF>> shown;
+    for (std::size_t i = 0; i < m_labelRects.size(); ++i) {
+        if (!m_labelRects[i].isEmpty())
+            shown.emplace_back(m_labelTexts[i], m_labelRects[i]);
+    }
+    return shown;
+}
+
+double ChartPlot::xOf(double time) const
+{
+    return m_area.left() + (time - m_moment.from) / (m_moment.to - m_moment.from) * m_area.width();
+}
+
+double ChartPlot::yOf(double value) const
+{
+    return m_area.bottom() - (value - m_scale.low) / (m_scale.high - m_scale.low) * m_area.height();
+}
+
+QFont ChartPlot::smallFont() const
+{
+    QFont small = font();
+    small.setPixelSize(textPixels);
+    return small;
+}
+
+void ChartPlot::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton && m_showsRun)
+        emit timePicked(timeAt(event->position().x()));
+}
+
+void ChartPlot::mouseMoveEvent(QMouseEvent *event)
+{
+    if ((event->buttons() & Qt::LeftButton) != 0 && m_showsRun)
+        emit timePicked(timeAt(event->position().x()));
+}
+
+void ChartPlot::mouseReleaseEvent(QMouseEvent *event)
+{
+    event->accept();
+}
+
+void ChartPlot::resizeEvent(QResizeEvent *event)
+{
+    QChartView::resizeEvent(event);
+    if (!m_showsRun)
+        return;
+    layOut();
+    fillSeries();
+    placeLabels();
+    m_hitMarks.clear();
+    m_nearestHit.reset();
+}
+
+} // namespace cradle

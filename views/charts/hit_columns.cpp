@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/hit_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+bool isBefore(const Hit &hit, double time)
+{
+    return hit.time < time;
+}
+
+} // namespace
+
+std::vector<HitColumn> hitColumns(const std::deque<Hit> &hits, double t0, double t1, int width)
+{
+    std::vector<HitColumn> columns;
+    if (!(t0 < t1) || width <= 0)
+        return columns;
+    const double pixel = (t1 - t0) / width;
+    auto hit = std::lower_bound(hits.begin(), hits.end(), t0, isBefore);
+    while (hit != hits.end() && hit->time <= t1) {
+        const int x = std::clamp(static_cast<int>(std::floor((hit->time - t0) / pixel)), 0, width);
+        auto next = std::lower_bound(hit, hits.end(), t0 + (x + 1) * pixel, isBefore);
+        if (next == hit)
+            ++next;
+        columns.push_back({x, static_cast<std::size_t>(hit - hits.begin()),
+                           static_cast<std::size_t>(next - hit)});
+        hit = next;
+    }
+    return columns;
+}
+
+std::optional<std::size_t> nearestHit(const std::deque<Hit> &hits, double time)
+{
+    if (hits.empty())
+        return std::nullopt;
+    const auto next = std::lower_bound(hits.begin(), hits.end(), time, isBefore);
+    const auto index = static_cast<std::size_t>(next - hits.begin());
+    if (index == hits.size())
+        return index - 1;
+    if (index > 0 && time - hits[index - 1].time < hits[index].time - time)
+        return index - 1;
+    return index;
+}
+
+std::optional<std::size_t> lastHit(const std::deque<Hit> &hits, qint64 step)
+{
+    const auto later = std::upper_bound(hits.begin(), hits.end(), step,
+                                        [](qint64 s, const Hit &hit) { return s < hit.step; });
+    if (later == hits.begin())
+        return std::nullopt;
+    return static_cast<std::size_t>(later - hits.begin()) - 1;
+}
+
+} // namespace cradle

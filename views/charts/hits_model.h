@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/simulation.h"
+
+#include <QAbstractTableModel>
+#include <QFont>
+
+namespace cradle {
+
+/// The momentum of the circles of a hit, kg m/s.
+struct HitMomentum {
+    Vec2 before{};
+    Vec2 after{};
+
+    [[nodiscard]] Vec2 change() const { return after - before; }
+};
+
+/// Of both circles, or of the one that met a wall.
+[[nodiscard]] HitMomentum momentumOf(const Hit &hit, std::span<const Circle> circles);
+
+/// "Hit 1 at 1.868 s: momentum before 522.7, after 522.7, change 0."
+[[nodiscard]] QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circles);
+
+/// The last hits of the recording, oldest first: when, who with whom, and what became of their
+/// momentum.
+class HitsModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { Time, Who, Impulse, Before, After, Change, Count };
+    static constexpr int unitRole = Qt::UserRole; ///< of a column's header
+    static constexpr qint64 mostRows = 1000;
+
+    explicit HitsModel(const Simulation &simulation, QObject *parent = nullptr);
+
+    /// Takes over the hits that are new.
+    void update();
+    void reload();
+
+    [[nodiscard]] qint64 hitCount() const { return m_first + m_count; } ///< since the start
+    [[nodiscard]] const Hit &hit(int row) const;
+    /// The row of the last hit that shows at \p step or before.
+    [[nodiscard]] std::optional<int> rowAt(qint64 step) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+
+private:
+    [[nodiscard]] QString text(const Hit &hit, int column) const;
+
+    const Simulation &m_simulation;
+    QFont m_font;       ///< of the cells
+    qint64 m_first = 0; ///< of all hits ever, the one in the first row
+    qint64 m_count = 0;
+};
+
+} // namespace cradle

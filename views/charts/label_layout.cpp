@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/label_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cradle {
+
+namespace {
+
+constexpr int places = 9;          ///< along a curve; above and below at each
+constexpr double gap = 2.0;        ///< px between a curve and its label
+constexpr double inset = 8.0;      ///< px from the plot's left and right end
+constexpr double stayBonus = 12.0; ///< crossed columns that a label puts up with to stay
+constexpr double leftBonus = 0.5;  ///< crossed columns that a place further left is worth
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where the slot-th place of a label for \p curve is; empty if it is not within the plot.
+QRectF candidate(const QRectF &plot, const CurveProfile &curve, QSizeF size, int slot)
+{
+    const double travel = plot.width() - size.width() - 2.0 * inset;
+    if (travel < 0.0)
+        return {};
+    const double x = inset + travel * (slot / 2) / (places - 1);
+    double top = infinity;
+    double bottom = -infinity;
+    for (int column = int(x); column <= int(x + size.width()); ++column) {
+        if (curve.covers(column)) {
+            top = std::min(top, curve.top(column));
+            bottom = std::max(bottom, curve.bottom(column));
+        }
+    }
+    if (top > bottom)
+        return {};
+    const double y = slot % 2 == 0 ? top - gap - size.height() : bottom + gap;
+    const QRectF rect(QPointF(std::round(plot.left() + x), std::round(y)), size);
+    return plot.contains(rect) ? rect : QRectF();
+}
+
+/// How much a label at \p rect hides or is hidden, in columns of pixels.
+double cost(const QRectF &plot, const QRectF &rect, const CurveProfile &own,
+            const std::vector<CurveProfile> &curves)
+{
+    double sum = 0.0;
+    const int from = static_cast<int>(rect.left() - plot.left());
+    const int to = static_cast<int>(rect.right() - plot.left());
+    for (int column = from; column <= to; ++column) {
+        for (const CurveProfile &curve : curves) {
+            if (curve.covers(column) && curve.top(column) < rect.bottom() + 1.0
+                && curve.bottom(column) > rect.top() - 1.0)
+                sum += 1.0;
+        }
+        // Far from its curve a label could be anyone's.
+        if (!own.covers(column))
+            sum += 0.3;
+        else
+            sum +=
+                0.02 * std::max(own.top(column) - rect.bottom(), rect.top() - own.bottom(column));
+    }
+    return sum;
+}
+
+} // namespace
+
+CurveProfile::CurveProfile(const QList<QPointF> &points, const QRectF &plot)
+    : m_top(static_cast<std::size_t>(std::max(1.0, plot.width() + 1.0)), infinity)
+    , m_bottom(m_top.size(), -infinity)
+{
+    const int last = static_cast<int>(m_top.size()) - 1;
+    for (qsizetype i = 0; i < points.size(); ++i) {
+        const QPointF a = points[std::max<qsizetype>(0, i - 1)] - QPointF(plot.left(), 0.0);
+        const QPointF b = points[i] - QPointF(plot.left(), 0.0);
+        if (b.x() < 0.0 || a.x() > last)
+            continue;
+        const int from = static_cast<int>(std::clamp(a.x(), 0.0, double(last)));
+        const int to = static_cast<int>(std::clamp(b.x(), 0.0, double(last)));
+        for (int x = from; x <= to; ++x) {
+            const double part =
+                b.x() > a.x() ? std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) : 0.0;
+            cover(x, a.y() + part * (b.y() - a.y()));
+        }
+        cover(to, b.y());
+    }
+}
+
+std::size_t CurveProfile::index(int x) const
+{
+    return static_cast<std::size_t>(std::clamp(x, 0, static_cast<int>(m_top.size()) - 1));
+}
+
+void CurveProfile::cover(int x, double y)
+{
+    m_top[index(x)] = std::min(m_top[index(x)], y);
+    m_bottom[index(x)] = std::max(m_bottom[index(x)], y);
+}
+
+std::vector<QRectF> LabelLayout::place(const QRectF &plot, const std::vector<CurveProfile> &curves,
+                                       const std::vector<QSizeF> &sizes)
+{
+    m_lastSlots.resize(sizes.size(), -1);
+    std::vector<QRectF> placed(sizes.size());
+    for (std::size_t c = 0; c < sizes.size(); ++c) {
+        double best = infinity;
+        int bestSlot = -1;
+        for (int slot = 0; slot < 2 * places; ++slot) {
+            const QRectF rect = candidate(plot, curves[c], sizes[c], slot);
+            const bool taken = std::any_of(placed.begin(), placed.end(), [&](const QRectF &other) {
+                return other.intersects(rect.adjusted(-4.0, 0.0, 4.0, 0.0));
+            });
+            if (rect.isEmpty() || taken)
+                continue;
+            const double bonus = slot == m_lastSlots[c] ? stayBonus : 0.0;
+            const double price = cost(plot, rect, curves[c], curves) + leftBonus * slot - bonus;
+            if (price < best) {
+                best = price;
+                bestSlot = slot;
+                placed[c] = {};
+            }
+        }
+        m_lastSlots[c] = bestSlot;
+        if (bestSlot >= 0)
+            placed[c] = candidate(plot, curves[c], sizes[c], bestSlot);
+    }
+    return placed;
+}
+
+} // namespace cradle

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/charts/chart_pane.h"
+
+namespace cradle {
+
+/// The momentum of each circle and of all over time: p_x, p_y or |p|.
+class MomentumChart final : public ChartPane
+{
+    Q_OBJECT
+public:
+    MomentumChart(const Simulation &simulation, RunCurves &curves, QWidget *parent = nullptr);
+
+    void setPart(MomentumPart part);
+    [[nodiscard]] MomentumPart part() const { return m_part; }
+
+protected:
+    [[nodiscard]] std::vector<ChartCurve> curves() const override;
+    [[nodiscard]] double scale() const override;
+    void retranslate() override;
+
+private:
+    QWidget *m_selector;
+    std::array<QuietButton *, 3> m_buttons{};
+    MomentumPart m_part = MomentumPart::X;
+};
+
+} // namespace cradle

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/number_text.h"
+
+#include "views/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double scientificFrom = 1e6;
+constexpr double noise = 1e-9; ///< of the scale: sums of doubles over a run stay below
+
+QString withMinus(QString text)
+{
+    return text.replace(u'-', QChar(0x2212));
+}
+
+} // namespace
+
+QString fixedNumber(double value)
+{
+    if (!std::isfinite(value))
+        return QStringLiteral("–");
+    if (std::abs(value) >= scientificFrom)
+        return QString::number(value, 'e', 3);
+    const QString text = QString::number(value, 'f', 3);
+    return text == QLatin1String("-0.000") ? text.mid(1) : text;
+}
+
+QString shortNumber(double value, double scale)
+{
+    const double size = std::abs(value);
+    if (!std::isfinite(value))
+        return QStringLiteral("–");
+    if (size == 0.0 || size < noise * scale)
+        return QStringLiteral("0");
+    if (size >= scientificFrom || size < 1e-3)
+        return withMinus(QString::number(value, 'e', 2));
+    const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3);
+    return withMinus(QString::number(value, 'f', decimals));
+}
+
+QString tickNumber(double value, double step)
+{
+    if (std::abs(value) < 0.5 * step)
+        return QStringLiteral("0");
+    if (std::abs(value) >= scientificFrom || step < 1e-4)
+        return withMinus(QString::number(value, 'g', 3));
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 4);
+    return withMinus(QString::number(value, 'f', decimals));
+}
+
+QFont columnFont()
+{
+    // JetBrains Mono has a higher x than Inter.
+    constexpr double factor = 0.9;
+    QFont font = numericFont();
+    if (font.pointSizeF() > 0.0)
+        font.setPointSizeF(factor * font.pointSizeF());
+    else
+        font.setPixelSize(qRound(factor * font.pixelSize()));
+    return font;
+}
+
+} // namespace cradle

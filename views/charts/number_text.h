@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QString>
+
+namespace cradle {
+
+/// For columns of numbers: three decimals, or scientific from 10⁶ on; never "-0.000".
+[[nodiscard]] QString fixedNumber(double value);
+
+/// For labels and sentences: four digits. What is below rounding noise (10⁻⁹) of \p scale is "0".
+[[nodiscard]] QString shortNumber(double value, double scale = 0.0);
+
+/// For a tick of an axis whose ticks are \p step apart: no more decimals than the step needs.
+[[nodiscard]] QString tickNumber(double value, double step);
+
+/// The font of columns of numbers: its figures look as large as the text beside them.
+[[nodiscard]] QFont columnFont();
+
+} // namespace cradle

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/simulation.h"
+#include "views/charts/min_max_pyramid.h"
+
+#include <array>
+
+namespace cradle {
+
+/// What is shown of a momentum.
+enum class MomentumPart { X, Y, Length };
+
+/// Momentum and kinetic energy of one circle, or of all, over the run.
+struct MotionCurves {
+    std::array<MinMaxPyramid, 3> momentum{}; ///< by MomentumPart, kg m/s
+    MinMaxPyramid kinetic{};                 ///< J
+};
+
+/// The curves of a run that the charts share. Reads each recorded frame once, keeps what the
+/// recording keeps within a bound of memory of its own, and begins anew with the recording.
+/// A step with a hit is drawn upright at the time of the (first) hit.
+class RunCurves final : public QObject
+{
+    Q_OBJECT
+public:
+    /// With more circles there are only the curves of all together.
+    static constexpr std::size_t maxCircles = 8;
+
+    explicit RunCurves(const Simulation &simulation, QObject *parent = nullptr,
+                       qint64 maxBytes = Recording::defaultBytes);
+
+    /// Reads the frames that are new; does nothing if there are none.
+    void update();
+
+    /// How many circles have curves of their own.
+    [[nodiscard]] std::size_t circleCount() const { return m_circles.size(); }
+    [[nodiscard]] const MotionCurves &circle(std::size_t index) const { return m_circles[index]; }
+    [[nodiscard]] const MotionCurves &sum() const { return m_sum; }
+    [[nodiscard]] const MinMaxPyramid &potential() const { return m_potential; }
+    [[nodiscard]] const MinMaxPyramid &total() const { return m_total; }
+    /// Kinetic energy that hits have taken since the start, J.
+    [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_dissipated; }
+    /// The greatest |p| of any circle or of all, kg m/s: the scale of the run.
+    [[nodiscard]] double momentumScale() const;
+
+    [[nodiscard]] qint64 bytes() const; ///< memory held
+
+private:
+    void reset();
+    void read(qint64 index);
+    void dropBefore(double time);
+    template <typename Visit>
+    void forEach(Visit visit);
+
+    const Simulation &m_simulation;
+    qint64 m_maxBytes;
+    std::vector<MotionCurves> m_circles;
+    MotionCurves m_sum;
+    MinMaxPyramid m_potential;
+    MinMaxPyramid m_total;
+    MinMaxPyramid m_dissipated;
+    qint64 m_nextFrame = 0;
+    qint64 m_nextHit = 0; ///< of all hits ever
+    double m_lost = 0.0;  ///< J, up to the last frame read
+};
+
+} // namespace cradle

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/symbol_header.h"
+
+#include "views/charts/number_text.h"
+#include "views/charts/subscript_text.h"
+#include "views/theme.h"
+
+#include <QFontMetricsF>
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double firstPad = 14.0; ///< px left of the numbers of the rows
+constexpr double pad = 6.0;       ///< px beside a text
+constexpr int headerHeight = 38;  ///< px
+constexpr int unitPixels = 10;
+
+} // namespace
+
+SymbolHeader::SymbolHeader(int unitRole, QWidget *parent)
+    : QHeaderView(Qt::Horizontal, parent)
+    , m_unitRole(unitRole)
+{
+    setSectionsClickable(false);
+    setHighlightSections(false);
+}
+
+QSize SymbolHeader::sizeHint() const
+{
+    return {QHeaderView::sizeHint().width(), headerHeight};
+}
+
+QFont SymbolHeader::unitFont() const
+{
+    QFont small = font();
+    small.setPixelSize(unitPixels);
+    return small;
+}
+
+QString SymbolHeader::symbol(int section) const
+{
+    return model()->headerData(section, orientation(), Qt::DisplayRole).toString();
+}
+
+QString SymbolHeader::unit(int section) const
+{
+    return model()->headerData(section, orientation(), m_unitRole).toString();
+}
+
+QSize SymbolHeader::sectionSizeFromContents(int section) const
+{
+    const double text = std::max(subscriptWidth(font(), symbol(section)),
+                                 QFontMetricsF(unitFont()).horizontalAdvance(unit(section)));
+    return {static_cast<int>(std::ceil(text + 2.0 * pad)), headerHeight};
+}
+
+void SymbolHeader::paintSection(QPainter *painter, const QRect &rect, int section) const
+{
+    const Theme &colours = theme();
+    painter->save();
+    painter->fillRect(rect, colours.panel);
+    painter->setPen(colours.border);
+    painter->drawLine(rect.bottomLeft(), rect.bottomRight());
+    const QVariant alignment = model()->headerData(section, orientation(), Qt::TextAlignmentRole);
+    const bool left = alignment.isValid() && (alignment.toInt() & Qt::AlignLeft) != 0;
+    const auto draw = [&](const QFont &textFont, const QColor &colour, const QString &text,
+                          double baseline) {
+        painter->setFont(textFont);
+        painter->setPen(colour);
+        const double x =
+            left ? rect.left() + pad : rect.right() + 1.0 - pad - subscriptWidth(textFont, text);
+        drawSubscripted(*painter, {x, rect.top() + baseline}, text);
+    };
+    draw(font(), colours.text, symbol(section), 16.0);
+    draw(unitFont(), colours.mutedText, unit(section), 31.0);
+    painter->restore();
+}
+
+NumberHeader::NumberHeader(QWidget *parent)
+    : QHeaderView(Qt::Vertical, parent)
+{
+    setSectionsClickable(true);
+    setHighlightSections(false);
+}
+
+QSize NumberHeader::sectionSizeFromContents(int section) const
+{
+    const QString text = model()->headerData(section, orientation(), Qt::DisplayRole).toString();
+    const double width = QFontMetricsF(columnFont()).horizontalAdvance(text);
+    return {static_cast<int>(std::ceil(width + firstPad + pad)), defaultSectionSize()};
+}
+
+void NumberHeader::paintSection(QPainter *painter, const QRect &rect, int section) const
+{
+    const QVariant colour = model()->headerData(section, orientation(), Qt::ForegroundRole);
+    painter->save();
+    painter->fillRect(rect, theme().panel);
+    painter->setFont(columnFont());
+    painter->setPen(colour.value<QColor>());
+    painter->drawText(QRectF(rect).adjusted(0.0, 0.0, -pad, 0.0), Qt::AlignRight | Qt::AlignVCenter,
+                      model()->headerData(section, orientation(), Qt::DisplayRole).toString());
+    painter->restore();
+}
+
+} // namespace cradle

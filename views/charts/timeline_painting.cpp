@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/number_text.h"
+#include "views/theme.h"
+#include "views/timeline.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double sideRoom = 22.0;    ///< px left and right of the bar
+constexpr double barTop = 20.0;      ///< px
+constexpr double barHeight = 4.0;    ///< px
+constexpr double knobRadius = 8.0;   ///< px
+constexpr double hitReach = 7.0;     ///< px that a hit's mark stands over the bar, and under it
+constexpr double labelTop = 34.0;    ///< px
+constexpr double sideInset = 8.0;    ///< px that labels keep from the ends
+constexpr double labelGap = 10.0;    ///< px between two labels, at least
+constexpr double retryStep = 16.0;   ///< px to the next hit that may find room for its label
+constexpr double crowdedPart = 0.15; ///< of the columns have hits
+constexpr int totalHeight = 56;      ///< px
+constexpr int textPixels = 11;
+
+} // namespace
+
+QSize Timeline::sizeHint() const
+{
+    return {640, totalHeight};
+}
+
+QSize Timeline::minimumSizeHint() const
+{
+    return {160, totalHeight};
+}
+
+QRectF Timeline::bar() const
+{
+    return {sideRoom, barTop, std::max(1.0, width() - 2.0 * sideRoom), barHeight};
+}
+
+QFont Timeline::smallFont() const
+{
+    QFont small = numericFont();
+    small.setPixelSize(textPixels);
+    return small;
+}
+
+std::vector<HitColumn> Timeline::columns() const
+{
+    const Recording &recording = m_simulation.recording();
+    return hitColumns(recording.hits(), recording.time(recording.first()),
+                      recording.time(recording.last()), static_cast<int>(bar().width()));
+}
+
+std::vector<Timeline::Label> Timeline::labels() const
+{
+    std::vector<Label> all;
+    addMarkLabels(all);
+    addEndLabels(all);
+    addHitLabels(all);
+    return all;
+}
+
+void Timeline::addLabel(std::vector<Label> &labels, double x, const QString &text,
+                        const QColor &colour) const
+{
+    const QFontMetricsF metrics(smallFont());
+    const QSizeF size(std::ceil(metrics.horizontalAdvance(text)), std::ceil(metrics.height()));
+    // Below its mark, or else ending or beginning there.
+    for (const double part : {0.5, 1.0, 0.0}) {
+        const double last = std::max(sideInset, width() - size.width() - sideInset);
+        const double left = std::clamp(x - part * size.width(), sideInset, last);
+        const QRectF rect(QPointF(std::round(left), labelTop), size);
+        const QRectF room = rect.adjusted(-labelGap, 0.0, labelGap, 0.0);
+        const bool taken = std::any_of(labels.begin(), labels.end(), [&room](const Label &other) {
+            return other.rect.intersects(room);
+        });
+        if (!taken && rect.right() <= width())
+            return labels.push_back({rect, text, colour});
+    }
+}
+
+void Timeline::addEndLabels(std::vector<Label> &labels) const
+{
+    const Recording &recording = m_simulation.recording();
+    const double first = recording.time(recording.first());
+    const double last = recording.time(recording.last());
+    const auto text = [](double time) {
+        return tr("%1 s").arg(time == 0.0 ? QStringLiteral("0") : QString::number(time, 'f', 1));
+    };
+    const QColor colour = theme().mutedText;
+    addLabel(labels, bar().left(), text(first), colour);
+    if (last > first)
+        addLabel(labels, bar().right(), text(last), colour);
+}
+
+void Timeline::addMarkLabels(std::vector<Label> &labels) const
+{
+    for (const Mark &mark : m_marks)
+        addLabel(labels, xOf(mark.time), mark.label, theme().warning);
+}
+
+void Timeline::addHitLabel(std::vector<Label> &labels, const HitColumn &column) const
+{
+    const Recording &recording = m_simulation.recording();
+    const qint64 first = recording.droppedHits() + static_cast<qint64>(column.first) + 1;
+    const qint64 last = first + static_cast<qint64>(column.count) - 1;
+    const QString text =
+        first == last ? tr("hit %1").arg(first) : tr("hits %1–%2").arg(first).arg(last);
+    addLabel(labels, xOf(recording.hits()[column.first].time), text,
+             readableOn(theme().along, theme().panel));
+}
+
+void Timeline::addHitLabels(std::vector<Label> &labels) const
+{
+    const Recording &recording = m_simulation.recording();
+    const std::vector<HitColumn> all = columns();
+    // The hit that is shown keeps its label, whatever the others find room for.
+    const auto shown = lastHit(recording.hits(), recording.step(m_simulation.current()));
+    for (const HitColumn &column : all) {
+        if (shown && *shown >= column.first && *shown < column.first + column.count)
+            addHitLabel(labels, column);
+    }
+    double free = 0.0;
+    for (const HitColumn &column : all) {
+        const double x = bar().left() + column.x;
+        if (x < free)
+            continue;
+        const std::size_t before = labels.size();
+        addHitLabel(labels, column);
+        // What did not fit here does not fit a few pixels on.
+        free = labels.size() > before ? labels.back().rect.right() + labelGap : x + retryStep;
+    }
+}
+
+void Timeline::drawHits(QPainter &painter) const
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().along);
+    const double middle = bar().center().y();
+    const std::vector<HitColumn> all = columns();
+    // Where they crowd, thinner and lower ones leave the bar to be seen.
+    const bool crowded = static_cast<double>(all.size()) > crowdedPart * bar().width();
+    const double reach = crowded ? 0.5 * hitReach : hitReach;
+    for (const HitColumn &column : all) {
+        const double x = std::round(bar().left() + column.x);
+        painter.drawRect(
+            QRectF(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0, 2.0 * reach));
+    }
+}
+
+void Timeline::drawMarks(QPainter &painter) const
+{
+    painter.setPen(QPen(theme().panel, 1.0));
+    painter.setBrush(theme().warning);
+    for (const Mark &mark : m_marks) {
+        const QPointF tip(xOf(mark.time), bar().top() - 3.0);
+        painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6.0, -10.0), tip + QPointF(6.0, -10.0)});
+    }
+}
+
+void Timeline::paintEvent(QPaintEvent *)
+{
+    const Theme &colours = theme();
+    QPainter painter(this);
+    painter.fillRect(rect(), colours.panel);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colours.controlBorder);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawRoundedRect(bar(), 2.0, 2.0);
+    const double x = xOf(m_simulation.time());
+    QRectF past = bar();
+    past.setRight(x);
+    painter.setBrush(colours.square);
+    painter.drawRoundedRect(past, 2.0, 2.0);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    drawHits(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawMarks(painter);
+
+    if (hasFocus()) {
+        painter.setPen(Qt::NoPen);
+        QColor ring = colours.accent;
+        ring.setAlphaF(0.3F);
+        painter.setBrush(ring);
+        painter.drawEllipse(QPointF(x, bar().center().y()), knobRadius + 3.0, knobRadius + 3.0);
+    }
+    painter.setPen(QPen(colours.square, 2.0));
+    painter.setBrush(isSliderDown() ? colours.accentSoft : colours.panel);
+    painter.drawEllipse(QPointF(x, bar().center().y()), knobRadius - 1.0, knobRadius - 1.0);
+
+    painter.setFont(smallFont());
+    const double ascent = std::round(QFontMetricsF(smallFont()).ascent());
+    for (const Label &label : labels()) {
+        painter.setPen(label.colour);
+        painter.drawText(label.rect.topLeft() + QPointF(0.0, ascent), label.text);
+    }
+}
+
+} // namespace cradle

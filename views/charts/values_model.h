@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/measurements.h"
+#include "model/simulation.h"
+
+#include <QAbstractTableModel>
+#include <QFont>
+
+namespace cradle {
+
+/// The numbers of every circle at the moment shown, and their sum in the last row. They are read
+/// from the recording when they are painted.
+class ValuesModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { X, Y, VelocityX, VelocityY, Mass, Speed, MomentumX, MomentumY, Kinetic, Count };
+    static constexpr int unitRole = Qt::UserRole; ///< of a column's header
+
+    explicit ValuesModel(const Simulation &simulation, QObject *parent = nullptr);
+
+    /// The moment shown has changed.
+    void refresh(int firstRow, int lastRow);
+    /// The preset, the language or the colours have changed.
+    void reload();
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+    /// The number in a cell; nullopt where there is none (the position of all together).
+    [[nodiscard]] std::optional<double> number(int row, int column) const;
+
+private:
+    [[nodiscard]] int circleCount() const;
+    [[nodiscard]] std::optional<double> sumOf(int column) const;
+    [[nodiscard]] QVariant circleHeader(int row, int role) const;
+
+    /// Of all circles at the moment shown.
+    struct Sum {
+        Totals totals{};
+        double mass = 0.0; ///< kg
+    };
+
+    const Simulation &m_simulation;
+    QFont m_font;                     ///< of the cells
+    mutable std::optional<Sum> m_sum; ///< made when it is asked for
+};
+
+} // namespace cradle

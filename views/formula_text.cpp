@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/formula_text.h"
+
+#include <QRegularExpression>
+
+namespace cradle {
+
+FormulaText findFormulas(const QString &markdown)
+{
+    // In order: fenced block, code span, other backticks, escaped character, formula on its own
+    // line, formula within text, other dollars. (?!\n\h*\n) keeps to one paragraph.
+    static const QRegularExpression token(QStringLiteral(
+        R"((?sm)^[\h>]*(?:(?:[-*+]|\d+[.)])\h+)?(`{3,}|~{3,})[^`\n]*\n.*?(?:^[\h>]*\1[`~]*\h*$|\z))"
+        R"(|(?<!`)(`+)(?!`).+?(?<!`)\2(?!`))"
+        R"(|`+)"
+        R"(|\\.)"
+        R"(|\$\$(?<display>(?:\\.|(?!\n\h*\n)[^\\$`])+)\$\$)"
+        R"(|(?<before>[(“‘"']{0,3})\$(?=\S)(?<inline>(?:\\.|(?!\n\h*\n)[^\\$`])+)(?<=\S)\$)"
+        R"((?![\d$])(?<after>[.,;:?)”’"']{0,3}))"
+        R"(|\$+)"));
+    FormulaText result;
+    QString text = markdown;
+    text.remove(QChar(0xE000))
+        .remove(QChar(0xE001))
+        .replace(QLatin1String("\r\n"), QLatin1String("\n"));
+    qsizetype done = 0;
+    for (auto tokens = token.globalMatch(text); tokens.hasNext();) {
+        const QRegularExpressionMatch match = tokens.next();
+        const bool display = match.capturedLength(u"display") > 0;
+        const QString tex = match.captured(display ? u"display" : u"inline").trimmed();
+        if (tex.isEmpty())
+            continue;
+        result.markdown += text.mid(done, match.capturedStart() - done);
+        result.markdown += QChar(0xE000) + QString::number(result.formulas.size()) + QChar(0xE001);
+        result.formulas.push_back(
+            {tex, match.captured(), display, match.captured(u"before"), match.captured(u"after")});
+        done = match.capturedEnd();
+    }
+    result.markdown += text.mid(done);
+    return result;
+}
+
+} // namespace cradle

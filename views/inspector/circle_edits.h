@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/preset.h"
+
+#include <QStringList>
+
+#include <optional>
+
+namespace cradle {
+
+/// Colours (#rrggbb) that colour-blind people can tell apart, as far as eight can be.
+[[nodiscard]] const QStringList &circleColours();
+
+/// \p preset with one more circle: like the last one, at rest, with the next free name and
+/// colour, at \p at or at a free place near the middle. The result may have a fault, if there
+/// is no free place.
+[[nodiscard]] Preset withAddedCircle(const Preset &preset, std::optional<Vec2> at = std::nullopt);
+
+/// \p preset with a copy of circle \p index at its end: at the same place while circles pass
+/// through each other, else beside it.
+[[nodiscard]] Preset withDuplicate(const Preset &preset, int index);
+
+/// \p preset without circle \p index.
+[[nodiscard]] Preset withoutCircle(const Preset &preset, int index);
+
+} // namespace cradle

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/inspector/circle_table_model.h"
+
+#include "model/shortest_number.h"
+#include "views/theme.h"
+
+namespace cradle {
+
+namespace {
+
+/// The number of \p circle that \p column shows, to read or to write; nullptr if it is computed.
+template <typename C>
+auto *numberOf(C &circle, int column)
+{
+    auto &body = circle.body;
+    switch (column) {
+    case CircleTableModel::X:
+        return &body.position.x;
+    case CircleTableModel::Y:
+        return &body.position.y;
+    case CircleTableModel::VelocityX:
+        return &body.velocity.x;
+    case CircleTableModel::VelocityY:
+        return &body.velocity.y;
+    case CircleTableModel::Radius:
+        return &body.radius;
+    case CircleTableModel::Density:
+        return &body.density;
+    default:
+        break;
+    }
+    return static_cast<decltype(&body.radius)>(nullptr);
+}
+
+/// What the undo list calls a change.
+QString editText(int column, const QString &name)
+{
+    switch (column) {
+    case CircleTableModel::Colour:
+        return CircleTableModel::tr("Change colour of %1").arg(name);
+    case CircleTableModel::Name:
+        return CircleTableModel::tr("Rename %1").arg(name);
+    case CircleTableModel::X:
+    case CircleTableModel::Y:
+        return CircleTableModel::tr("Change position of %1").arg(name);
+    case CircleTableModel::VelocityX:
+    case CircleTableModel::VelocityY:
+        return CircleTableModel::tr("Change velocity of %1").arg(name);
+    case CircleTableModel::Radius:
+        return CircleTableModel::tr("Change radius of %1").arg(name);
+    case CircleTableModel::Density:
+        return CircleTableModel::tr("Change density of %1").arg(name);
+    default:
+        break;
+    }
+    return CircleTableModel::tr("Change integrator of %1").arg(name);
+}
+
+/// Sets what \p column shows of \p circle.
+void setValue(PresetCircle &circle, int column, const QVariant &value)
+{
+    if (double *number = numberOf(circle, column))
+        *number = value.toDouble();
+    else if (column == CircleTableModel::Colour)
+        circle.colour = value.toString();
+    else if (column == CircleTableModel::Name)
+        circle.name = value.toString().simplified();
+    else if (column == CircleTableModel::IntegratorColumn)
+        circle.integrator = static_cast<Integrator>(value.toInt());
+}
+
+} // namespace
+
+CircleTableModel::CircleTableModel(PresetDocument &document, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_document(document)
+    , m_rows(static_cast<int>(document.preset().circles.size()))
+{
+}
+
+int CircleTableModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int CircleTableModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(ColumnCount);
+}
+
+QVariant CircleTableModel::text(const PresetCircle &circle, int column) const
+{
+    if (const double *number = numberOf(circle, column))
+        return shortestNumber(*number);
+    if (column == Name)
+        return circle.name;
+    if (column == IntegratorColumn)
+        return integratorText(circle.integrator);
+    if (column == Mass)
+        return QString::number(mass(circle.body), 'g', 6);
+    return {};
+}
+
+QVariant CircleTableModel::value(const PresetCircle &circle, int column) const
+{
+    if (const double *number = numberOf(circle, column))
+        return *number;
+    if (column == Colour)
+        return circle.colour;
+    if (column == Name)
+        return circle.name;
+    if (column == IntegratorColumn)
+        return static_cast<int>(circle.integrator);
+    return mass(circle.body);
+}
+
+QVariant CircleTableModel::data(const QModelIndex &index, int role) const
+{
+    const auto &circles = m_document.preset().circles;
+    const auto row = static_cast<std::size_t>(index.row());
+    if (!index.isValid() || row >= circles.size())
+        return {};
+    const int column = index.column();
+    const bool numeric = isNumber(column) || column == Mass;
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(circles[row], column);
+    case Qt::EditRole:
+        return value(circles[row], column);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole: {
+        const QString shown =
+            column == Colour ? circles[row].colour : text(circles[row], column).toString();
+        const QString unit = unitOf(column);
+        return unit.isEmpty() ? shown : shown + QLatin1Char(' ') + unit;
+    }
+    case Qt::TextAlignmentRole:
+        return QVariant(numeric ? Qt::AlignRight | Qt::AlignVCenter
+                                : Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::FontRole:
+        return numeric ? QVariant(numericFont()) : QVariant();
+    case Qt::BackgroundRole:
+        return isFault(index) ? QVariant(theme().warningSoft) : QVariant();
+    case Qt::ForegroundRole:
+        if (isFault(index))
+            return theme().warning;
+        return column == Mass ? QVariant(theme().mutedText) : QVariant();
+    default:
+        return {};
+    }
+}
+
+QVariant CircleTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation == Qt::Vertical)
+        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+    if (role == unitRole)
+        return unitOf(section);
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(isNumber(section) || section == Mass ? Qt::AlignRight | Qt::AlignVCenter
+                                                             : Qt::AlignLeft | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
+        return {};
+    const bool tip = role == Qt::ToolTipRole;
+    switch (section) {
+    case Colour:
+        return tip ? tr("Colour") : QString();
+    case Name:
+        return tr("Name");
+    case X:
+        return tip ? tr("Centre, to the right") : QStringLiteral("x");
+    case Y:
+        return tip ? tr("Centre, upward") : QStringLiteral("y");
+    case VelocityX:
+        return tip ? tr("Velocity to the right") : QStringLiteral("v_x");
+    case VelocityY:
+        return tip ? tr("Velocity upward") : QStringLiteral("v_y");
+    case Radius:
+        return tr("Radius");
+    case Density:
+        return tip ? tr("Density in 1000 kg/m³; steel has 7.8") : tr("Density");
+    case IntegratorColumn:
+        return tip ? tr("How position and velocity are carried over a timestep") : tr("Integrator");
+    default:
+        break;
+    }
+    return tip ? tr("Mass of a ball of this radius and density") : tr("Mass");
+}
+
+Qt::ItemFlags CircleTableModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags plain = QAbstractTableModel::flags(index);
+    return index.column() == Mass ? plain : plain | Qt::ItemIsEditable;
+}
+
+bool CircleTableModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    const auto row = static_cast<std::size_t>(index.row());
+    if (!index.isValid() || row >= m_document.preset().circles.size() || index.column() == Mass)
+        return false;
+    Preset changed = m_document.preset();
+    const QString name = changed.circles[row].name;
+    setValue(changed.circles[row], index.column(), value);
+    if (changed == m_document.preset())
+        return true;
+    changed.fill.reset(); // the crowd is a list from now on
+    const QString key =
+        role == spinningRole
+            ? QStringLiteral("spin:/circles/%1/%2").arg(index.row()).arg(index.column())
+            : QString();
+    return m_document.edit(editText(index.column(), name), changed, key);
+}
+
+QString CircleTableModel::unitOf(int column)
+{
+    switch (column) {
+    case X:
+    case Y:
+    case Radius:
+        return QStringLiteral("m");
+    case VelocityX:
+    case VelocityY:
+        return QStringLiteral("m/s");
+    case Density:
+        return QStringLiteral("g/cm³"); // the same as 1000 kg/m³
+    case Mass:
+        return QStringLiteral("kg");
+    default:
+        return {};
+    }
+}
+
+double CircleTableModel::spinStep(int column)
+{
+    return column == Radius ? 0.05 : 0.1;
+}
+
+int CircleTableModel::columnOf(const QString &pointer)
+{
+    const QString key = pointer.section(QLatin1Char('/'), 3, 3);
+    const bool second = pointer.endsWith(QStringLiteral("/1"));
+    if (key == QStringLiteral("position"))
+        return second ? Y : X;
+    if (key == QStringLiteral("velocity"))
+        return second ? VelocityY : VelocityX;
+    if (key == QStringLiteral("radius"))
+        return Radius;
+    return key == QStringLiteral("density") ? Density : Name;
+}
+
+QString CircleTableModel::integratorText(Integrator integrator)
+{
+    switch (integrator) {
+    case Integrator::Euler:
+        return tr("Euler");
+    case Integrator::SymplecticEuler:
+        return tr("Symplectic Euler");
+    case Integrator::Verlet:
+        return tr("Velocity Verlet");
+    case Integrator::RungeKutta4:
+        break;
+    }
+    return tr("Runge-Kutta 4");
+}
+
+bool CircleTableModel::isFault(const QModelIndex &index) const
+{
+    return index.row() == m_faultRow && index.column() == m_faultColumn;
+}
+
+void CircleTableModel::setFault(const QString &pointer)
+{
+    const int before = m_faultRow;
+    const bool ofCircle = pointer.startsWith(QStringLiteral("/circles/"));
+    m_faultRow = ofCircle ? pointer.section(QLatin1Char('/'), 2, 2).toInt() : -1;
+    m_faultColumn = ofCircle ? columnOf(pointer) : -1;
+    for (const int row : {before, m_faultRow}) {
+        if (row >= 0 && row < m_rows)
+            emit dataChanged(index(row, 0), index(row, ColumnCount - 1),
+                             {Qt::BackgroundRole, Qt::ForegroundRole});
+    }
+}
+
+void CircleTableModel::reload()
+{
+    const int rows = static_cast<int>(m_document.preset().circles.size());
+    if (rows > m_rows) {
+        beginInsertRows({}, m_rows, rows - 1);
+        m_rows = rows;
+        endInsertRows();
+    } else if (rows < m_rows) {
+        beginRemoveRows({}, rows, m_rows - 1);
+        m_rows = rows;
+        endRemoveRows();
+    }
+    if (rows > 0)
+        emit dataChanged(index(0, 0), index(rows - 1, ColumnCount - 1));
+}
+
+void CircleTableModel::retranslate()
+{
+    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    reload();
+}
+
+} // namespace cradle

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/inspector/circles_group.h"
+
+#include "views/icons.h"
+#include "views/inspector/circle_delegate.h"
+#include "views/inspector/circle_edits.h"
+#include "views/inspector/circle_header.h"
+#include "views/inspector/circle_table_model.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+
+namespace cradle {
+
+namespace {
+
+constexpr int rowHeight = 26;  ///< px
+constexpr int rowsAtLeast = 2; ///< that can be seen
+constexpr int slack = 4;       ///< px left free, so that no scroll bar comes and goes
+
+} // namespace
+
+CirclesGroup::CirclesGroup(PresetDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    makeButtons();
+    makeTable();
+    retranslate();
+    reload();
+    connect(&document.simulation(), &Simulation::presetChanged, this, &CirclesGroup::reload);
+}
+
+void CirclesGroup::makeButtons()
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    setKind(m_heading, "heading");
+    row->addWidget(m_heading);
+    row->addStretch(1);
+    const auto make = [&](const QString &iconName) {
+        auto *button = new QPushButton(icon(iconName), QString(), this);
+        setKind(button, "small");
+        row->addWidget(button);
+        return button;
+    };
+    m_add = make(QStringLiteral("add"));
+    m_duplicate = make(QStringLiteral("duplicate"));
+    m_remove = make(QStringLiteral("remove"));
+    m_reset = make(QStringLiteral("reset"));
+    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+    connect(m_add, &QPushButton::clicked, this, &CirclesGroup::addCircle);
+    connect(m_duplicate, &QPushButton::clicked, this, &CirclesGroup::duplicate);
+    connect(m_remove, &QPushButton::clicked, this, &CirclesGroup::remove);
+    connect(m_reset, &QPushButton::clicked, &m_document, &PresetDocument::resetToOriginal);
+}
+
+void CirclesGroup::makeTable()
+{
+    m_model = new CircleTableModel(m_document, this);
+    m_delegate = new CircleDelegate(this);
+    m_table = new QTableView(this);
+    m_header = new CircleHeader(m_table);
+    m_table->setModel(m_model);
+    m_table->setItemDelegate(m_delegate);
+    m_table->setHorizontalHeader(m_header);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                             | QAbstractItemView::AnyKeyPressed
+                             | QAbstractItemView::SelectedClicked);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setMinimumHeight(m_header->sizeHint().height() + rowsAtLeast * rowHeight + 12);
+    m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
+    layout()->addWidget(m_table);
+    connect(m_delegate, &CircleDelegate::notANumber, this, &CirclesGroup::notANumber);
+    connect(m_delegate, &CircleDelegate::reverted, this, &CirclesGroup::reverted);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        m_duplicate->setEnabled(selected() >= 0);
+        m_remove->setEnabled(selected() >= 0);
+        if (std::exchange(m_announced, selected()) != selected())
+            emit selectionChanged(selected());
+    });
+}
+
+void CirclesGroup::retranslate()
+{
+    m_heading->setText(tr("Circles"));
+    m_table->setAccessibleName(tr("Circles"));
+    const auto name = [](QPushButton *button, const QString &text, const QString &tip) {
+        button->setToolTip(tip);
+        button->setAccessibleName(text);
+    };
+    name(m_add, tr("Add circle"), tr("Add a circle at a free place"));
+    name(m_duplicate, tr("Duplicate"), tr("Add a copy of the selected circle"));
+    name(m_remove, tr("Remove"), tr("Remove the selected circle (Delete)"));
+    name(m_reset, tr("Reset to the step's scene"),
+         tr("Bring back the scene that the step came with; Undo takes it back"));
+    nameButtons();
+    m_model->retranslate();
+    layOutColumns();
+}
+
+/// Writes on as many buttons what they do as there is room for.
+void CirclesGroup::nameButtons()
+{
+    QPushButton *const buttons[] = {m_add, m_duplicate, m_remove, m_reset};
+    for (QPushButton *button : buttons)
+        button->setText(button->accessibleName());
+    for (QPushButton *button : buttons) {
+        int wanted = m_heading->sizeHint().width();
+        for (const QPushButton *each : buttons)
+            wanted += each->sizeHint().width() + 8;
+        if (wanted <= width())
+            return;
+        button->setText(QString());
+    }
+}
+
+void CirclesGroup::reload()
+{
+    m_model->reload();
+    m_reset->setEnabled(!m_document.isOriginal());
+    m_duplicate->setEnabled(selected() >= 0);
+    m_remove->setEnabled(selected() >= 0);
+}
+
+int CirclesGroup::selected() const
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? -1 : rows.front().row();
+}
+
+void CirclesGroup::select(int circle)
+{
+    if (circle == selected())
+        return;
+    if (circle < 0 || circle >= m_model->rowCount()) {
+        m_table->clearSelection();
+        return;
+    }
+    const int column = std::max(m_table->currentIndex().column(), int{CircleTableModel::Name});
+    m_table->setCurrentIndex(m_model->index(circle, column));
+    m_table->selectRow(circle);
+}
+
+void CirclesGroup::setFault(const QString &pointer)
+{
+    m_model->setFault(pointer);
+}
+
+void CirclesGroup::addCircle()
+{
+    if (m_document.edit(tr("Add circle"), withAddedCircle(m_document.preset())))
+        select(m_model->rowCount() - 1);
+}
+
+void CirclesGroup::duplicate()
+{
+    const int circle = selected();
+    if (circle >= 0
+        && m_document.edit(tr("Duplicate circle"), withDuplicate(m_document.preset(), circle)))
+        select(m_model->rowCount() - 1);
+}
+
+void CirclesGroup::remove()
+{
+    const int circle = selected();
+    if (circle < 0)
+        return;
+    m_document.edit(tr("Remove circle"), withoutCircle(m_document.preset(), circle));
+    select(std::min(circle, m_model->rowCount() - 1));
+}
+
+/// Numbers as wide as they need to be; what is left goes to the names.
+void CirclesGroup::layOutColumns()
+{
+    const QFontMetrics numbers(numericFont());
+    const int number = numbers.horizontalAdvance(QStringLiteral("-0.000")) + 14;
+    const int name = fontMetrics().horizontalAdvance(QStringLiteral("circle 10")) + 8;
+    const int integrator = fontMetrics().horizontalAdvance(
+                               CircleTableModel::integratorText(Integrator::SymplecticEuler))
+                           + 10;
+    int taken = 0;
+    for (int column = 0; column < CircleTableModel::ColumnCount; ++column) {
+        int width = m_header->widthOf(column);
+        if (column == CircleTableModel::Colour)
+            width = rowHeight;
+        else if (column == CircleTableModel::IntegratorColumn)
+            width = std::max(width, integrator);
+        else if (column != CircleTableModel::Name)
+            width = std::max(width, number);
+        if (column != CircleTableModel::Name) {
+            m_table->setColumnWidth(column, width);
+            taken += width;
+        }
+    }
+    m_table->setColumnWidth(
+        CircleTableModel::Name,
+        std::clamp(m_table->viewport()->width() - taken - slack, name, 2 * name));
+}
+
+bool CirclesGroup::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize && watched == m_table->viewport())
+        layOutColumns();
+    if (watched == m_table && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Delete) {
+        remove();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+/// Without the texts of the buttons where they do not fit.
+void CirclesGroup::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    nameButtons();
+}
+
+QSize CirclesGroup::minimumSizeHint() const
+{
+    constexpr int narrowest = 300; // px; the table scrolls
+    return {narrowest, QWidget::minimumSizeHint().height()};
+}
+
+void CirclesGroup::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/inspector/laws_group.h"
+
+#include "views/theme.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+
+#include <utility>
+#include <vector>
+
+namespace cradle {
+
+namespace {
+
+/// Names the items in the order of the enumeration, each with a sentence on what it does.
+void setItems(QComboBox *list, const std::vector<std::pair<QString, QString>> &items)
+{
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        const auto &[text, tip] = items[static_cast<std::size_t>(i)];
+        if (i >= list->count())
+            list->addItem(text);
+        list->setItemText(i, text);
+        list->setItemData(i, tip, Qt::ToolTipRole);
+    }
+}
+
+void showItem(QComboBox *list, int index)
+{
+    list->setCurrentIndex(index);
+    list->setToolTip(list->itemData(index, Qt::ToolTipRole).toString());
+}
+
+} // namespace
+
+LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    setKind(m_heading, "heading");
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(m_heading, 0, 0, 1, 2);
+    int row = 0;
+    for (QComboBox **list : {&m_walls, &m_circles, &m_timing}) {
+        *list = new QComboBox(this);
+        (*list)->installEventFilter(this);
+        m_captions[row] = new QLabel(this);
+        m_captions[row]->setBuddy(*list);
+        grid->addWidget(m_captions[row], row + 1, 0);
+        grid->addWidget(*list, row + 1, 1);
+        ++row;
+    }
+    grid->setRowStretch(row + 1, 1);
+    retranslate();
+    connect(m_walls, &QComboBox::activated, this, [this](int index) {
+        Laws laws = m_document.preset().laws;
+        laws.walls = static_cast<WallLaw>(index);
+        choose(tr("Change law for walls"), laws);
+    });
+    connect(m_circles, &QComboBox::activated, this, [this](int index) {
+        Laws laws = m_document.preset().laws;
+        laws.circles = static_cast<CircleLaw>(index);
+        choose(tr("Change law for circles"), laws);
+    });
+    connect(m_timing, &QComboBox::activated, this, [this](int index) {
+        Laws laws = m_document.preset().laws;
+        laws.timing = static_cast<Timing>(index);
+        choose(tr("Change timing"), laws);
+    });
+    connect(&document.simulation(), &Simulation::presetChanged, this, &LawsGroup::reload);
+}
+
+void LawsGroup::choose(const QString &text, const Laws &laws)
+{
+    Preset changed = m_document.preset();
+    changed.laws = laws;
+    m_document.edit(text, changed);
+    reload(); // a refused law goes back
+}
+
+void LawsGroup::retranslate()
+{
+    m_heading->setText(tr("Laws"));
+    const std::pair<QComboBox *, QString> names[] = {
+        {m_walls, tr("Walls")}, {m_circles, tr("Circles")}, {m_timing, tr("Timing")}};
+    for (int i = 0; i < 3; ++i) {
+        m_captions[i]->setText(names[i].second);
+        names[i].first->setAccessibleName(tr("Law: %1").arg(names[i].second));
+    }
+    setItems(m_walls, {{tr("None", "law for walls"), tr("Circles leave the square unhindered.")},
+                       {tr("Reflect"), tr("A wall turns the part of the velocity that points into "
+                                          "it around, and multiplies it by e.")}});
+    setItems(m_circles,
+             {{tr("None", "law for circles"), tr("Circles pass through each other.")},
+              {tr("Stop"), tr("Circles that meet both stop.")},
+              {tr("Swap velocities"), tr("Circles that meet exchange their whole velocities.")},
+              {tr("Swap normal parts"), tr("Only the parts of the velocities along the line of "
+                                           "centres are exchanged; the parts across it stay.")},
+              {tr("Impulse"), tr("An impulse along the line of centres keeps the momentum, with "
+                                 "the masses and the restitution e.")}});
+    setItems(
+        m_timing,
+        {{tr("Discrete"), tr("After each step overlaps are looked for; on a hit the circles go "
+                             "back to their old positions and respond.")},
+         {tr("Continuous"), tr("The time of a hit inside the step is found, and the rest of "
+                               "the step is spent after it.")},
+         {tr("Exact"), tr("The motion is solved from hit to hit; the timestep only says when "
+                          "to look.")}});
+    reload();
+}
+
+void LawsGroup::reload()
+{
+    const Laws &laws = m_document.preset().laws;
+    showItem(m_walls, static_cast<int>(laws.walls));
+    showItem(m_circles, static_cast<int>(laws.circles));
+    showItem(m_timing, static_cast<int>(laws.timing));
+}
+
+/// The wheel scrolls the pane; laws change only when asked.
+bool LawsGroup::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Wheel) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void LawsGroup::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/preset_document.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace cradle {
+
+/// The laws of a preset: what walls and circles do on a hit, and how its moment is found.
+class LawsGroup final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LawsGroup(PresetDocument &document, QWidget *parent = nullptr);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void retranslate();
+    void reload();
+    void choose(const QString &text, const Laws &laws);
+
+    PresetDocument &m_document;
+    QLabel *m_heading = nullptr;
+    QLabel *m_captions[3] = {};
+    QComboBox *m_walls = nullptr;
+    QComboBox *m_circles = nullptr;
+    QComboBox *m_timing = nullptr;
+};
+
+} // namespace cradle

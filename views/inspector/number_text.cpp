@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/inspector/number_text.h"
+
+#include "model/shortest_number.h"
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double longestFraction = 100'000.0;
+constexpr int cleanDigits = 12; ///< of a spun number; a double holds nearly 16
+
+std::optional<double> plainNumber(const QString &text)
+{
+    bool ok = false;
+    QLocale c = QLocale::c();
+    c.setNumberOptions(QLocale::RejectGroupSeparator);
+    const double value = c.toDouble(text.trimmed(), &ok);
+    if (!ok || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::optional<double> readNumber(const QString &text, const QString &unit)
+{
+    QString plain = text.trimmed();
+    if (!unit.isEmpty() && plain.endsWith(unit))
+        plain.chop(unit.size());
+    plain.replace(QLatin1Char(','), QLatin1Char('.'));
+    plain.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
+    plain.replace(QChar(0x2044), QLatin1Char('/')); // fraction slash
+    const qsizetype slash = plain.indexOf(QLatin1Char('/'));
+    if (slash < 0)
+        return plainNumber(plain);
+    const std::optional<double> above = plainNumber(plain.left(slash));
+    const std::optional<double> below = plainNumber(plain.mid(slash + 1));
+    if (!above || !below || !std::isfinite(*above / *below))
+        return std::nullopt;
+    return *above / *below;
+}
+
+QString fractionOrNumber(double value)
+{
+    const double n = std::round(1.0 / value);
+    const QString digits = shortestNumber(value);
+    const QString fraction = QStringLiteral("1/%1").arg(n, 0, 'f', 0);
+    const bool exact = n >= 2.0 && n <= longestFraction && 1.0 / n == value;
+    return exact && digits.size() > fraction.size() + 1 ? fraction : digits;
+}
+
+double spun(double value, double step, int steps)
+{
+    const double next = value + steps * step;
+    if (std::abs(next) < step * 1e-9)
+        return 0.0;
+    return QString::number(next, 'g', cleanDigits).toDouble();
+}
+
+} // namespace cradle

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/picture_objects.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QFile>
+#include <QFileInfo>
+#include <QFontMetricsF>
+#include <QImageReader>
+#include <QMimeData>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QSvgRenderer>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QTextList>
+#include <QUrl>
+#include <QWidget>
+
+namespace cradle {
+
+double Picture::advance(const QString &text) const
+{
+    return text.isEmpty() ? 0.0 : QFontMetricsF(font).horizontalAdvance(text);
+}
+
+QSizeF Picture::place() const
+{
+    return size + QSizeF(advance(before) + advance(after), above + below);
+}
+
+PictureObjects::PictureObjects(QWidget *widget)
+    : QObject(widget)
+    , m_widget(widget)
+{
+}
+
+std::vector<QTextCursor> PictureObjects::spansOf(QTextDocument *document)
+{
+    std::vector<QTextCursor> spans;
+    for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
+        for (auto it = block.begin(); !it.atEnd(); ++it) {
+            QTextCursor span(document);
+            span.setPosition(it.fragment().position());
+            span.setPosition(span.position() + it.fragment().length(), QTextCursor::KeepAnchor);
+            spans.push_back(span);
+        }
+    }
+    return spans;
+}
+
+QString PictureObjects::read(const QString &folder, const QString &name, Picture &picture)
+{
+    static const QRegularExpression elsewhere(QStringLiteral("^([A-Za-z][A-Za-z0-9+.-]*:|//)"));
+    static const QRegularExpression reference(
+        QStringLiteral("<image\\b[^>]*href\\s*=\\s*[\"'](?!data:)"));
+    const QString path = QUrl::fromPercentEncoding(name.toUtf8());
+    const QFileInfo file(folder + u'/' + path);
+    // A symbolic link may lead out of the folder, too.
+    const QString home = QFileInfo(folder).canonicalFilePath() + u'/';
+    if (path.contains(elsewhere))
+        return tr("pictures from elsewhere are not loaded");
+    if (path.startsWith(u'/') || path.startsWith(u':') || path.contains(u'\\')
+        || path.split(u'/').contains(QLatin1String(".."))
+        || (file.exists() && !file.canonicalFilePath().startsWith(home)))
+        return tr("the picture must be in the folder of the instructions");
+    QFile content(file.filePath());
+    if (folder.isEmpty() || !file.isFile() || !content.open(QIODevice::ReadOnly))
+        return tr("there is no picture %1").arg(path);
+    if (file.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
+        picture.svg = content.readAll();
+        if (QString::fromUtf8(picture.svg).contains(reference))
+            return tr("the picture refers to another file");
+        picture.size = QSvgRenderer(picture.svg).defaultSize();
+    } else {
+        picture.image = QImageReader(&content).read();
+        picture.size = picture.image.size();
+    }
+    return picture.size.isEmpty() ? tr("the picture cannot be read") : QString();
+}
+
+void PictureObjects::insert(QTextCursor &cursor, QTextCharFormat format, const Picture &picture)
+{
+    format.setObjectType(objectType);
+    format.setProperty(indexProperty, int(m_pictures.size()));
+    m_pictures.push_back(picture);
+    cursor.insertText(QString(QChar::ObjectReplacementCharacter), format);
+}
+
+void PictureObjects::insertAtDepth(QTextCursor &cursor, QTextCharFormat format, Picture picture,
+                                   double depth)
+{
+    const double rise = picture.size.height() - depth;
+    QFont fit = picture.font;
+    fit.setPixelSize(1);
+    while (QFontMetrics(fit).xHeight() < 2 * (rise - depth))
+        fit.setPixelSize(fit.pixelSize() + 1);
+    const double surplus = rise - depth - QFontMetrics(fit).xHeight() / 2.0;
+    picture.above = qMax(0.0, -surplus);
+    picture.below = qMax(0.0, surplus);
+    picture.baseline = picture.above + rise;
+    format.clearProperty(QTextFormat::FontPointSize);
+    format.setProperty(QTextFormat::FontPixelSize, fit.pixelSize());
+    format.setVerticalAlignment(QTextCharFormat::AlignMiddle);
+    insert(cursor, format, picture);
+}
+
+const Picture *PictureObjects::find(const QTextFormat &format) const
+{
+    return format.objectType() == objectType ? &m_pictures.at(index(format)) : nullptr;
+}
+
+QMimeData *PictureObjects::copy(QTextCursor selected) const
+{
+    // Ends of lines, paragraphs and frames, as QTextDocument writes them.
+    static const QRegularExpression end(QStringLiteral("[\\x{2028}\\x{2029}\\x{FDD0}\\x{FDD1}]"));
+    QString text;
+    const int last = selected.selectionEnd();
+    for (int i = selected.selectionStart(); i < last; ++i) {
+        selected.setPosition(i + 1);
+        const QChar character = selected.document()->characterAt(i);
+        const Picture *picture = find(selected.charFormat());
+        const bool drawn = picture && character == QChar::ObjectReplacementCharacter;
+        text += drawn ? picture->markdown : QString(character);
+    }
+    auto *mime = new QMimeData;
+    mime->setText(text.replace(end, QStringLiteral("\n")));
+    return mime;
+}
+
+QSizeF PictureObjects::intrinsicSize(QTextDocument *document, int position,
+                                     const QTextFormat &format)
+{
+    const QSizeF place = m_pictures.at(index(format)).place();
+    const QTextBlock block = document->findBlock(position);
+    const int indent =
+        block.blockFormat().indent() + (block.textList() ? block.textList()->format().indent() : 0);
+    const double room = document->textWidth() - 2 * document->documentMargin()
+                        - indent * document->indentWidth() - block.blockFormat().leftMargin();
+    return room > 0 && place.width() > room ? place * (room / place.width()) : place;
+}
+
+void PictureObjects::drawObject(QPainter *painter, const QRectF &rect, QTextDocument *document,
+                                int position, const QTextFormat &format)
+{
+    Picture &picture = m_pictures.at(index(format));
+    const double scale = rect.width() / picture.place().width();
+    const QRectF target(QPointF(picture.advance(picture.before), picture.above), picture.size);
+    QPointF corner = rect.topLeft();
+    if (format.toCharFormat().verticalAlignment() == QTextCharFormat::AlignMiddle) {
+        // AlignMiddle makes room as promised, but puts the object halfway up the line.
+        const QTextBlock block = document->findBlock(position);
+        const QTextLine line = block.layout()->lineForTextPosition(position - block.position());
+        corner.setY(document->documentLayout()->blockBoundingRect(block).top() + line.y()
+                    + line.ascent() - picture.baseline * scale);
+    }
+    const QColor colour = format.hasProperty(QTextFormat::ForegroundBrush)
+                              ? format.foreground().color()
+                              : m_widget->palette().color(QPalette::Text);
+    painter->save();
+    painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    painter->translate(corner);
+    painter->scale(scale, scale);
+    painter->setPen(colour);
+    painter->setFont(picture.font);
+    painter->drawText(QPointF(0, picture.baseline), picture.before);
+    painter->drawText(QPointF(target.right(), picture.baseline), picture.after);
+    if (picture.svg.isEmpty())
+        drawImage(*painter, target, picture);
+    else
+        drawSvg(*painter, target, picture, colour);
+    painter->restore();
+}
+
+size_t PictureObjects::index(const QTextFormat &format)
+{
+    return size_t(format.intProperty(indexProperty));
+}
+
+void PictureObjects::drawImage(QPainter &painter, const QRectF &target, Picture &picture)
+{
+    const QSize pixels = painter.deviceTransform().mapRect(target).size().toSize();
+    if (picture.fitted.size() != pixels)
+        picture.fitted =
+            picture.image.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    painter.drawImage(target, picture.fitted);
+}
+
+void PictureObjects::drawSvg(QPainter &painter, const QRectF &target, Picture &picture,
+                             const QColor &colour)
+{
+    QByteArray svg = picture.svg;
+    svg.replace("currentColor", colour.name().toLatin1());
+    if (picture.drawn != svg) {
+        picture.painter = std::make_shared<QSvgRenderer>(svg);
+        picture.drawn = svg;
+    }
+    picture.painter->render(&painter, target);
+}
+
+} // namespace cradle

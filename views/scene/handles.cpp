@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/scene/handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+constexpr double longestArrow = 2.0; ///< half widths
+constexpr double gripReach = 9.0;    ///< px around a tip that take hold of it
+constexpr double gripGap = 9.0;      ///< px from a circle's edge to the grip of a slow one
+constexpr double smallestDisc = 8.0; ///< px around a centre that take hold of a tiny circle
+
+double distanceInPixels(QPointF pixel, Vec2 place, const Camera &camera)
+{
+    const QPointF d = camera.toPixels(place) - pixel;
+    return std::hypot(d.x(), d.y());
+}
+
+double snapped(double value)
+{
+    return std::round(value / HandleDrag::snapStep) / std::round(1.0 / HandleDrag::snapStep);
+}
+
+} // namespace
+
+Vec2 arrowTip(Vec2 from, Vec2 velocity, double halfWidth)
+{
+    Vec2 shaft = arrowScale(halfWidth) * velocity;
+    const double longest = longestArrow * halfWidth;
+    if (const double l = length(shaft); l > longest)
+        shaft = (longest / l) * shaft;
+    return from + shaft;
+}
+
+Vec2 gripPosition(const Circle &circle, double halfWidth, double pixelsPerMetre)
+{
+    const Vec2 shaft = arrowTip({}, circle.velocity, halfWidth);
+    const double shortest = circle.radius + gripGap / pixelsPerMetre;
+    if (length(shaft) >= shortest)
+        return circle.position + shaft;
+    const Vec2 direction = normalized(shaft);
+    return circle.position + shortest * (direction == Vec2{} ? Vec2{1.0, 0.0} : direction);
+}
+
+Handle handleAt(QPointF pixel, std::span<const Circle> circles, double halfWidth,
+                const Camera &camera, int selected, bool velocities)
+{
+    const double scale = camera.pixelsPerMetre();
+    const auto onGrip = [&](int i) {
+        const Circle &c = circles[static_cast<std::size_t>(i)];
+        return velocities
+               && distanceInPixels(pixel, gripPosition(c, halfWidth, scale), camera) <= gripReach;
+    };
+    const auto onDisc = [&](int i) {
+        const Circle &c = circles[static_cast<std::size_t>(i)];
+        return distanceInPixels(pixel, c.position, camera)
+               <= std::max(c.radius * scale, smallestDisc);
+    };
+    const int count = static_cast<int>(circles.size());
+    if (selected >= 0 && selected < count) {
+        if (onGrip(selected))
+            return {Handle::Kind::Velocity, selected};
+        if (onDisc(selected))
+            return {Handle::Kind::Circle, selected};
+    }
+    // The last one lies on top.
+    for (int i = count - 1; i >= 0; --i) {
+        if (onDisc(i))
+            return {Handle::Kind::Circle, i};
+    }
+    for (int i = count - 1; i >= 0; --i) {
+        if (onGrip(i))
+            return {Handle::Kind::Velocity, i};
+    }
+    return {};
+}
+
+QString pairText(Vec2 value)
+{
+    // + 0.0 makes −0 to 0; what rounds to zero has no sign either.
+    const auto number = [](double v) {
+        QString text = QString::number(v, 'f', 2);
+        if (text == QLatin1String("-0.00"))
+            text.remove(0, 1);
+        return text.replace(QLatin1Char('-'), QChar(0x2212));
+    };
+    return QStringLiteral("(%1, %2)").arg(number(value.x), number(value.y));
+}
+
+QString circleName(const Preset &preset, int index)
+{
+    const QString name = preset.circles[static_cast<std::size_t>(index)].name;
+    return name.isEmpty() ? QString::number(index + 1) : name;
+}
+
+HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed)
+    : m_handle(handle)
+    , m_start(start)
+    , m_pressed(pressed)
+{
+    static int serial = 0;
+    m_serial = ++serial;
+}
+
+Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
+{
+    Preset changed = m_start;
+    changed.fill.reset();
+    Circle &body = changed.circles[static_cast<std::size_t>(m_handle.index)].body;
+    const Vec2 moved = pointer - m_pressed;
+    Vec2 &value = m_handle.kind == Handle::Kind::Circle ? body.position : body.velocity;
+    value += m_handle.kind == Handle::Kind::Circle ? moved : moved / arrowScale(m_start.halfWidth);
+    if (snap)
+        value = {snapped(value.x), snapped(value.y)};
+    return changed;
+}
+
+QString HandleDrag::editText() const
+{
+    const QString name = circleName(m_start, m_handle.index);
+    return m_handle.kind == Handle::Kind::Circle ? tr("Move %1").arg(name)
+                                                 : tr("Change velocity of %1").arg(name);
+}
+
+QString HandleDrag::mergeKey() const
+{
+    return QStringLiteral("scene drag %1").arg(m_serial);
+}
+
+QString HandleDrag::valueText(const Preset &candidate) const
+{
+    const Circle &body = candidate.circles[static_cast<std::size_t>(m_handle.index)].body;
+    return m_handle.kind == Handle::Kind::Circle ? tr("%1 m").arg(pairText(body.position))
+                                                 : tr("%1 m/s").arg(pairText(body.velocity));
+}
+
+} // namespace cradle

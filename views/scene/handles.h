@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/preset.h"
+#include "views/scene/camera.h"
+
+#include <QCoreApplication>
+
+#include <span>
+
+namespace cradle {
+
+/// What can be taken hold of in the scene.
+struct Handle {
+    enum class Kind {
+        None,
+        Circle,  ///< moves it
+        Velocity ///< the tip of its arrow
+    };
+
+    Kind kind = Kind::None;
+    int index = -1; ///< of the circle
+
+    friend constexpr bool operator==(const Handle &, const Handle &) = default;
+};
+
+/// Metres that an arrow is long per m/s: 0.75 in the usual square of half width 4 m.
+[[nodiscard]] constexpr double arrowScale(double halfWidth)
+{
+    return halfWidth * 3.0 / 16.0;
+}
+
+/// The end of the arrow that stands for \p velocity at \p from: at most two half widths away.
+[[nodiscard]] Vec2 arrowTip(Vec2 from, Vec2 velocity, double halfWidth);
+
+/// Where the velocity of \p circle is taken hold of: the tip of its arrow, but always outside
+/// the circle, so that one at rest can be given a velocity.
+[[nodiscard]] Vec2 gripPosition(const Circle &circle, double halfWidth, double pixelsPerMetre);
+
+/// The handle under \p pixel; \p velocities tells whether arrows can be taken hold of. The arrow
+/// and the disc of \p selected come before others.
+[[nodiscard]] Handle handleAt(QPointF pixel, std::span<const Circle> circles, double halfWidth,
+                              const Camera &camera, int selected, bool velocities);
+
+/// "(−2.00, 2.30)", with a true minus sign.
+[[nodiscard]] QString pairText(Vec2 value);
+
+/// The name of circle \p index, or its number where it has none.
+[[nodiscard]] QString circleName(const Preset &preset, int index);
+
+/// A handle on its way: what the preset would be with the pointer at a place.
+class HandleDrag
+{
+    Q_DECLARE_TR_FUNCTIONS(HandleDrag)
+public:
+    static constexpr double snapStep = 0.1; ///< m or m/s
+
+    /// \param pressed  where the pointer took hold, m
+    HandleDrag(Handle handle, const Preset &start, Vec2 pressed);
+
+    [[nodiscard]] Handle handle() const { return m_handle; }
+    /// The preset with the pointer at \p pointer (m); \p snap rounds to snapStep.
+    [[nodiscard]] Preset candidate(Vec2 pointer, bool snap) const;
+    /// Name of the edit for the undo menu.
+    [[nodiscard]] QString editText() const;
+    /// The same for all edits of this drag, and for no other drag.
+    [[nodiscard]] QString mergeKey() const;
+    /// The quantity that is dragged, with its unit.
+    [[nodiscard]] QString valueText(const Preset &candidate) const;
+
+private:
+    Handle m_handle;
+    Preset m_start;
+    Vec2 m_pressed;
+    int m_serial;
+};
+
+} // namespace cradle

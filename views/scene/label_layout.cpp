@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/scene/label_layout.h"
+
+#include <QFontInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace cradle {
+
+namespace {
+
+/// Annotations are a little smaller than the text of the window, but never too small to read.
+constexpr double relativeSize = 0.92;
+constexpr int smallestSize = 11; ///< px
+
+// What a place costs: leaving the viewport is worst, turning away is best.
+constexpr double outsideCost = 40.0;
+constexpr double discCost = 10.0;
+constexpr double shaftCost = 4.0;
+constexpr double turnCost = 0.5;     ///< per eighth of a turn
+constexpr double distanceCost = 1.5; ///< per ring further away
+
+/// Turns from the preferred direction, in eighths, in the order they are tried.
+constexpr int eighths[] = {0, 1, -1, 2, -2, 3, -3, 4};
+constexpr int rings = 3;
+
+/// Whether a part of \p line lies in \p rect (slab method).
+bool crosses(const QLineF &line, const QRectF &rect)
+{
+    double enter = 0.0;
+    double leave = 1.0;
+    const auto clip = [&](double start, double delta, double low, double high) {
+        if (delta == 0.0)
+            return start >= low && start <= high;
+        const auto [a, b] = std::minmax((low - start) / delta, (high - start) / delta);
+        enter = std::max(enter, a);
+        leave = std::min(leave, b);
+        return enter <= leave;
+    };
+    return clip(line.x1(), line.dx(), rect.left(), rect.right())
+           && clip(line.y1(), line.dy(), rect.top(), rect.bottom());
+}
+
+} // namespace
+
+QFont labelFont(const QFont &base, bool strong)
+{
+    QFont font = base;
+    const int size = QFontInfo(base).pixelSize();
+    font.setPixelSize(std::max(smallestSize, static_cast<int>(std::lround(relativeSize * size))));
+    font.setWeight(strong ? QFont::DemiBold : QFont::Normal);
+    return font;
+}
+
+QRectF labelRect(const DrawList::Label &label, const Camera &camera, const QFontMetricsF &metrics)
+{
+    const QSizeF size(metrics.horizontalAdvance(label.text), metrics.height());
+    QPointF corner = camera.toPixels(label.anchor) + label.offset;
+    if (label.alignment & Qt::AlignRight)
+        corner.rx() -= size.width();
+    else if (label.alignment & Qt::AlignHCenter)
+        corner.rx() -= size.width() / 2;
+    if (label.alignment & Qt::AlignBottom)
+        corner.ry() -= size.height();
+    else if (label.alignment & Qt::AlignVCenter)
+        corner.ry() -= size.height() / 2;
+    return {corner, size};
+}
+
+LabelLayout::LabelLayout(DrawList &list, const Camera &camera, const QFont &base,
+                         const std::vector<QRectF> &reserved)
+    : m_list(list)
+    , m_camera(camera)
+    , m_metrics(labelFont(base))
+    , m_strongMetrics(labelFont(base, true))
+    , m_taken(reserved)
+{
+    for (const DrawList::Disc &disc : list.discs) {
+        const double r = disc.radius * camera.pixelsPerMetre();
+        const QPointF centre = camera.toPixels(disc.centre);
+        m_discs.emplace_back(centre.x() - r, centre.y() - r, 2 * r, 2 * r);
+    }
+    for (const DrawList::Arrow &arrow : list.arrows)
+        m_shafts.emplace_back(camera.toPixels(arrow.from), camera.toPixels(arrow.to));
+}
+
+bool LabelLayout::placeThere(const DrawList::Label &label)
+{
+    const QRectF rect = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics);
+    if (coversText(rect))
+        return false;
+    m_taken.push_back(rect);
+    m_list.labels.push_back(label);
+    return true;
+}
+
+bool LabelLayout::placeBeside(DrawList::Label label, Vec2 direction, double clearance)
+{
+    label.alignment = Qt::AlignCenter;
+    label.offset = {};
+    const QRectF centred = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics);
+    const double preferred = std::atan2(-direction.y, direction.x);
+    double bestCost = std::numeric_limits<double>::infinity();
+    for (int ring = 0; ring < rings; ++ring) {
+        for (const int turn : eighths) {
+            const double angle = preferred + turn * std::numbers::pi / 4.0;
+            const double reach = clearance + ring * 0.8 * centred.height();
+            const QPointF offset(std::cos(angle) * (reach + centred.width() / 2),
+                                 std::sin(angle) * (reach + centred.height() / 2));
+            const QRectF rect = centred.translated(offset);
+            const double price = cost(rect) + std::abs(turn) * turnCost + ring * distanceCost;
+            if (price < bestCost && !coversText(rect)) {
+                bestCost = price;
+                label.offset = offset;
+            }
+        }
+    }
+    if (bestCost == std::numeric_limits<double>::infinity())
+        return false;
+    m_taken.push_back(centred.translated(label.offset));
+    m_list.labels.push_back(std::move(label));
+    return true;
+}
+
+bool LabelLayout::coversText(const QRectF &rect) const
+{
+    const QRectF room = rect.adjusted(-2.0, 0.0, 2.0, 0.0);
+    return std::any_of(m_taken.begin(), m_taken.end(),
+                       [&](const QRectF &taken) { return taken.intersects(room); });
+}
+
+double LabelLayout::cost(const QRectF &rect) const
+{
+    double sum = 0.0;
+    if (!QRectF({}, m_camera.viewport()).contains(rect))
+        sum += outsideCost;
+    for (const QRectF &disc : m_discs)
+        sum += disc.intersects(rect) ? discCost : 0.0;
+    for (const QLineF &shaft : m_shafts)
+        sum += crosses(shaft, rect) ? shaftCost : 0.0;
+    return sum;
+}
+
+} // namespace cradle

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/scene/scene_builder.h"
+
+#include "model/simulation.h"
+#include "views/scene/handles.h"
+#include "views/scene/hit_parts.h"
+#include "views/scene/label_layout.h"
+#include "views/theme.h"
+
+#include <QCoreApplication>
+#include <QHash>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+struct SceneText {
+    Q_DECLARE_TR_FUNCTIONS(Scene)
+};
+
+constexpr double wallWidth = 2.0;       ///< px
+constexpr double closestGridLines = 14; ///< px; closer ones are thinned out
+constexpr double trailOpacity = 0.5;
+constexpr std::size_t trailSegments = 1000;  ///< of all circles together: QPainter draws 80 a ms
+constexpr std::size_t longestTrail = 90;     ///< segments
+constexpr double smallestNumberedDisc = 8.0; ///< px of radius that a number fits into
+
+bool isCrowd(const SceneMoment &moment)
+{
+    return moment.preset.circles.size() > crowdSize;
+}
+
+void addGrid(DrawList &list, const Camera &camera)
+{
+    double spacing = 1.0; // m
+    for (int i = 0; spacing * camera.pixelsPerMetre() < closestGridLines; ++i)
+        spacing *= i % 2 == 0 ? 5.0 : 2.0;
+    const Vec2 low = camera.toMetres({0.0, camera.viewport().height()});
+    const Vec2 high = camera.toMetres({camera.viewport().width(), 0.0});
+    for (double x = std::ceil(low.x / spacing) * spacing; x <= high.x; x += spacing)
+        list.lines.push_back({{x, low.y}, {x, high.y}, theme().grid, 1.0, {}});
+    for (double y = std::ceil(low.y / spacing) * spacing; y <= high.y; y += spacing)
+        list.lines.push_back({{low.x, y}, {high.x, y}, theme().grid, 1.0, {}});
+}
+
+void addSquare(DrawList &list, const SceneMoment &moment, const Camera &camera)
+{
+    const double h = moment.preset.halfWidth;
+    const double corner = h + wallWidth / 2 / camera.pixelsPerMetre(); // closes the corners
+    for (const double side : {-h, h}) {
+        list.lines.push_back({{-corner, side}, {corner, side}, theme().square, wallWidth, {}});
+        list.lines.push_back({{side, -corner}, {side, corner}, theme().square, wallWidth, {}});
+    }
+}
+
+/// Frames of the trail, oldest first. Their steps are multiples of a stride, so that a trail
+/// keeps its shape while it grows.
+std::vector<qint64> trailFrames(const SceneMoment &moment, std::size_t trails)
+{
+    const Recording &recording = moment.recording;
+    if (trails == 0)
+        return {};
+    const auto most = static_cast<qint64>(std::min(longestTrail, trailSegments / trails));
+    const qint64 begin = recording.indexAt(recording.time(moment.current) - trailSeconds);
+    const qint64 count = moment.current - begin;
+    if (count <= 0)
+        return {};
+    const qint64 stride = (count + most - 1) / most;
+    std::vector<qint64> frames;
+    for (qint64 i = (begin + stride - 1) / stride * stride; i < moment.current; i += stride)
+        frames.push_back(i);
+    frames.push_back(moment.current);
+    return frames;
+}
+
+void addTrails(DrawList &list, const SceneMoment &moment, const std::vector<QColor> &colours,
+               const SceneLook &look)
+{
+    std::vector<int> drawn;
+    for (int i = 0; i < static_cast<int>(colours.size()); ++i) {
+        if (!isCrowd(moment) || i == look.selected || i == look.hovered)
+            drawn.push_back(i);
+    }
+    const std::vector<qint64> frames = trailFrames(moment, drawn.size());
+    const double now = moment.recording.time(moment.current);
+    for (std::size_t k = 1; k < frames.size(); ++k) {
+        const auto from = moment.recording.circles(frames[k - 1]);
+        const auto to = moment.recording.circles(frames[k]);
+        const double age = (now - moment.recording.time(frames[k])) / trailSeconds;
+        const double opacity = trailOpacity * std::clamp(1.0 - age, 0.0, 1.0);
+        for (const int index : drawn) {
+            const auto i = static_cast<std::size_t>(index);
+            if (from[i].position == to[i].position)
+                continue;
+            list.lines.push_back(
+                {from[i].position, to[i].position, faded(colours[i], opacity), 2.0, {}});
+        }
+    }
+}
+
+/// The colour of each circle; circles of a crowd share a few.
+std::vector<QColor> circleColours(const Preset &preset)
+{
+    QHash<QString, QColor> known;
+    std::vector<QColor> colours;
+    colours.reserve(preset.circles.size());
+    for (const PresetCircle &circle : preset.circles) {
+        auto found = known.constFind(circle.colour);
+        if (found == known.constEnd())
+            found = known.insert(circle.colour, circleColour(circle.colour));
+        colours.push_back(*found);
+    }
+    return colours;
+}
+
+/// A number in a disc has to stand out from its fill.
+QColor textOn(const QColor &fill)
+{
+    const double luminance = 0.2126 * fill.redF() * fill.redF()
+                             + 0.7152 * fill.greenF() * fill.greenF()
+                             + 0.0722 * fill.blueF() * fill.blueF();
+    return luminance > 0.45 ? QColor(0x10, 0x16, 0x1d) : QColor(Qt::white);
+}
+
+/// The name that a circle was given, or its number where it has none or only "circle N".
+QString shortName(const Preset &preset, int index)
+{
+    const QString &name = preset.circles[static_cast<std::size_t>(index)].name;
+    const QString number = QString::number(index + 1);
+    const bool plain = name.isEmpty() || name == QStringLiteral("circle %1").arg(number);
+    return plain ? number : name;
+}
+
+void addName(SceneDraft &draft, const SceneMoment &moment, const Circle &circle, int index,
+             const QColor &colour, double scale)
+{
+    const QString text = shortName(moment.preset, index);
+    const double radius = circle.radius * scale;
+    const bool inside = text.size() <= 2 && radius >= smallestNumberedDisc;
+    draft.wishes.push_back({.label = {.anchor = circle.position,
+                                      .text = text,
+                                      .colour = inside ? textOn(colour) : theme().text,
+                                      .strong = inside,
+                                      .plate = !inside},
+                            .direction = {0.0, -1.0},
+                            .clearance = radius + 3.0,
+                            .atAnchor = inside});
+}
+
+/// Arrows lie on their own disc, so they are a shade off its colour.
+QColor arrowColour(const QColor &colour)
+{
+    return theme().dark ? colour.lighter(125) : colour.darker(120);
+}
+
+void addVelocity(SceneDraft &draft, const SceneMoment &moment, const Circle &circle,
+                 const QColor &colour, bool labelled)
+{
+    if (circle.velocity == Vec2{})
+        return;
+    const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth);
+    draft.list.arrows.push_back(
+        {.from = circle.position, .to = tip, .colour = arrowColour(colour), .width = 2.5});
+    if (!labelled)
+        return;
+    const QString speed = QString::number(length(circle.velocity), 'f', 2);
+    draft.wishes.push_back({.label = {.anchor = tip,
+                                      .text = SceneText::tr("%1 m/s").arg(speed),
+                                      .colour = theme().text},
+                            .direction = circle.velocity,
+                            .clearance = 11.0});
+}
+
+void addMarks(DrawList &list, const Circle &circle, const SceneMoment &moment,
+              const SceneLook &look, bool selected)
+{
+    const double scale = look.camera.pixelsPerMetre();
+    const QColor ring = selected ? theme().accent : faded(theme().accent, 0.5);
+    list.discs.push_back({circle.position, circle.radius + 4.0 / scale, {}, ring, 2.0});
+    if (look.grips) {
+        const Vec2 grip = gripPosition(circle, moment.preset.halfWidth, scale);
+        list.discs.push_back({grip, 6.0 / scale, theme().panel, ring, 1.5});
+    }
+}
+
+void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
+{
+    list.discs.push_back(
+        {circle.position, circle.radius, faded(theme().warning, 0.25), theme().warning, 2.0});
+    if (circle.velocity != Vec2{})
+        list.arrows.push_back(
+            {.from = circle.position,
+             .to = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth),
+             .colour = theme().warning});
+}
+
+void placeLabels(SceneDraft &draft, const SceneLook &look)
+{
+    LabelLayout layout(draft.list, look.camera, look.font, look.reserved);
+    // Numbers in discs first: they have only one good place.
+    for (const LabelWish &wish : draft.wishes) {
+        if (wish.atAnchor && !layout.placeThere(wish.label)) {
+            DrawList::Label beside = wish.label;
+            beside.colour = theme().text;
+            beside.plate = true;
+            layout.placeBeside(std::move(beside), wish.direction, wish.clearance);
+        }
+    }
+    for (const LabelWish &wish : draft.wishes) {
+        if (!wish.atAnchor)
+            layout.placeBeside(wish.label, wish.direction, wish.clearance);
+    }
+}
+
+} // namespace
+
+SceneMoment::SceneMoment(const Preset &scene, const Recording &run, qint64 index, bool isRunning)
+    : preset(scene)
+    , recording(run)
+    , current(index)
+    , running(isRunning)
+{
+}
+
+SceneMoment::SceneMoment(const Simulation &simulation)
+    : SceneMoment(simulation.preset(), simulation.recording(), simulation.current(),
+                  simulation.isRunning())
+{
+}
+
+DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, const SceneLook &look)
+{
+    SceneDraft draft;
+    DrawList &list = draft.list;
+    list.background = theme().scene;
+    if (options.grid)
+        addGrid(list, look.camera);
+    addSquare(list, moment, look.camera);
+
+    const std::vector<QColor> colours = circleColours(moment.preset);
+    if (options.trails)
+        addTrails(list, moment, colours, look);
+
+    const auto circles = moment.recording.circles(moment.current);
+    const std::vector<ShownHit> hits =
+        options.hitParts ? shownHits(moment, look.selected) : std::vector<ShownHit>{};
+    for (const ShownHit &hit : hits)
+        addHitParts(draft, moment, hit);
+    // While a hit stands still, the arrows of what it did to the circles would lie on its own.
+    const auto standsInHit = [&](int index) {
+        return !moment.running
+               && std::any_of(hits.begin(), hits.end(), [index](const ShownHit &shown) {
+                      const Hit &hit = *shown.hit;
+                      return hit.a == index || (hit.kind == Hit::Kind::Circle && hit.b == index);
+                  });
+    };
+    for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const bool marked = i == look.selected || i == look.hovered;
+        list.discs.push_back(
+            {circles[at].position, circles[at].radius, colours[at], theme().scene, 1.0});
+        if (options.names && (marked || !isCrowd(moment)))
+            addName(draft, moment, circles[at], i, colours[at], look.camera.pixelsPerMetre());
+        if (options.velocities && (marked || !isCrowd(moment)) && !standsInHit(i))
+            addVelocity(draft, moment, circles[at], colours[at], marked);
+    }
+    for (const int i : {look.hovered, look.selected}) {
+        if (i >= 0 && i < static_cast<int>(circles.size()))
+            addMarks(list, circles[static_cast<std::size_t>(i)], moment, look, i == look.selected);
+    }
+    if (look.refused)
+        addRefused(list, *look.refused, moment);
+    placeLabels(draft, look);
+    return list;
+}
+
+} // namespace cradle

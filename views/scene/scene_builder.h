@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/recording.h"
+#include "views/scene/camera.h"
+#include "views/scene/draw_list.h"
+
+#include <QFont>
+#include <QRectF>
+
+#include <optional>
+#include <vector>
+
+namespace cradle {
+
+class Simulation;
+
+/// What the scene shows besides circles and square.
+struct SceneOptions {
+    bool velocities = true; ///< an arrow at each circle
+    bool trails = true;     ///< the way of the last 1.5 s, fading
+    bool grid = true;       ///< lines 1 m apart
+    bool names = true;      ///< a number or a name at each circle
+    bool hitParts = true;   ///< at a hit: the normal, the parts along and across it
+
+    friend bool operator==(const SceneOptions &, const SceneOptions &) = default;
+};
+
+/// The moment that is drawn; borrows.
+struct SceneMoment {
+    const Preset &preset;
+    const Recording &recording;
+    qint64 current; ///< index into the recording
+    bool running;   ///< hits then fade instead of staying while their step is shown
+
+    SceneMoment(const Preset &scene, const Recording &run, qint64 index, bool isRunning);
+    explicit SceneMoment(const Simulation &simulation);
+};
+
+/// How it is looked at.
+struct SceneLook {
+    Camera camera{};
+    QFont font{};      ///< of the widget; labels are a little smaller
+    int selected = -1; ///< index of a circle, -1: none
+    int hovered = -1;
+    bool grips = false;              ///< velocities of selected and hovered can be dragged
+    std::optional<Circle> refused{}; ///< where a drag wants a circle that cannot be there
+    std::vector<QRectF> reserved{};  ///< px: covered by chips, so labels stay clear of them
+};
+
+/// With more circles than this, only the selected and the hovered one have labels, arrows and
+/// trails.
+inline constexpr std::size_t crowdSize = 50;
+
+/// s that a trail reaches back, and that a hit fades while running
+inline constexpr double trailSeconds = 1.5;
+inline constexpr double hitSeconds = 0.4;
+
+/// Everything that one frame of the scene shows, in the colours of theme().
+[[nodiscard]] DrawList buildScene(const SceneMoment &moment, const SceneOptions &options,
+                                  const SceneLook &look);
+
+} // namespace cradle

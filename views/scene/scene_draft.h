@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/scene/draw_list.h"
+
+namespace cradle {
+
+/// A label that still has to find its place.
+struct LabelWish {
+    DrawList::Label label{};
+    Vec2 direction{};       ///< from the anchor, where it would like to be
+    double clearance = 8.0; ///< px from the anchor
+    bool atAnchor = false;  ///< best on the anchor itself (a number in its disc)
+};
+
+/// A DrawList in the making: labels are placed when all that they avoid is known.
+struct SceneDraft {
+    DrawList list{};
+    std::vector<LabelWish> wishes{}; ///< the important ones first
+};
+
+/// \p colour with its opacity times \p opacity (0 to 1).
+[[nodiscard]] inline QColor faded(QColor colour, double opacity)
+{
+    colour.setAlphaF(static_cast<float>(opacity) * colour.alphaF());
+    return colour;
+}
+
+} // namespace cradle

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/scene/handles.h"
+#include "views/scene/scene_builder.h"
+#include "views/scene/scene_editor.h"
+#include "views/scene/scene_picture.h"
+
+#include <QPoint>
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+namespace cradle {
+
+/// What draws the scene.
+enum class Renderer {
+    Automatic, ///< OpenGL where a graphics card does it, else QPainter
+    OpenGl,    ///< falls back to QPainter where OpenGL 3.3 cannot be had
+    Raster     ///< QPainter
+};
+
+/// The scene of a preset and its run: shows the moment of the simulation, and lets circles and
+/// their velocities be changed at the start of the run by pointer and keyboard.
+class SceneView final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SceneView(PresetDocument &document, QWidget *parent = nullptr);
+    ~SceneView() override;
+
+    void setRenderer(Renderer renderer);
+    [[nodiscard]] Renderer renderer() const { return m_renderer; }     ///< as set
+    [[nodiscard]] Renderer activeRenderer() const { return m_active; } ///< never Automatic
+    /// Why OpenGl was set but Raster is active; empty if it is as set.
+    [[nodiscard]] QString fallbackReason() const { return m_fallbackReason; }
+    /// Where shaders are read from at the next setRenderer(); tests make it fail with this.
+    void setShaderFolder(const QString &folder) { m_shaderFolder = folder; }
+
+    void setOptions(const SceneOptions &options);
+    [[nodiscard]] const SceneOptions &options() const { return m_options; }
+    [[nodiscard]] int selected() const { return m_editor.selected(); }
+    [[nodiscard]] const Camera &camera() const { return m_camera; }
+    /// What is shown now.
+    [[nodiscard]] const ScenePicture &picture();
+
+    /// The scene at this moment in \p size logical pixels, \p dpr device pixels to each, without
+    /// marks of selection and pointer.
+    [[nodiscard]] QImage renderToImage(QSize size, qreal dpr = 1.0) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {700, 700}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 200}; }
+
+public slots:
+    void select(int index) { m_editor.select(index); } ///< -1: none
+    void addCircle(cradle::Vec2 at = {}) { m_editor.addCircle(at); }
+    void duplicateSelected() { m_editor.duplicateSelected(); }
+    void removeSelected() { m_editor.removeSelected(); }
+    void stopSelected() { m_editor.stopSelected(); }
+    void fit(); ///< shows the whole square
+    void zoomIn();
+    void zoomOut();
+
+signals:
+    void selectionChanged(int index);
+    void circleActivated(int index); ///< it was double clicked
+
+protected:
+    bool event(QEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    /// A button is down.
+    struct Press {
+        Qt::MouseButton button = Qt::NoButton;
+        QPointF start{};
+        QPointF last{};
+        Handle handle{};
+        bool moved = false; ///< further than a click may
+    };
+
+    void retranslate();
+    void refresh(); ///< something that is shown changed
+    void installCanvas();
+    void fallBack(const QString &reason);
+    void followPreset();
+    void describe();
+    void notice(const QString &text);
+    [[nodiscard]] std::vector<Chip> chips() const;
+    [[nodiscard]] Handle handleUnder(QPointF pixel) const;
+    void setHovered(Handle handle);
+    void beginMove();
+    void drag(QPointF pixel, bool snap);
+    void endPress();
+    bool nudge(const QKeyEvent &event);
+
+    PresetDocument &m_document;
+    SceneEditor m_editor;
+    SceneOptions m_options;
+    Camera m_camera;
+    QPointer<QWidget> m_canvas; ///< child; none while it is being changed
+    Renderer m_renderer = Renderer::Automatic;
+    Renderer m_active = Renderer::Raster;
+    QString m_fallbackReason;
+    QString m_shaderFolder = QStringLiteral(":/shaders");
+    ScenePicture m_picture;
+    bool m_stale = true; ///< m_picture is older than what it shows
+    bool m_focusFrame = false;
+
+    Press m_press;
+    Handle m_hovered;
+    std::optional<HandleDrag> m_drag;
+    std::optional<Circle> m_refused; ///< where the drag wants a circle that cannot be there
+    QString m_refusal;               ///< and why
+    QString m_dragValue;
+    QString m_notice;
+    QTimer m_noticeTimer;
+};
+
+} // namespace cradle

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/shortcut_guard.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QTabBar>
+#include <QTableView>
+
+namespace cradle {
+
+namespace {
+
+bool usesKey(const QObject *control, const QKeyEvent &event)
+{
+    const int key = event.key();
+    const bool space = key == Qt::Key_Space;
+    const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
+    if ((event.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
+        return false;
+    if (qobject_cast<const QAbstractButton *>(control))
+        return space;
+    if (qobject_cast<const QAbstractSlider *>(control) || qobject_cast<const QTabBar *>(control))
+        return sideways;
+    if (qobject_cast<const QComboBox *>(control))
+        return space || sideways;
+    if (const auto *table = qobject_cast<const QTableView *>(control)) {
+        const bool editable = table->editTriggers().testFlag(QAbstractItemView::AnyKeyPressed)
+                              && table->currentIndex().flags().testFlag(Qt::ItemIsEditable);
+        return space || sideways || (editable && !event.text().isEmpty());
+    }
+    return false;
+}
+
+class ShortcutGuard final : public QObject
+{
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::ShortcutOverride
+            && usesKey(watched, *static_cast<QKeyEvent *>(event))) {
+            event->accept();
+            return true;
+        }
+        return QObject::eventFilter(watched, event);
+    }
+};
+
+} // namespace
+
+void guardShortcuts()
+{
+    static QPointer<ShortcutGuard> guard;
+    if (guard)
+        return;
+    guard = new ShortcutGuard(qApp);
+    qApp->installEventFilter(guard);
+}
+
+} // namespace cradle

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/theme.h"
+
+#include <QString>
+
+namespace cradle {
+
+/// The application's style sheet in the colours of \p theme: hairlines, corners of 6 px,
+/// buttons 32 px high, a ring around what has the keyboard focus.
+QString styleSheetOf(const Theme &theme);
+
+} // namespace cradle

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/task_pane/instructions_pane.h"
+
+#include "views/formula_renderer.h"
+#include "views/icons.h"
+#include "views/markdown_view.h"
+#include "views/theme.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+/// Makes \p view as high as its text, so that what is around it scrolls.
+void growWithText(QTextBrowser *view)
+{
+    view->setFrameShape(QFrame::NoFrame);
+    view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QObject::connect(view->document()->documentLayout(),
+                     &QAbstractTextDocumentLayout::documentSizeChanged, view,
+                     [view](const QSizeF &size) {
+                         view->setFixedHeight(static_cast<int>(std::ceil(size.height())) + 2);
+                     });
+}
+
+} // namespace
+
+InstructionsPane::InstructionsPane(QWidget *parent)
+    : QWidget(parent)
+    , m_renderer(new FormulaRenderer(this))
+{
+    makeLayout();
+    retranslate();
+}
+
+InstructionsPane::~InstructionsPane()
+{
+    delete m_scroll; // the views before the renderer that they share
+}
+
+void InstructionsPane::makeLayout()
+{
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    m_heading->setContentsMargins(12, 8, 12, 6);
+    setKind(m_heading, "heading");
+    auto *content = new QWidget;
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(8, 0, 8, 8);
+    column->setSpacing(0);
+    m_instructions = new MarkdownView(content, m_renderer);
+    m_hints = new MarkdownView(content, m_renderer);
+    m_nextHint = new QPushButton(content);
+    setKind(m_nextHint, "link");
+    m_nextHint->setIcon(icon(u"hint", IconTint::Accent));
+    column->addWidget(m_instructions);
+    column->addWidget(m_hints);
+    column->addWidget(m_nextHint, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    for (MarkdownView *view : {m_instructions, m_hints})
+        addView(view);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(content);
+    auto *outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    outer->addWidget(m_heading);
+    outer->addWidget(m_scroll, 1);
+    connect(m_nextHint, &QPushButton::clicked, this, [this] {
+        setHintsOpened(m_opened + 1);
+        emit hintOpened(m_opened);
+        QTimer::singleShot(0, this, &InstructionsPane::revealHints);
+    });
+}
+
+void InstructionsPane::addView(MarkdownView *view)
+{
+    growWithText(view);
+    view->installEventFilter(this);
+    connect(view, &MarkdownView::stepRequested, this, &InstructionsPane::stepRequested);
+}
+
+void InstructionsPane::showTask(const Task &task, int hintsOpened)
+{
+    m_task = task;
+    m_instructions->setMarkdown(task.instructions, QUrl::fromLocalFile(task.folder));
+    m_scroll->verticalScrollBar()->setValue(0);
+    m_opened = -1;
+    setHintsOpened(hintsOpened);
+}
+
+void InstructionsPane::setHintsOpened(int count)
+{
+    const int bounded = std::clamp(count, 0, static_cast<int>(m_task.hints.size()));
+    if (bounded == m_opened)
+        return;
+    m_opened = bounded;
+    showHints();
+}
+
+void InstructionsPane::showHints()
+{
+    QString text;
+    for (int i = 0; i < m_opened; ++i)
+        text += QStringLiteral("**%1**\n\n%2\n\n").arg(tr("Hint %1").arg(i + 1), m_task.hints[i]);
+    m_hints->setMarkdown(text, QUrl::fromLocalFile(m_task.folder));
+    m_hints->setVisible(m_opened > 0);
+    const auto all = static_cast<int>(m_task.hints.size());
+    m_nextHint->setVisible(m_opened < all);
+    m_nextHint->setText(tr("Hint %1 of %2 ▸").arg(m_opened + 1).arg(all));
+    m_nextHint->setAccessibleName(tr("Show hint %1 of %2").arg(m_opened + 1).arg(all));
+}
+
+void InstructionsPane::revealHints()
+{
+    m_scroll->verticalScrollBar()->setValue(m_scroll->verticalScrollBar()->maximum());
+}
+
+void InstructionsPane::retranslate()
+{
+    m_heading->setText(tr("Instructions"));
+    m_instructions->setAccessibleName(tr("Instructions"));
+    m_hints->setAccessibleName(tr("Hints"));
+    showHints();
+}
+
+/// The keys and the wheel that scroll a text scroll the pane, which holds the scroll bar.
+bool InstructionsPane::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress) {
+        QScrollBar *bar = m_scroll->verticalScrollBar();
+        switch (static_cast<QKeyEvent *>(event)->key()) {
+        case Qt::Key_Down:
+            bar->triggerAction(QAbstractSlider::SliderSingleStepAdd);
+            return true;
+        case Qt::Key_Up:
+            bar->triggerAction(QAbstractSlider::SliderSingleStepSub);
+            return true;
+        case Qt::Key_PageDown:
+            bar->triggerAction(QAbstractSlider::SliderPageStepAdd);
+            return true;
+        case Qt::Key_PageUp:
+            bar->triggerAction(QAbstractSlider::SliderPageStepSub);
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void InstructionsPane::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/lab.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QTextBrowser;
+
+namespace cradle {
+
+class FormulaRenderer;
+class MarkdownView;
+
+/// The instructions of a step, and below them its hints, opened one at a time.
+class InstructionsPane final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit InstructionsPane(QWidget *parent = nullptr);
+    ~InstructionsPane() override;
+
+    void showTask(const Task &task, int hintsOpened);
+    void setHintsOpened(int count);
+    [[nodiscard]] int hintsOpened() const { return m_opened; }
+
+signals:
+    void hintOpened(int count); ///< how many are open now
+    void stepRequested(const QString &taskId);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makeLayout();
+    void addView(MarkdownView *view);
+    void retranslate();
+    void showHints();
+    void revealHints(); ///< they are last
+
+    FormulaRenderer *m_renderer = nullptr;
+    QLabel *m_heading = nullptr;
+    QScrollArea *m_scroll = nullptr;
+    MarkdownView *m_instructions = nullptr;
+    MarkdownView *m_hints = nullptr; ///< those that are open, below each other
+    QPushButton *m_nextHint = nullptr;
+    Task m_task;
+    int m_opened = 0;
+};
+
+} // namespace cradle

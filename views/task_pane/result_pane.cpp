@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/task_pane/result_pane.h"
+
+#include "views/icons.h"
+#include "views/task_pane/check_row.h"
+#include "views/theme.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGraphicsOpacityEffect>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr double staleOpacity = 0.6;
+
+} // namespace
+
+ResultPane::ResultPane(QWidget *parent)
+    : QWidget(parent)
+{
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    m_heading->setContentsMargins(12, 8, 12, 6);
+    setKind(m_heading, "heading");
+    m_progress = new QLabel(this);
+    m_progress->setContentsMargins(12, 0, 12, 8);
+    m_progress->hide();
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_heading);
+    column->addWidget(m_progress, 1, Qt::AlignTop);
+    column->addWidget(m_scroll, 1);
+    rebuild();
+}
+
+void ResultPane::setReport(const std::optional<CheckReport> &report)
+{
+    m_report = report;
+    m_checking = false;
+    m_stale = false;
+    rebuild();
+}
+
+void ResultPane::setChecking(bool checking, int done, int total)
+{
+    const bool changed = checking != m_checking;
+    m_checking = checking;
+    m_done = done;
+    m_total = total;
+    if (changed)
+        rebuild();
+    else
+        showChecking();
+}
+
+void ResultPane::setStale(bool stale)
+{
+    if (stale == m_stale)
+        return;
+    m_stale = stale;
+    rebuild();
+}
+
+void ResultPane::showChecking()
+{
+    m_progress->setVisible(m_checking);
+    m_progress->setText(m_total > 0 ? tr("Checking… %1 of %2").arg(m_done).arg(m_total)
+                                    : tr("Checking…"));
+    m_scroll->setVisible(!m_checking);
+}
+
+/// Makes the content anew; the old one goes when no signal of its own is under way.
+void ResultPane::rebuild()
+{
+    m_heading->setText(tr("Result"));
+    showChecking();
+    auto *content = new QWidget;
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(12, 0, 12, 12);
+    column->setSpacing(6);
+    if (!m_report) {
+        addText(column, tr("Press Check (Ctrl+Return) when you are done."), "muted");
+    } else {
+        if (m_stale)
+            addText(column, tr("Changed since this check"), "muted");
+        auto *body = new QWidget(content);
+        auto *inner = new QVBoxLayout(body);
+        inner->setContentsMargins(0, 0, 0, 0);
+        inner->setSpacing(6);
+        if (m_report->passed)
+            addSuccess(inner);
+        else
+            addFailure(inner);
+        if (m_stale) {
+            auto *grey = new QGraphicsOpacityEffect(body);
+            grey->setOpacity(staleOpacity);
+            body->setGraphicsEffect(grey);
+        }
+        column->addWidget(body);
+    }
+    column->addStretch(1);
+    if (QWidget *old = m_scroll->takeWidget())
+        old->deleteLater();
+    m_scroll->setWidget(content);
+}
+
+QLabel *ResultPane::addText(QVBoxLayout *column, const QString &text, const char *kind)
+{
+    auto *label = new QLabel(text);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    setKind(label, kind);
+    column->addWidget(label);
+    return label;
+}
+
+void ResultPane::addFailure(QVBoxLayout *column)
+{
+    const auto &checks = m_report->checks;
+    const auto failed = std::find_if(checks.begin(), checks.end(),
+                                     [](const CheckOutcome &check) { return !check.passed; });
+    if (failed != checks.end()) {
+        auto *card = new QFrame;
+        setKind(card, "warningCard");
+        auto *inner = new QVBoxLayout(card);
+        inner->setContentsMargins(12, 8, 12, 8);
+        inner->setSpacing(4);
+        addText(inner, failed->title, "warningTitle");
+        addText(inner, failed->message, "plain")
+            ->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        if (failed->step >= 0) {
+            auto *link = new QPushButton(tr("Show the moment ▸"));
+            link->setAccessibleName(tr("Show the moment"));
+            setKind(link, "link");
+            inner->addWidget(link, 0, Qt::AlignLeft);
+            connect(link, &QPushButton::clicked, this,
+                    [this, outcome = *failed] { emit showMoment(outcome); });
+        }
+        column->addWidget(card);
+    }
+    for (const CheckOutcome &check : checks)
+        column->addWidget(new CheckRow(check));
+}
+
+void ResultPane::addSuccess(QVBoxLayout *column)
+{
+    const auto count = static_cast<int>(m_report->checks.size());
+    addText(column,
+            count == 1 ? tr("✓ Passed: the check") : tr("✓ Passed: all %1 checks").arg(count),
+            "successTitle");
+    if (!m_report->commit.isEmpty())
+        addCommit(column);
+    auto *next = new QPushButton(tr("Next step ▸"));
+    next->setAccessibleName(tr("Next step"));
+    next->setAutoDefault(true); // Return presses it when it has the focus
+    setKind(next, "primary");
+    column->addWidget(next, 0, Qt::AlignLeft);
+    connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
+    for (const CheckOutcome &check : m_report->checks)
+        column->addWidget(new CheckRow(check));
+}
+
+/// The commit message, to take along.
+void ResultPane::addCommit(QVBoxLayout *column)
+{
+    auto *card = new QFrame;
+    setKind(card, "card");
+    auto *row = new QHBoxLayout(card);
+    row->setContentsMargins(12, 8, 8, 8);
+    row->setSpacing(8);
+    auto *message = new QLabel(m_report->commit);
+    message->setWordWrap(true);
+    message->setTextFormat(Qt::PlainText);
+    message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    message->setAccessibleName(tr("Commit message"));
+    auto *copy = new QPushButton(icon(u"copy"), tr("Copy"));
+    copy->setToolTip(tr("Copy the commit message"));
+    copy->setAccessibleName(tr("Copy the commit message"));
+    setKind(copy, "small");
+    row->addWidget(message, 1);
+    row->addWidget(copy, 0, Qt::AlignTop);
+    column->addWidget(card);
+    connect(copy, &QPushButton::clicked, this,
+            [text = m_report->commit] { QGuiApplication::clipboard()->setText(text); });
+}
+
+void ResultPane::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        rebuild();
+}
+
+} // namespace cradle

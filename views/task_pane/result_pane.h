@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+
+#include <QWidget>
+
+class QLabel;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace cradle {
+
+/// What the last check of the step found: the first failure in words, or that all passed; then
+/// every check.
+class ResultPane final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ResultPane(QWidget *parent = nullptr);
+
+    void setReport(const std::optional<CheckReport> &report);
+    void setChecking(bool checking, int done, int total);
+    void setStale(bool stale); ///< the scene was changed since the check
+
+signals:
+    void showMoment(const cradle::CheckOutcome &outcome);
+    void nextStepRequested();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void rebuild();
+    void showChecking();
+    void addFailure(QVBoxLayout *column);
+    void addSuccess(QVBoxLayout *column);
+    void addCommit(QVBoxLayout *column);
+    QLabel *addText(QVBoxLayout *column, const QString &text, const char *kind);
+
+    QLabel *m_heading = nullptr;
+    QLabel *m_progress = nullptr;
+    QScrollArea *m_scroll = nullptr;
+    std::optional<CheckReport> m_report;
+    bool m_checking = false;
+    int m_done = 0;
+    int m_total = 0;
+    bool m_stale = false;
+};
+
+} // namespace cradle

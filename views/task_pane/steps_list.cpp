@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/task_pane/steps_list.h"
+
+#include "views/task_pane/step_delegate.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int rowsShown = 5;
+
+} // namespace
+
+StepsList::StepsList(QWidget *parent)
+    : QWidget(parent)
+{
+    makeLayout();
+    retranslate();
+}
+
+void StepsList::makeLayout()
+{
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    m_heading->setContentsMargins(12, 8, 12, 6);
+    setKind(m_heading, "heading");
+    m_notice = new QPushButton(this);
+    m_notice->setIcon(QIcon());
+    m_notice->setCheckable(true);
+    setKind(m_notice, "link");
+    m_notice->hide();
+    m_findings = new QLabel(this);
+    m_findings->setWordWrap(true);
+    m_findings->setTextFormat(Qt::PlainText);
+    m_findings->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_findings->setContentsMargins(12, 0, 12, 6);
+    setKind(m_findings, "warning");
+    m_findings->hide();
+    m_list = new QListWidget(this);
+    m_list->setItemDelegate(new StepDelegate(m_list));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setMouseTracking(true);
+    m_list->setUniformItemSizes(true);
+    m_list->setMinimumHeight(3 * StepDelegate::rowHeight);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(0);
+    auto *noticeRow = new QHBoxLayout;
+    noticeRow->setContentsMargins(8, 0, 8, 0);
+    noticeRow->addWidget(m_notice);
+    column->addWidget(m_heading);
+    column->addLayout(noticeRow);
+    column->addWidget(m_findings);
+    column->addWidget(m_list, 1);
+    connect(m_notice, &QPushButton::toggled, m_findings, &QWidget::setVisible);
+    const auto chosen = [this](QListWidgetItem *item) { choose(m_list->row(item)); };
+    connect(m_list, &QListWidget::itemClicked, this, chosen);
+    connect(m_list, &QListWidget::itemActivated, this, chosen);
+}
+
+void StepsList::choose(int step)
+{
+    if (step >= 0 && step != m_current)
+        emit stepChosen(step);
+}
+
+void StepsList::setLab(const Lab &lab)
+{
+    m_titles.clear();
+    m_extra.clear();
+    for (const Task &task : lab.tasks) {
+        m_titles.append(task.title);
+        m_extra.push_back(task.extra);
+    }
+    m_errors = lab.findings;
+    m_passed.assign(lab.tasks.size(), false);
+    m_current = -1;
+    m_notice->setChecked(false);
+    m_list->clear();
+    for (int i = 0; i < m_titles.size(); ++i)
+        m_list->addItem(QStringLiteral("%1 · %2").arg(i + 1).arg(m_titles[i]));
+    retranslate();
+}
+
+void StepsList::setProgress(const std::vector<bool> &passed, int current)
+{
+    const bool moved = current != m_current;
+    m_passed = passed;
+    m_passed.resize(static_cast<std::size_t>(m_list->count()));
+    m_current = current;
+    showProgress();
+    if (moved && current >= 0 && current < m_list->count()) {
+        m_list->setCurrentRow(current);
+        m_list->scrollToItem(m_list->item(current), QAbstractItemView::PositionAtCenter);
+    }
+}
+
+void StepsList::showProgress()
+{
+    using State = StepDelegate::State;
+    for (int i = 0; i < m_list->count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const bool current = i == m_current;
+        const State state = m_passed[k] ? State::Passed : current ? State::Current : State::Open;
+        QListWidgetItem *item = m_list->item(i);
+        item->setData(StepDelegate::stateRole, static_cast<int>(state));
+        item->setData(StepDelegate::currentRole, current);
+        item->setData(StepDelegate::tagRole, m_extra[k] ? tr("extra") : QString());
+        const QString said = m_passed[k] ? tr("passed") : current ? tr("current") : tr("open");
+        item->setData(Qt::AccessibleTextRole, QStringLiteral("%1, %2").arg(item->text(), said));
+        item->setToolTip(item->text());
+    }
+    const auto reached = std::count(m_passed.begin(), m_passed.end(), true);
+    m_heading->setText(m_list->count() == 0
+                           ? tr("Steps")
+                           : tr("Steps · %1 of %2").arg(reached).arg(m_list->count()));
+    m_heading->setToolTip(tr("Steps passed"));
+}
+
+void StepsList::retranslate()
+{
+    m_list->setAccessibleName(tr("Steps"));
+    const auto count = static_cast<int>(m_errors.size());
+    m_notice->setVisible(count > 0);
+    m_notice->setText(count == 1 ? tr("1 file of this lab could not be read")
+                                 : tr("%1 files of this lab could not be read").arg(count));
+    QStringList lines;
+    for (const Error &error : m_errors)
+        lines.append(error.toString());
+    m_findings->setText(lines.join(QLatin1Char('\n')));
+    showProgress();
+}
+
+QSize StepsList::sizeHint() const
+{
+    const int above = m_heading->sizeHint().height() + (m_errors.empty() ? 0 : 24);
+    return {320, above + rowsShown * StepDelegate::rowHeight + 4};
+}
+
+void StepsList::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

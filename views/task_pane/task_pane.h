@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/lab.h"
+
+#include <QWidget>
+
+namespace cradle {
+
+class InstructionsPane;
+class ResultPane;
+class StepsList;
+
+/// The student's side of a lab: its steps, the instructions of the open one with its hints, and
+/// the result of the last check.
+class TaskPane final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TaskPane(QWidget *parent = nullptr);
+
+    void setLab(const Lab &lab);
+    /// \param passed   one per step
+    /// \param current  the open step
+    void setProgress(const std::vector<bool> &passed, int current);
+    void showTask(const Task &task, int hintsOpened);
+    void setHintsOpened(int count);
+    /// Shows a report, or that there is none yet; ends setChecking and setStale.
+    void setReport(const std::optional<CheckReport> &report);
+    void setChecking(bool checking, int done = 0, int total = 0);
+    void setStale(bool stale); ///< the scene was changed since the check
+
+signals:
+    void stepChosen(int step);  ///< from the list, or by a link in the instructions
+    void hintOpened(int count); ///< how many hints of the step are open now
+    void showMoment(const cradle::CheckOutcome &outcome);
+    void nextStepRequested();
+
+private:
+    void chooseById(const QString &taskId);
+
+    StepsList *m_steps = nullptr;
+    InstructionsPane *m_instructions = nullptr;
+    ResultPane *m_result = nullptr;
+    QStringList m_taskIds;
+};
+
+} // namespace cradle

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/theme.h"
+
+#include "views/style_sheet.h"
+
+#include <QApplication>
+#include <QStyle>
+#include <QWidget>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double textContrast = 4.5;  ///< WCAG 2.1, 1.4.3
+constexpr double shapeContrast = 3.0; ///< WCAG 2.1, 1.4.11
+constexpr double textPoints = 10.0;
+constexpr int headingPixels = 11;
+
+const Theme *current = nullptr;
+
+/// Whether the desktop is dark: asked before we set a palette of our own.
+bool systemIsDark()
+{
+    static const bool dark = [] {
+        const QPalette original = QApplication::palette();
+        return original.color(QPalette::Window).lightness()
+               < original.color(QPalette::WindowText).lightness();
+    }();
+    return dark;
+}
+
+double luminance(const QColor &colour)
+{
+    const auto linear = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF())
+           + 0.0722 * linear(colour.blueF());
+}
+
+QColor mix(const QColor &a, const QColor &b, double share)
+{
+    const auto part = [share](float x, float y) {
+        return static_cast<float>((1.0 - share) * x + share * y);
+    };
+    return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
+                            part(a.blueF(), b.blueF()));
+}
+
+/// \p colour, mixed with black or white until its contrast to \p background is reached.
+QColor withContrast(const QColor &colour, const QColor &background, double wanted)
+{
+    const bool darken = luminance(background) > 0.18;
+    const QColor end = darken ? QColor(Qt::black) : QColor(Qt::white);
+    for (int percent = 0; percent < 100; percent += 4) {
+        const QColor mixed = mix(colour, end, percent / 100.0);
+        if (contrast(mixed, background) >= wanted)
+            return mixed;
+    }
+    return end;
+}
+
+QFont textFont()
+{
+    QFont font;
+    font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans"),
+                      QStringLiteral("DejaVu Sans"), QStringLiteral("sans-serif")});
+    font.setPointSizeF(textPoints);
+    return font;
+}
+
+} // namespace
+
+const Theme &Theme::lightTheme()
+{
+    static const Theme light{
+        .window = QColor(0xf6f8fa),
+        .panel = QColor(0xffffff),
+        .border = QColor(0xdfe4ea),
+        .text = QColor(0x1a2332),
+        .mutedText = QColor(0x5a6675),
+        .accent = QColor(0x0f66c2),
+        .accentSoft = QColor(0xe5f1fe),
+        .scene = QColor(0xf0f8ff),
+        .grid = QColor(0xdde7f0),
+        .square = QColor(0x1e90ff),
+        .along = QColor(0xf08c00),
+        .across = QColor(0x0ca678),
+        .kinetic = QColor(0x1971c2),
+        .potential = QColor(0x7048e8),
+        .dissipated = QColor(0x868e96),
+        .success = QColor(0x0b7a55),
+        .warning = QColor(0x955400),
+        .warningSoft = QColor(0xfff8ea),
+        .warningBorder = QColor(0xf0d5a0),
+        .onAccent = QColor(0xffffff),
+        .controlBorder = QColor(0xc6cfd9),
+        .hover = QColor(0xeef2f6),
+        .dark = false,
+    };
+    return light;
+}
+
+const Theme &Theme::darkTheme()
+{
+    static const Theme dark{
+        .window = QColor(0x0f141b),
+        .panel = QColor(0x171d26),
+        .border = QColor(0x2a333f),
+        .text = QColor(0xe6ebf2),
+        .mutedText = QColor(0x9aa7b6),
+        .accent = QColor(0x5aabff),
+        .accentSoft = QColor(0x1b2f48),
+        .scene = QColor(0x10161d),
+        .grid = QColor(0x212b37),
+        .square = QColor(0x1e90ff),
+        .along = QColor(0xffa94d),
+        .across = QColor(0x38d9a9),
+        .kinetic = QColor(0x74c0fc),
+        .potential = QColor(0xb197fc),
+        .dissipated = QColor(0xa3adb8),
+        .success = QColor(0x45cf9c),
+        .warning = QColor(0xffc078),
+        .warningSoft = QColor(0x2b2416),
+        .warningBorder = QColor(0x5e4a22),
+        .onAccent = QColor(0x08121d),
+        .controlBorder = QColor(0x414d5c),
+        .hover = QColor(0x212a36),
+        .dark = true,
+    };
+    return dark;
+}
+
+const Theme &theme()
+{
+    return current ? *current : Theme::lightTheme();
+}
+
+QPalette paletteOf(const Theme &theme)
+{
+    QPalette palette;
+    const auto set = [&palette](QPalette::ColorRole role, const QColor &colour) {
+        palette.setColor(role, colour);
+    };
+    set(QPalette::Window, theme.panel);
+    set(QPalette::WindowText, theme.text);
+    set(QPalette::Base, theme.panel);
+    set(QPalette::AlternateBase, theme.window);
+    set(QPalette::Text, theme.text);
+    set(QPalette::PlaceholderText, theme.mutedText);
+    set(QPalette::Button, theme.panel);
+    set(QPalette::ButtonText, theme.text);
+    set(QPalette::BrightText, theme.onAccent);
+    set(QPalette::ToolTipBase, theme.text);
+    set(QPalette::ToolTipText, theme.panel);
+    set(QPalette::Highlight, theme.accent);
+    set(QPalette::HighlightedText, theme.onAccent);
+    set(QPalette::Link, theme.accent);
+    set(QPalette::LinkVisited, theme.accent);
+    set(QPalette::Light, theme.panel.lighter(120));
+    set(QPalette::Midlight, theme.hover);
+    set(QPalette::Mid, theme.controlBorder);
+    set(QPalette::Dark, theme.controlBorder.darker(120));
+    set(QPalette::Shadow, QColor(Qt::black));
+    const QColor disabled = mix(theme.mutedText, theme.panel, 0.35);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, disabled);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, theme.border);
+    return palette;
+}
+
+void applyTheme(ThemeChoice choice)
+{
+    const bool system = systemIsDark(); // asked always: before the first palette is set
+    const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && system);
+    const Theme *previous = current;
+    current = dark ? &Theme::darkTheme() : &Theme::lightTheme();
+    if (previous == current)
+        return;
+    if (!previous) {
+        QApplication::setStyle(QStringLiteral("fusion"));
+        QApplication::setFont(textFont());
+    }
+    QApplication::setPalette(paletteOf(*current));
+    qApp->setStyleSheet(styleSheetOf(*current));
+}
+
+QFont numericFont()
+{
+    QFont font = QApplication::font();
+    font.setFamilies({QStringLiteral("JetBrains Mono"), QStringLiteral("DejaVu Sans Mono"),
+                      QStringLiteral("monospace")});
+    font.setStyleHint(QFont::Monospace);
+    font.setFixedPitch(true);
+    return font;
+}
+
+QFont headingFont()
+{
+    QFont font = QApplication::font();
+    font.setPixelSize(headingPixels);
+    font.setWeight(QFont::DemiBold);
+    font.setCapitalization(QFont::AllUppercase);
+    font.setLetterSpacing(QFont::PercentageSpacing, 106.0);
+    return font;
+}
+
+void setKind(QWidget *widget, const char *kind)
+{
+    const QString name = QString::fromLatin1(kind);
+    if (widget->property("kind").toString() == name)
+        return;
+    widget->setProperty("kind", name);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+    widget->update();
+}
+
+double contrast(const QColor &a, const QColor &b)
+{
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+    return (high + 0.05) / (low + 0.05);
+}
+
+QColor readableOn(const QColor &colour, const QColor &background)
+{
+    return withContrast(colour, background, textContrast);
+}
+
+QColor circleColour(const QString &presetColour)
+{
+    const QColor colour(presetColour);
+    return withContrast(colour.isValid() ? colour : theme().square, theme().scene,
+                        theme().dark ? shapeContrast : 2.0);
+}
+
+Qt::PenStyle circleDash(int index)
+{
+    static constexpr std::array dashes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DotLine,
+                                       Qt::DashDotDotLine};
+    return dashes[static_cast<std::size_t>(std::max(index, 0)) % dashes.size()];
+}
+
+} // namespace cradle

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/transport_bar.h"
+
+#include "views/action_button.h"
+#include "views/shortcut_guard.h"
+#include "views/theme.h"
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSlider>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+// The slider counts powers of two: −4 is 1/16, 3 is 8.
+const int slowestPower = static_cast<int>(std::log2(Simulation::slowest));
+const int fastestPower = static_cast<int>(std::log2(Simulation::fastest));
+
+int powerOf(double speed)
+{
+    return static_cast<int>(std::lround(std::log2(speed)));
+}
+
+QString speedText(int power)
+{
+    return power < 0 ? QStringLiteral("1/%1×").arg(1 << -power)
+                     : QStringLiteral("%1×").arg(1 << power);
+}
+
+} // namespace
+
+TransportBar::TransportBar(Simulation &simulation, QWidget *parent)
+    : QWidget(parent)
+    , m_simulation(simulation)
+{
+    guardShortcuts();
+    makeActions();
+    makeLayout();
+    retranslate();
+    showRunning();
+    showSpeed();
+    showMoment();
+    connect(&m_simulation, &Simulation::frameReady, this, &TransportBar::showMoment);
+    connect(&m_simulation, &Simulation::runningChanged, this, &TransportBar::showRunning);
+}
+
+void TransportBar::makeActions()
+{
+    const auto make = [this](const QString &iconName, const QKeySequence &key) {
+        auto *action = new QAction(icon(iconName), QString(), this);
+        action->setShortcut(key);
+        addAction(action);
+        return action;
+    };
+    m_restart = make(QStringLiteral("restart"), Qt::Key_R);
+    m_stepBack = make(QStringLiteral("step-back"), Qt::Key_Left);
+    m_run = make(QStringLiteral("run"), Qt::Key_Space);
+    m_step = make(QStringLiteral("step"), Qt::Key_Right);
+    m_nextHit = make(QStringLiteral("next-hit"), Qt::Key_N);
+    m_slower = make({}, Qt::Key_BracketLeft);
+    m_faster = make({}, Qt::Key_BracketRight);
+    m_check = make(QStringLiteral("check"), Qt::CTRL | Qt::Key_Return);
+
+    connect(m_restart, &QAction::triggered, &m_simulation, &Simulation::restart);
+    connect(m_stepBack, &QAction::triggered, &m_simulation, &Simulation::stepBack);
+    connect(m_run, &QAction::triggered, this,
+            [this] { m_simulation.setRunning(!m_simulation.isRunning()); });
+    connect(m_step, &QAction::triggered, &m_simulation, &Simulation::stepForward);
+    connect(m_nextHit, &QAction::triggered, &m_simulation, &Simulation::seekNextHit);
+    connect(m_slower, &QAction::triggered, this,
+            [this] { m_speed->setValue(m_speed->value() - 1); });
+    connect(m_faster, &QAction::triggered, this,
+            [this] { m_speed->setValue(m_speed->value() + 1); });
+    connect(m_check, &QAction::triggered, this, [this] {
+        if (m_checking)
+            emit checkCancelled();
+        else
+            emit checkRequested();
+    });
+}
+
+void TransportBar::makeLayout()
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 8, 12, 8);
+    row->setSpacing(8);
+    row->setSizeConstraint(QLayout::SetNoConstraint);
+    const auto add = [this, row](QAction *action, const QString &iconName, IconTint tint) {
+        auto *button = new ActionButton(action, this);
+        button->setIconName(iconName, tint);
+        row->addWidget(button);
+        return button;
+    };
+    auto *restart = add(m_restart, QStringLiteral("restart"), IconTint::Text);
+    auto *stepBack = add(m_stepBack, QStringLiteral("step-back"), IconTint::Text);
+    m_runButton = add(m_run, QStringLiteral("run"), IconTint::OnAccent);
+    setKind(m_runButton, "primary");
+    auto *step = add(m_step, QStringLiteral("step"), IconTint::Text);
+    auto *nextHit = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
+    row->addSpacing(8);
+    addReadout(row);
+    row->addStretch(1);
+
+    m_modes = new QWidget(this);
+    m_modes->hide();
+    m_modeGroup = new QButtonGroup(this);
+    row->addWidget(m_modes);
+    connect(m_modeGroup, &QButtonGroup::idClicked, this, &TransportBar::modeChosen);
+
+    m_checkButton = add(m_check, QStringLiteral("check"), IconTint::OnAccent);
+    setKind(m_checkButton, "success");
+    m_progress = new QProgressBar(this); // placed by hand beneath the Check button
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_buttons = {restart, stepBack, step, nextHit, m_runButton, m_checkButton};
+}
+
+void TransportBar::addReadout(QHBoxLayout *row)
+{
+    m_speedCaption = new QLabel(this);
+    setKind(m_speedCaption, "muted");
+    m_speed = new QSlider(Qt::Horizontal, this);
+    m_speed->setRange(slowestPower, fastestPower);
+    m_speed->setPageStep(1);
+    m_speed->setFocusPolicy(Qt::TabFocus);
+    m_speed->setFixedWidth(104);
+    m_speedCaption->setBuddy(m_speed);
+    m_speedValue = new QLabel(this);
+    m_time = new QLabel(this);
+    m_stepCount = new QLabel(this);
+    m_stepCount->setFont(numericFont()); // before the style sheet takes hold of the label
+    setKind(m_stepCount, "muted");
+    for (QWidget *widget : {static_cast<QWidget *>(m_speedCaption), static_cast<QWidget *>(m_speed),
+                            static_cast<QWidget *>(m_speedValue)})
+        row->addWidget(widget);
+    row->addSpacing(8);
+    row->addWidget(m_time);
+    row->addWidget(m_stepCount);
+    connect(m_speed, &QSlider::valueChanged, this, [this](int power) {
+        m_simulation.setSpeed(std::exp2(power));
+        showSpeed();
+    });
+}
+
+void TransportBar::setModes(const QStringList &titles, int current)
+{
+    qDeleteAll(m_modeGroup->buttons());
+    delete m_modes->layout();
+    auto *row = new QHBoxLayout(m_modes);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (qsizetype i = 0; i < titles.size(); ++i) {
+        auto *button = new QPushButton(titles[i], m_modes);
+        button->setCheckable(true);
+        button->setChecked(i == current);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAccessibleName(titles[i]);
+        setKind(button, "segment");
+        m_modeGroup->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+    }
+    m_modes->setVisible(titles.size() > 1);
+    collapse();
+}
+
+void TransportBar::setChecking(bool checking)
+{
+    m_checking = checking;
+    m_progress->setValue(0);
+    m_progress->setVisible(checking);
+    showCheck();
+}
+
+void TransportBar::setCheckProgress(double share)
+{
+    m_progress->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 1000.0)));
+}
+
+void TransportBar::showRunning()
+{
+    const bool running = m_simulation.isRunning();
+    const QString name = running ? QStringLiteral("pause") : QStringLiteral("run");
+    m_run->setIcon(icon(name));
+    m_run->setText(running ? tr("Pause") : tr("Run"));
+    m_runButton->setIconName(name, IconTint::OnAccent);
+}
+
+void TransportBar::showCheck()
+{
+    const QString name = m_checking ? QStringLiteral("stop") : QStringLiteral("check");
+    m_check->setIcon(icon(name));
+    m_check->setText(m_checking ? tr("Stop") : tr("Check"));
+    m_check->setToolTip(m_checking ? tr("Stop the check") : tr("Check this step"));
+    m_checkButton->setIconName(name, IconTint::OnAccent);
+    collapse();
+}
+
+void TransportBar::showMoment()
+{
+    const qint64 step = m_simulation.recording().step(m_simulation.current());
+    m_time->setText(tr("t = %1 s").arg(m_simulation.time(), 0, 'f', 3));
+    m_stepCount->setText(tr("step %1").arg(step));
+    m_stepBack->setEnabled(m_simulation.current() > m_simulation.recording().first());
+}
+
+void TransportBar::showSpeed()
+{
+    const int power = powerOf(m_simulation.speed());
+    const QSignalBlocker blocked(m_speed);
+    m_speed->setValue(power);
+    m_speedValue->setText(speedText(power));
+    m_slower->setEnabled(power > slowestPower);
+    m_faster->setEnabled(power < fastestPower);
+}
+
+/// Room for the longest text, so that nothing jumps as the numbers grow.
+void TransportBar::measureReadout()
+{
+    const QFont numbers = numericFont();
+    for (QLabel *label : {m_speedValue, m_time, m_stepCount})
+        label->setFont(numbers);
+    const QFontMetrics metrics(numbers);
+    m_speedValue->setFixedWidth(metrics.horizontalAdvance(speedText(slowestPower)) + 4);
+    m_time->setFixedWidth(metrics.horizontalAdvance(tr("t = %1 s").arg(1000.0, 0, 'f', 3)) + 4);
+    m_stepCount->setFixedWidth(metrics.horizontalAdvance(tr("step %1").arg(100'000)) + 4);
+}
+
+void TransportBar::retranslate()
+{
+    m_restart->setText(tr("Restart"));
+    m_restart->setToolTip(tr("Back to the start of the run"));
+    m_stepBack->setText(tr("Step back"));
+    m_stepBack->setIconText(tr("Step", "back"));
+    m_stepBack->setToolTip(tr("One step back"));
+    m_step->setText(tr("Step"));
+    m_step->setToolTip(tr("One step on"));
+    m_run->setToolTip(tr("Run or pause"));
+    m_nextHit->setText(tr("Next hit"));
+    m_nextHit->setToolTip(tr("Run on to the next collision"));
+    m_slower->setText(tr("Slower"));
+    m_faster->setText(tr("Faster"));
+    m_speedCaption->setText(tr("Speed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("Simulated time per real time ([ slower, ] faster)"));
+    m_time->setAccessibleName(tr("Time"));
+    m_stepCount->setAccessibleName(tr("Steps since the start"));
+    m_progress->setAccessibleName(tr("Progress of the check"));
+    showRunning();
+    showMoment();
+    measureReadout();
+    showCheck();
+}
+
+/// Takes the text from as many buttons as needed for the row to fit.
+void TransportBar::collapse()
+{
+    for (ActionButton *button : m_buttons)
+        button->setCollapsed(false);
+    m_speedCaption->show();
+    layout()->activate();
+    if (layout()->minimumSize().width() > width())
+        m_speedCaption->hide();
+    for (ActionButton *button : m_buttons) {
+        if (layout()->minimumSize().width() <= width())
+            break;
+        button->setCollapsed(true);
+        layout()->invalidate();
+    }
+    layout()->activate();
+    const QRect check = m_checkButton->geometry();
+    m_progress->setGeometry(check.left(), check.bottom() + 3, check.width(), 3);
+}
+
+QSize TransportBar::minimumSizeHint() const
+{
+    int width = layout()->minimumSize().width();
+    for (const ActionButton *button : m_buttons) {
+        if (!button->isCollapsed())
+            width -= button->fontMetrics().horizontalAdvance(button->text());
+    }
+    if (!m_speedCaption->isHidden())
+        width -= m_speedCaption->sizeHint().width();
+    return {width, layout()->minimumSize().height()};
+}
+
+void TransportBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    collapse();
+}
+
+void TransportBar::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        measureReadout();
+}
+
+} // namespace cradle

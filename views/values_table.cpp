@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/values_table.h"
+
+#include "views/charts/frame_throttle.h"
+#include "views/charts/hit_columns.h"
+#include "views/charts/hits_model.h"
+#include "views/charts/number_text.h"
+#include "views/charts/symbol_header.h"
+#include "views/charts/values_model.h"
+#include "views/theme.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cradle {
+
+namespace {
+
+constexpr int rowHeight = 26;  ///< px
+constexpr int cellPad = 10;    ///< px left and right of a number together
+constexpr int fittedRows = 64; ///< the columns of the hits fit these many of them
+
+/// The cells of \p rows × \p columns as lines with tabs.
+QString tabbed(const QAbstractItemModel &model, const QList<int> &rows, const QList<int> &columns)
+{
+    QStringList lines;
+    for (const int row : rows) {
+        QStringList cells;
+        for (const int column : columns)
+            cells.append(model.index(row, column).data().toString().replace(QChar(0x2212), u'-'));
+        lines.append(cells.join(u'\t'));
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+QList<int> upTo(int count)
+{
+    QList<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+} // namespace
+
+ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
+    : QWidget(parent)
+    , m_simulation(simulation)
+    , m_valuesModel(new ValuesModel(simulation, this))
+    , m_hitsModel(new HitsModel(simulation, this))
+    , m_tabs(new QTabWidget)
+    , m_values(makeTable(m_valuesModel, ValuesModel::unitRole))
+    , m_hits(makeTable(m_hitsModel, HitsModel::unitRole))
+    , m_sentence(new QLabel)
+    , m_copyAction(new QAction(this))
+    , m_copyAllAction(new QAction(this))
+    , m_throttle(new FrameThrottle(simulation, this))
+{
+    m_sentence->setWordWrap(true);
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_sentence->setContentsMargins(14, 10, 14, 10);
+    setKind(m_sentence, "muted");
+    auto *valuesTab = new QWidget;
+    auto *column = new QVBoxLayout(valuesTab);
+    column->setContentsMargins({});
+    column->setSpacing(0);
+    column->addWidget(m_values, 1);
+    column->addWidget(m_sentence);
+    column->addStretch();
+    m_tabs->addTab(valuesTab, QString());
+    m_tabs->addTab(m_hits, QString());
+    m_tabs->setDocumentMode(true);
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins({});
+    whole->addWidget(m_tabs);
+
+    m_hits->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_copyAction->setShortcut(QKeySequence::Copy);
+    m_copyAllAction->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+    for (QAction *action : {m_copyAction, m_copyAllAction})
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    for (QTableView *table : {m_values, m_hits}) {
+        table->addActions({m_copyAction, m_copyAllAction});
+        table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    }
+    connect(m_copyAction, &QAction::triggered, this, &ValuesPane::copySelection);
+    connect(m_copyAllAction, &QAction::triggered, this, &ValuesPane::copyAll);
+    connect(m_hits, &QTableView::clicked, this, &ValuesPane::seekHit);
+    connect(m_hits, &QTableView::activated, this, &ValuesPane::seekHit);
+    connect(m_tabs, &QTabWidget::currentChanged, m_throttle, &FrameThrottle::request);
+    connect(m_throttle, &FrameThrottle::due, this, &ValuesPane::refresh);
+    connect(m_valuesModel, &QAbstractItemModel::modelReset, this, &ValuesPane::fitValues);
+    connect(m_hitsModel, &QAbstractItemModel::modelReset, this, [this] { m_fittedHits = 0; });
+    fitValues();
+    retranslate();
+}
+
+QTableView *ValuesPane::makeTable(QAbstractItemModel *model, int unitRole)
+{
+    auto *table = new QTableView;
+    table->setHorizontalHeader(new SymbolHeader(unitRole, table));
+    table->setVerticalHeader(new NumberHeader(table));
+    table->setModel(model);
+    table->setStyleSheet(
+        QStringLiteral("QTableCornerButton::section { background: transparent; border: none; }"));
+    table->setShowGrid(false);
+    table->setWordWrap(false);
+    table->setCornerButtonEnabled(false);
+    table->setSelectionMode(QAbstractItemView::ContiguousSelection);
+    table->setTabKeyNavigation(false);
+    table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->horizontalHeader()->setMinimumSectionSize(32);
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->verticalHeader()->setMinimumSectionSize(rowHeight);
+    table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    return table;
+}
+
+void ValuesPane::addTab(QWidget *widget, const QString &title)
+{
+    m_tabs->addTab(widget, title);
+}
+
+QTableView *ValuesPane::shownTable() const
+{
+    return m_tabs->currentIndex() == 0 ? m_values : m_hits;
+}
+
+void ValuesPane::refresh()
+{
+    m_hitsModel->update();
+    const qint64 count = m_hitsModel->hitCount();
+    const QString title = count > 0 ? tr("Hits %L1").arg(count) : tr("Hits");
+    // A new text lays all the tabs out again.
+    if (m_tabs->tabText(1) != title)
+        m_tabs->setTabText(1, title);
+    if (m_tabs->currentIndex() == 0)
+        refreshValues();
+    else if (m_tabs->currentIndex() == 1)
+        refreshHits();
+}
+
+void ValuesPane::refreshValues()
+{
+    const int first = std::max(0, m_values->rowAt(0));
+    const int below = m_values->rowAt(m_values->viewport()->height() - 1);
+    m_valuesModel->refresh(first, below >= 0 ? below : m_valuesModel->rowCount() - 1);
+    const QString sentence = hitSentence();
+    if (m_sentence->text() != sentence)
+        m_sentence->setText(sentence);
+}
+
+QString ValuesPane::hitSentence() const
+{
+    const Recording &recording = m_simulation.recording();
+    const qint64 shown = m_simulation.current();
+    const auto hit = lastHit(recording.hits(), recording.step(shown));
+    if (!hit)
+        return tr("No hit so far.");
+    const qint64 number = recording.droppedHits() + static_cast<qint64>(*hit) + 1;
+    return describeHit(number, recording.hits()[*hit], recording.circles(shown));
+}
+
+void ValuesPane::refreshHits()
+{
+    const int rows = m_hitsModel->rowCount();
+    if (rows > m_fittedHits && m_fittedHits < fittedRows) {
+        m_fittedHits = rows;
+        m_hits->resizeColumnsToContents();
+    }
+    const qint64 step = m_simulation.recording().step(m_simulation.current());
+    const auto row = m_hitsModel->rowAt(step);
+    if (row && *row != m_hits->currentIndex().row())
+        m_hits->setCurrentIndex(m_hitsModel->index(*row, 0));
+    else if (!row)
+        m_hits->clearSelection();
+}
+
+void ValuesPane::fitValues()
+{
+    // Room for the usual numbers, so that widths rest while numbers change.
+    const QFontMetrics figures(columnFont());
+    const int number = figures.horizontalAdvance(QStringLiteral("-99.999"));
+    const int momentum = figures.horizontalAdvance(QStringLiteral("-99999.999"));
+    for (int column = 0; column < ValuesModel::Count; ++column) {
+        const bool wide = column >= ValuesModel::MomentumX;
+        m_values->setColumnWidth(column, (wide ? momentum : number) + cellPad);
+    }
+    const int bar = m_values->horizontalScrollBar()->sizeHint().height();
+    // The viewport has not its width yet when the pane is resized.
+    const int needed =
+        m_values->verticalHeader()->sizeHint().width() + m_values->horizontalHeader()->length();
+    const bool scrolls = needed > width();
+    const int rows = m_values->verticalHeader()->length();
+    m_values->setMaximumHeight(m_values->horizontalHeader()->sizeHint().height() + rows
+                               + (scrolls ? bar : 0));
+    m_values->setMinimumHeight(std::min(m_values->maximumHeight(), 4 * rowHeight));
+}
+
+void ValuesPane::copySelection()
+{
+    const QTableView *table = shownTable();
+    QList<int> rows;
+    QList<int> columns;
+    for (const QModelIndex &index : table->selectionModel()->selectedIndexes()) {
+        rows.append(index.row());
+        columns.append(index.column());
+    }
+    for (QList<int> *list : {&rows, &columns}) {
+        std::sort(list->begin(), list->end());
+        list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    if (!rows.isEmpty())
+        QGuiApplication::clipboard()->setText(tabbed(*table->model(), rows, columns));
+}
+
+void ValuesPane::copyAll()
+{
+    const QTableView *table = shownTable();
+    const QAbstractItemModel &model = *table->model();
+    const auto header = [&model](int i, Qt::Orientation direction, int role = Qt::DisplayRole) {
+        return model.headerData(i, direction, role).toString();
+    };
+    QString text = tr("number");
+    for (int column = 0; column < model.columnCount(); ++column) {
+        const QString unit = header(column, Qt::Horizontal, ValuesModel::unitRole);
+        text += u'\t' + header(column, Qt::Horizontal);
+        if (!unit.isEmpty())
+            text += QStringLiteral(" (%1)").arg(unit);
+    }
+    text += u'\n';
+    const QList<int> columns = upTo(model.columnCount());
+    for (const int row : upTo(model.rowCount()))
+        text += header(row, Qt::Vertical) + u'\t' + tabbed(model, {row}, columns);
+    QGuiApplication::clipboard()->setText(text);
+}
+
+void ValuesPane::seekHit(const QModelIndex &index)
+{
+    const Recording &recording = m_simulation.recording();
+    const qint64 step = m_hitsModel->hit(index.row()).step;
+    emit seekRequested(recording.first() + step - recording.step(recording.first()));
+}
+
+void ValuesPane::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    switch (event->type()) {
+    case QEvent::LanguageChange:
+        retranslate();
+        break;
+    case QEvent::FontChange:
+    case QEvent::PaletteChange:
+        m_valuesModel->reload();
+        m_hitsModel->reload();
+        break;
+    default:
+        return;
+    }
+    m_throttle->request();
+}
+
+void ValuesPane::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitValues();
+}
+
+void ValuesPane::retranslate()
+{
+    m_tabs->setTabText(0, tr("Values"));
+    m_tabs->setTabText(1, tr("Hits"));
+    m_tabs->setAccessibleName(tr("Values and hits"));
+    m_values->setAccessibleName(tr("Values of the circles at the moment shown"));
+    m_hits->setAccessibleName(tr("Hits; Enter shows the moment"));
+    m_sentence->setAccessibleName(tr("Last hit"));
+    m_copyAction->setText(tr("Copy"));
+    m_copyAllAction->setText(tr("Copy all"));
+    m_throttle->request();
+}
+
+} // namespace cradle

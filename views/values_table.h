@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/simulation.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QAbstractItemModel;
+class QAction;
+class QLabel;
+class QTableView;
+class QTabWidget;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class FrameThrottle;
+class HitsModel;
+class ValuesModel;
+
+/// Tables of the moment shown: the numbers of every circle, and the hits so far.
+class ValuesPane final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ValuesPane(const Simulation &simulation, QWidget *parent = nullptr);
+
+    /// Adds \p widget as one more tab (the console).
+    void addTab(QWidget *widget, const QString &title);
+    /// For one more tab's title and for showing it.
+    [[nodiscard]] QTabWidget &tabs() { return *m_tabs; }
+    [[nodiscard]] QString hitSentence() const;
+    [[nodiscard]] QSize sizeHint() const override { return {344, 240}; }
+
+public slots:
+    void copySelection(); ///< of the table shown, as text with tabs
+    void copyAll();       ///< with the headers
+
+signals:
+    void seekRequested(qint64 index); ///< a hit was chosen: the frame where it shows
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QTableView *makeTable(QAbstractItemModel *model, int unitRole);
+    void refresh();
+    void refreshValues();
+    void refreshHits();
+    void fitValues();
+    void retranslate();
+    void seekHit(const QModelIndex &index);
+    [[nodiscard]] QTableView *shownTable() const;
+
+    const Simulation &m_simulation;
+    ValuesModel *m_valuesModel;
+    HitsModel *m_hitsModel;
+    QTabWidget *m_tabs;
+    QTableView *m_values;
+    QTableView *m_hits;
+    QLabel *m_sentence;
+    QAction *m_copyAction;
+    QAction *m_copyAllAction;
+    FrameThrottle *m_throttle;
+    int m_fittedHits = 0; ///< rows whose texts the columns were fitted to
+};
+
+} // namespace cradle
