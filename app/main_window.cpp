@@ -301,7 +301,7 @@ void MainWindow::showAbout()
                        tr("<h3>Cradle %1</h3><p>Learn how a physics engine works by writing one."
                           "</p><p>Free software under the GNU General Public License, version 3 or "
                           "later. Built with Qt, MathJax and valijson.</p>")
-                           .arg(QApplication::applicationVersion()));
+                           .arg(QCoreApplication::applicationVersion()));
 }
 
 void MainWindow::showShortcuts()

@@ -24,4 +24,10 @@ constexpr double mass(const Circle &c)
     return 1000.0 * c.density * (4.0 / 3.0) * std::numbers::pi * c.radius * c.radius * c.radius;
 }
 
+/// ½ m v², J
+constexpr double kineticEnergy(const Circle &c)
+{
+    return 0.5 * mass(c) * lengthSquared(c.velocity);
+}
+
 } // namespace cradle

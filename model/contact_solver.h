@@ -17,6 +17,7 @@ struct Contact {
     double change = 0.0;  ///< wanted: by how much the closing speed must fall, m/s, ≥ 0
     double impulse = 0.0; ///< found: along the normal, on b, N s, ≥ 0
     bool rests = false;   ///< they stay in touch afterwards
+    double loss = 0.0;    ///< kinetic energy that it took, J
 };
 
 /// Impulses of contacts that happen at the same moment, found together so that neither the order
@@ -26,7 +27,8 @@ struct Contact {
 /// With change = (1 + e)·closing this is Newton's law of restitution for all of them at once;
 /// for e = 1 it keeps the kinetic energy, for every e the momentum. The same equation with
 /// accelerations gives the forces between bodies that rest on each other.
-/// Solved by projected Jacobi iteration: symmetric data give symmetric results.
+/// Solved by projected Jacobi iteration, so that symmetric data give symmetric results, and where
+/// that is slow (long chains) finished by elimination.
 /// Source: Glocker, Pfeiffer: Multiple Impacts with Friction in Rigid Multibody Systems, 1995.
 /// \param inverseMasses  1/m of every body, 1/kg
 void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses);

@@ -18,8 +18,10 @@ constexpr double simultaneous = 1e-12;
 constexpr double touching = 1e-9;
 /// An elastic hit slower than this share of g Δt is no hit: it would repeat without end.
 constexpr double stillElastic = 1e-9;
-/// Relative speeds below this share of g Δt are rest for a pair in touch.
+/// Closing speeds below this share of g Δt, and of the fastest speed there is, are rest: rounding
+/// leaves as much where two should move alike.
 constexpr double atRest = 1e-6;
+constexpr double roundedSpeed = 1e-13;
 /// Moments of impact in one step, per circle and in all, after which nothing rebounds, and after
 /// twice as many the step ends where it is: a bound on the work, met only by inelastic collapse.
 constexpr int momentsPerCircle = 50;
@@ -69,12 +71,16 @@ void ContinuousStep::begin()
     m_events.clear();
     m_bodies.assign(m_world->circles.size(), Body{});
     m_inverseMasses.resize(m_bodies.size());
+    double fastest = 0.0;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        fastest = std::max(fastest, length(m_world->circles[i].velocity));
+        m_bodies[i].integrator = m_rules->integrators[i];
         // An exchange of normal parts is what equal masses do.
         const bool equal = m_rules->laws.circles == CircleLaw::SwapNormal;
         m_inverseMasses[i] = equal ? 1.0 : 1.0 / mass(m_world->circles[i]);
         m_bodies[i].touched = true;
     }
+    m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
     findRestingPairs();
     findAccelerations();
 }
@@ -82,7 +88,7 @@ void ContinuousStep::begin()
 void ContinuousStep::findRestingPairs()
 {
     m_resting.clear();
-    if (m_rules->laws.circles == CircleLaw::None || slowSpeed() == 0.0)
+    if (m_rules->laws.circles == CircleLaw::None)
         return;
     const auto &circles = m_world->circles;
     for (std::size_t i = 0; i < circles.size(); ++i) {
@@ -92,10 +98,19 @@ void ContinuousStep::findRestingPairs()
             if (lengthSquared(d) > near * near)
                 continue;
             const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
-            if (std::abs(closingSpeed(contactOf(pair))) <= slowSpeed())
-                m_resting.push_back(pair);
+            if (std::abs(closingSpeed(contactOf(pair))) <= m_slow)
+                rest(pair);
         }
     }
+}
+
+/// Notes that two stay in touch; they move alike from now on, whatever their integrators.
+void ContinuousStep::rest(std::pair<int, int> pair)
+{
+    if (std::find(m_resting.begin(), m_resting.end(), pair) == m_resting.end())
+        m_resting.push_back(pair);
+    m_bodies[at(pair.first)].integrator = Integrator::Verlet;
+    m_bodies[at(pair.second)].integrator = Integrator::Verlet;
 }
 
 bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
@@ -104,7 +119,7 @@ bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
     const Vec2 n = outwardNormal(wall);
     const double gap = m_rules->halfWidth - c.radius - dot(c.position, n);
     return m_rules->laws.walls == WallLaw::Reflect && gap <= touching * c.radius
-           && std::abs(dot(c.velocity, n)) <= slowSpeed()
+           && std::abs(dot(c.velocity, n)) <= m_slow
            && (dot(m_rules->gravity, n) > 0.0 || !m_resting.empty());
 }
 
@@ -133,7 +148,7 @@ void ContinuousStep::findAccelerations()
         return;
     for (const auto &pair : m_resting) {
         const Contact contact = contactOf(pair);
-        if (m_bodies[at(pair.first)].touched && std::abs(closingSpeed(contact)) <= slowSpeed())
+        if (m_bodies[at(pair.first)].touched && std::abs(closingSpeed(contact)) <= m_slow)
             m_contacts.push_back(contact);
     }
     for (Contact &contact : m_contacts)
@@ -156,7 +171,7 @@ void ContinuousStep::findAccelerations()
 Path ContinuousStep::pathFrom(std::size_t body, double time) const
 {
     const Circle &c = m_world->circles[body];
-    const Vec2 curve = pathCurvature(m_rules->integrators[body]) * m_bodies[body].acceleration;
+    const Vec2 curve = pathCurvature(m_bodies[body].integrator) * m_bodies[body].acceleration;
     const Path path{c.position, c.velocity, curve};
     const double s = time - m_bodies[body].since;
     return {path.at(s), path.velocity + (2.0 * s) * curve, curve};
@@ -208,7 +223,7 @@ void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
         return;
     const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
     const bool resting = std::find(m_resting.begin(), m_resting.end(), pair) != m_resting.end();
-    if (resting && std::abs(closingSpeed(contactOf(pair))) <= slowSpeed())
+    if (resting && std::abs(closingSpeed(contactOf(pair))) <= m_slow)
         return;
     if (const auto s = timeToDistance(a, b, distance, end))
         m_events.push_back({m_now + *s, pair.first, pair.second, false});
@@ -220,7 +235,7 @@ void ContinuousStep::carryTo(std::size_t body, double time)
     const double s = time - m_bodies[body].since;
     if (s <= 0.0)
         return;
-    const Motion m = advance(m_rules->integrators[body], {c.position, c.velocity},
+    const Motion m = advance(m_bodies[body].integrator, {c.position, c.velocity},
                              m_bodies[body].acceleration, s);
     c.position = m.position;
     c.velocity = m.velocity;
@@ -263,11 +278,6 @@ void ContinuousStep::touchRestingNeighbours()
     }
 }
 
-double ContinuousStep::slowSpeed() const
-{
-    return atRest * length(m_rules->gravity) * m_dt;
-}
-
 Contact ContinuousStep::contactOf(std::pair<int, int> pair) const
 {
     const auto &circles = m_world->circles;
@@ -300,7 +310,7 @@ bool ContinuousStep::comesToRest(const Contact &contact, double closing) const
 {
     const double e = restitutionOf(contact);
     const double gain = closingAcceleration(contact) * m_dt; // m/s that a step gives back
-    return m_plastic || (e < 1.0 ? 2.0 * e * closing < gain : closing < stillElastic * gain);
+    return m_plastic || (e < 1.0 ? 2.0 * e * closing <= gain : closing < stillElastic * gain);
 }
 
 void ContinuousStep::resolve(std::vector<Hit> &hits)
@@ -317,7 +327,6 @@ void ContinuousStep::resolve(std::vector<Hit> &hits)
     else
         respondTogether();
 
-    const double slow = slowSpeed();
     for (std::size_t i = 0; i < m_hits.size(); ++i) {
         Hit &hit = m_hits[i];
         Circle &a = m_world->circles[at(hit.a)];
@@ -325,7 +334,8 @@ void ContinuousStep::resolve(std::vector<Hit> &hits)
         hit.afterA = a.velocity;
         hit.afterB = wall ? Vec2{} : m_world->circles[at(hit.b)].velocity;
         hit.impulse = m_contacts[i].impulse;
-        if (dot(hit.beforeA - hit.beforeB, hit.normal) > slow)
+        hit.loss = m_contacts[i].loss;
+        if (dot(hit.beforeA - hit.beforeB, hit.normal) > m_slow)
             hits.push_back(hit);
     }
 }
@@ -348,8 +358,7 @@ void ContinuousStep::addSupports()
         const bool met = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &c) {
             return c.a == contact.a && c.b == contact.b;
         });
-        if (m_bodies[at(pair.first)].touched && !met
-            && std::abs(closingSpeed(contact)) <= slowSpeed())
+        if (m_bodies[at(pair.first)].touched && !met && std::abs(closingSpeed(contact)) <= m_slow)
             m_contacts.push_back(contact);
     }
 }
@@ -377,12 +386,13 @@ void ContinuousStep::meet(const Event &event)
     }
     contact.normal = hit.normal;
     const double closing = std::max(0.0, closingSpeed(contact));
-    contact.rests = closingSpeed(contact) >= -slowSpeed() && comesToRest(contact, closing);
+    contact.rests = closingSpeed(contact) >= -m_slow && comesToRest(contact, closing);
     contact.change = (contact.rests ? 1.0 : 1.0 + restitutionOf(contact)) * closing;
-    const std::pair<int, int> pair(event.a, event.b);
-    if (contact.rests && !event.wall
-        && std::find(m_resting.begin(), m_resting.end(), pair) == m_resting.end())
-        m_resting.push_back(pair);
+    m_bodies[at(event.a)].integrator = Integrator::Verlet;
+    if (!event.wall)
+        m_bodies[at(event.b)].integrator = Integrator::Verlet;
+    if (contact.rests && !event.wall)
+        rest({event.a, event.b});
     m_contacts.push_back(contact);
     m_hits.push_back(hit);
 }
@@ -398,6 +408,18 @@ void ContinuousStep::respondTogether()
         if (contact.b >= 0)
             m_changes[at(contact.b)] +=
                 (contact.impulse * m_inverseMasses[at(contact.b)]) * contact.normal;
+    }
+    // A change Δ out of the whole change of v to v' takes −½ m (v + v')·Δ of the energy.
+    const auto loss = [this](int body, Vec2 change) {
+        const Circle &c = m_world->circles[at(body)];
+        return -0.5 * mass(c) * dot(2.0 * c.velocity + m_changes[at(body)], change);
+    };
+    for (Contact &contact : m_contacts) {
+        const double unit = m_inverseMasses[at(contact.a)];
+        contact.loss = loss(contact.a, -(contact.impulse * unit) * contact.normal);
+        if (contact.b >= 0)
+            contact.loss += loss(contact.b, (contact.impulse * m_inverseMasses[at(contact.b)])
+                                                * contact.normal);
         contact.impulse *= unit * mass(m_world->circles[at(contact.a)]);
     }
     for (const Contact &contact : m_contacts) {
@@ -412,13 +434,17 @@ void ContinuousStep::respondInTurn()
 {
     for (Contact &contact : m_contacts) {
         Circle &a = m_world->circles[at(contact.a)];
-        const Vec2 before = a.velocity;
-        if (contact.b < 0)
+        const Circle before = a;
+        if (contact.b < 0) {
             reflect(a.velocity, contact.normal, contact.rests ? 0.0 : m_rules->restitution);
-        else
-            respond(m_rules->laws.circles, a, m_world->circles[at(contact.b)], contact.normal,
-                    m_rules->restitution);
-        contact.impulse = mass(a) * dot(before - a.velocity, contact.normal);
+        } else {
+            Circle &b = m_world->circles[at(contact.b)];
+            const Circle beforeB = b;
+            respond(m_rules->laws.circles, a, b, contact.normal, m_rules->restitution);
+            contact.loss = kineticEnergy(beforeB) - kineticEnergy(b);
+        }
+        contact.loss += kineticEnergy(before) - kineticEnergy(a);
+        contact.impulse = mass(a) * dot(before.velocity - a.velocity, contact.normal);
     }
 }
 

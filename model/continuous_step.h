@@ -11,9 +11,9 @@ namespace cradle {
 
 /// A step that finds every time of impact inside it and spends the rest of the step after it.
 /// Each circle has its own clock and is split only at its own hits. Contacts at the same moment
-/// are resolved together. A circle whose rebound would last less than a step (2 e u / a < Δt)
-/// comes to rest; what rests is held by contact forces until something moves it.
-/// Keeps its working memory between steps.
+/// are resolved together. From its first hit in a step on a circle follows its parabola. A circle
+/// whose rebound would last less than a step (2 e u / a < Δt) comes to rest; what rests is held by
+/// contact forces until something moves it. Keeps its working memory between steps.
 class ContinuousStep
 {
 public:
@@ -22,9 +22,10 @@ public:
 
 private:
     struct Body {
-        double since = 0.0;   ///< s into the step: how far this circle has come
-        Vec2 acceleration{};  ///< gravity less what holds it, m/s²
-        bool touched = false; ///< its events must be found again
+        double since = 0.0;  ///< s into the step: how far this circle has come
+        Vec2 acceleration{}; ///< gravity less what holds it, m/s²
+        Integrator integrator = Integrator::Verlet; ///< its own until it is hit or rests
+        bool touched = false;                       ///< its events must be found again
     };
     struct Event {
         double time = 0.0; ///< s into the step
@@ -36,6 +37,7 @@ private:
 
     void begin();
     void findRestingPairs();
+    void rest(std::pair<int, int> pair);
     void findAccelerations();
     void findEvents();
     void findPairEvent(std::size_t i, std::size_t j);
@@ -50,7 +52,6 @@ private:
     [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
     [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
     [[nodiscard]] bool isHeld(std::size_t body, Wall wall) const;
-    [[nodiscard]] double slowSpeed() const;
     [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
     [[nodiscard]] double restitutionOf(const Contact &contact) const;
     [[nodiscard]] double closingSpeed(const Contact &contact) const;
@@ -60,6 +61,7 @@ private:
     World *m_world = nullptr;
     double m_dt = 0.0;
     double m_now = 0.0;     ///< s into the step
+    double m_slow = 0.0;    ///< m/s; closing speeds up to this are rest
     bool m_plastic = false; ///< too many hits in one step: no more rebounds
     std::vector<Body> m_bodies;
     std::vector<double> m_inverseMasses;

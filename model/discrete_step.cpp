@@ -32,7 +32,7 @@ void DiscreteStep::hitWalls(const Rules &rules, World &world, std::vector<Hit> &
             const Vec2 n = outwardNormal(wall);
             if (dot(moved, n) + c.radius <= rules.halfWidth)
                 continue;
-            const Vec2 before = c.velocity;
+            const Circle before = c;
             if (!reflect(c.velocity, n, rules.restitution))
                 continue;
             c.position = m_old[i];
@@ -42,9 +42,10 @@ void DiscreteStep::hitWalls(const Rules &rules, World &world, std::vector<Hit> &
                             .a = static_cast<int>(i),
                             .b = static_cast<int>(wall),
                             .normal = n,
-                            .impulse = mass(c) * dot(before - c.velocity, n),
-                            .beforeA = before,
-                            .afterA = c.velocity});
+                            .impulse = mass(c) * dot(before.velocity - c.velocity, n),
+                            .beforeA = before.velocity,
+                            .afterA = c.velocity,
+                            .loss = kineticEnergy(before) - kineticEnergy(c)});
         }
     }
 }
@@ -67,7 +68,8 @@ void DiscreteStep::hitCircles(const Rules &rules, World &world, std::vector<Hit>
                     .b = static_cast<int>(j),
                     .normal = n,
                     .beforeA = a.velocity,
-                    .beforeB = b.velocity};
+                    .beforeB = b.velocity,
+                    .loss = kineticEnergy(a) + kineticEnergy(b)};
             if (!respond(rules.laws.circles, a, b, n, rules.restitution))
                 continue;
             a.position = m_old[i];
@@ -75,6 +77,7 @@ void DiscreteStep::hitCircles(const Rules &rules, World &world, std::vector<Hit>
             hit.afterA = a.velocity;
             hit.afterB = b.velocity;
             hit.impulse = mass(b) * dot(hit.afterB - hit.beforeB, n);
+            hit.loss -= kineticEnergy(a) + kineticEnergy(b);
             hits.push_back(hit);
         }
     }

@@ -31,6 +31,14 @@ QJsonObject loadSchema(const QString &resource)
     return QJsonDocument::fromJson(file.readAll()).object();
 }
 
+/// One step of a JSON pointer: "~" and "/" are escaped (RFC 6901).
+QString pointerStep(QString key)
+{
+    key.replace(QLatin1Char('~'), QStringLiteral("~0"));
+    key.replace(QLatin1Char('/'), QStringLiteral("~1"));
+    return QLatin1Char('/') + key;
+}
+
 /// A node of a schema and the value that it speaks of, walked down together.
 struct Place {
     QJsonObject root;
@@ -47,7 +55,7 @@ struct Place {
             node = node.value(QStringLiteral("properties")).toObject().value(key).toObject();
             value = value.toObject().value(key);
         }
-        pointer += QLatin1Char('/') + key;
+        pointer += pointerStep(key);
         resolve();
     }
 
@@ -100,7 +108,7 @@ Error explain(Place place, const QString &source)
                             SchemaText::tr("unknown key \"%1\"; the keys here are %2")
                                 .arg(key.left(60), properties.keys().join(QStringLiteral(", "))),
                         .file = source,
-                        .pointer = place.pointer + QLatin1Char('/') + key.left(60)};
+                        .pointer = place.pointer + pointerStep(key.left(60))};
             }
         }
         for (const QJsonValue &required : place.node.value(QStringLiteral("required")).toArray()) {

@@ -25,7 +25,4 @@ struct Totals {
 /// The sum over all circles.
 [[nodiscard]] Totals measure(std::span<const Circle> circles, Vec2 gravity, double halfWidth);
 
-/// Kinetic energy (J) that \p hit took from its circles: positive if lost.
-[[nodiscard]] double dissipated(const Hit &hit, std::span<const Circle> circles);
-
 } // namespace cradle

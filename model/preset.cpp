@@ -5,6 +5,7 @@
 #include "model/shortest_number.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <numeric>
@@ -41,10 +42,32 @@ std::optional<Error> outOfRange(Vec2 value, double bound, const QString &pointer
     return outOfRange(value.y, -bound, bound, pointer + QStringLiteral("/1"), unit);
 }
 
+std::optional<Error> faultOfName(const QString &name, const QString &pointer)
+{
+    if (name.size() <= limits::maxName)
+        return std::nullopt;
+    return fault(pointer, PresetText::tr("the name is too long; at most %1 characters are right")
+                              .arg(limits::maxName));
+}
+
+std::optional<Error> faultOfColour(const QString &colour, const QString &pointer)
+{
+    static const QRegularExpression form(QStringLiteral("^#[0-9a-fA-F]{6}$"));
+    if (form.match(colour).hasMatch())
+        return std::nullopt;
+    return fault(
+        pointer,
+        PresetText::tr("\"%1\" is no colour; one like #1e90ff is right").arg(colour.left(60)));
+}
+
 std::optional<Error> faultOfCircle(const PresetCircle &circle, const QString &place)
 {
     const Circle &body = circle.body;
     const auto at = [&](const char *key) { return place + QLatin1String(key); };
+    if (auto e = faultOfName(circle.name, at("/name")))
+        return e;
+    if (auto e = faultOfColour(circle.colour, at("/colour")))
+        return e;
     if (auto e = outOfRange(body.position, limits::maxLength, at("/position"), "m"))
         return e;
     if (auto e = outOfRange(body.velocity, limits::maxSpeed, at("/velocity"), "m/s"))
@@ -117,6 +140,8 @@ std::optional<Error> faultOfOverlap(const Preset &preset)
 
 std::optional<Error> findFault(const Preset &preset)
 {
+    if (auto e = faultOfName(preset.name, QStringLiteral("/name")))
+        return e;
     if (auto e = outOfRange(preset.halfWidth, limits::minLength, limits::maxLength,
                             QStringLiteral("/square/half_width"), "m"))
         return e;

@@ -87,6 +87,7 @@ inline constexpr double maxAcceleration = 1e4;   ///< m/s², each component
 inline constexpr double maxDensity = 1e9;        ///< 1000 kg/m³
 inline constexpr double minDensity = 1e-9;       ///< 1000 kg/m³
 inline constexpr int maxCircles = 100'000;       ///< listed or filled
+inline constexpr int maxName = 200;              ///< characters
 inline constexpr double overlapTolerance = 1e-9; ///< of r₁ + r₂: touching circles are welcome
 } // namespace limits
 

@@ -23,6 +23,8 @@ struct Named {
     T value;
     const char *name;
 };
+template <typename T>
+Named(T, const char *) -> Named<T>;
 
 constexpr std::array wallNames{Named{WallLaw::None, "none"}, Named{WallLaw::Reflect, "reflect"}};
 constexpr std::array circleNames{Named{CircleLaw::None, "none"}, Named{CircleLaw::Stop, "stop"},

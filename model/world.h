@@ -53,6 +53,7 @@ struct Hit {
     Vec2 afterA{};        ///< and after
     Vec2 beforeB{};       ///< velocity of b before, m/s; zero for a wall
     Vec2 afterB{};        ///< and after
+    double loss = 0.0;    ///< kinetic energy that it took, J; negative if it gave
 
     friend bool operator==(const Hit &, const Hit &) = default;
 };

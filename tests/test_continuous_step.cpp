@@ -126,6 +126,8 @@ private slots:
     void aPlasticHitIsOneHit();
     void aPlasticHitAgainstTheWallEndsAtOnce();
     void pilingUpAtAWallWithoutGravityDoesNotOverlap();
+    void threeThatStickTogetherDoNotOverlap_data();
+    void threeThatStickTogetherDoNotOverlap();
     void noCirclesIsAWorldToo();
 };
 
@@ -613,6 +615,38 @@ void TestContinuousStep::pilingUpAtAWallWithoutGravityDoesNotOverlap()
             for (std::size_t b = a + 1; b < 4; ++b) {
                 const double distance = length(run[b].position - run[a].position);
                 QVERIFY2(distance >= 0.5 - 1e-9, QByteArray::number(distance).constData());
+            }
+        }
+    }
+    QVERIFY2(run.hits.size() <= 500, QByteArray::number(qint64(run.hits.size())).constData());
+}
+
+void TestContinuousStep::threeThatStickTogetherDoNotOverlap_data()
+{
+    QTest::addColumn<Preset>("preset");
+    const Laws laws = lawsOf(CircleLaw::Impulse);
+    QTest::newRow("the middle one squeezed") << scene({circle({-1.91, -2.07}, {3.75, 0.09}, 0.5),
+                                                       circle({-0.23, -2.32}, {2.36, 0.41}, 0.5),
+                                                       circle({1.89, -2.23}, {-0.66, 0.81}, 0.5)},
+                                                      laws);
+    QTest::newRow("and turned out") << scene({circle({-2.14, -2.18}, {4.68, 2.21}, 0.5),
+                                              circle({0.07, -1.67}, {-2.48, 2.17}, 0.5),
+                                              circle({2.32, -2.21}, {-3.41, 3.93}, 0.5)},
+                                             laws);
+}
+
+void TestContinuousStep::threeThatStickTogetherDoNotOverlap()
+{
+    // e = 0, no gravity: what meets stays together and hands on what it is pushed with.
+    QFETCH(Preset, preset);
+    preset.restitution = 0.0;
+    Run run(preset);
+    for (int i = 0; i < 60; ++i) {
+        run.steps(1);
+        for (std::size_t a = 0; a < 3; ++a) {
+            for (std::size_t b = a + 1; b < 3; ++b) {
+                const double distance = length(run[b].position - run[a].position);
+                QVERIFY2(distance >= 1.0 - 1e-9, QByteArray::number(distance).constData());
             }
         }
     }

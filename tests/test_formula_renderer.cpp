@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "views/formula_renderer.h"
 
 #include <QDir>
@@ -12,7 +11,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using cradle::findFormulas;
 using cradle::Formula;
 using cradle::FormulaRenderer;
 
@@ -62,8 +60,6 @@ private slots:
     void readsFormulaOfEarlierRunFromDisk();
     void drawsAgainIfCacheFileIsDamaged();
     void survivesDestructionDuringWork();
-    void findsFormulas_data();
-    void findsFormulas();
 
 private:
     QTemporaryDir m_folder;
@@ -73,7 +69,7 @@ private:
 void TestFormulaRenderer::initTestCase()
 {
     FormulaRenderer renderer(nullptr, m_folder.path()); // links the resource, too
-    m_hasMathJax = QFile::exists(":/mathjax/mathjax.js");
+    m_hasMathJax = QFile::exists(QStringLiteral(":/mathjax/mathjax.js"));
 }
 
 void TestFormulaRenderer::typesetsFraction()
@@ -81,7 +77,7 @@ void TestFormulaRenderer::typesetsFraction()
     if (!m_hasMathJax)
         QSKIP("built without MathJax");
     FormulaRenderer renderer(nullptr, m_folder.path());
-    const Formula formula = answerOf(renderer, "\\frac{1}{2}");
+    const Formula formula = answerOf(renderer, QStringLiteral("\\frac{1}{2}"));
     QCOMPARE(formula.state, Formula::State::Ready);
     QVERIFY(formula.width > 0.5 && formula.height > formula.width);
     QVERIFY(inkOf(formula.svg) > 100);
@@ -92,7 +88,8 @@ void TestFormulaRenderer::typesetsTallBracketsWithoutNestedPictures()
     if (!m_hasMathJax)
         QSKIP("built without MathJax");
     FormulaRenderer renderer(nullptr, m_folder.path());
-    const QString tex = "\\begin{pmatrix} 1 \\\\ 2 \\\\ 3 \\\\ 4 \\\\ 5 \\end{pmatrix}";
+    const QString tex =
+        QStringLiteral("\\begin{pmatrix} 1 \\\\ 2 \\\\ 3 \\\\ 4 \\\\ 5 \\end{pmatrix}");
     const Formula formula = answerOf(renderer, tex, true);
     QCOMPARE(formula.state, Formula::State::Ready);
     QCOMPARE(formula.svg.count("<svg"), 1); // QtSvg cannot draw an <svg> within another
@@ -103,10 +100,10 @@ void TestFormulaRenderer::givesDepthBelowBaseline()
     if (!m_hasMathJax)
         QSKIP("built without MathJax");
     FormulaRenderer renderer(nullptr, m_folder.path());
-    const Formula x = answerOf(renderer, "x");
+    const Formula x = answerOf(renderer, QStringLiteral("x"));
     QVERIFY(qAbs(x.height - 1.0) < 0.1); // by the definition of ex
     QVERIFY(x.depth < 0.1);
-    QVERIFY(answerOf(renderer, "p_x").depth > 0.3);
+    QVERIFY(answerOf(renderer, QStringLiteral("p_x")).depth > 0.3);
 }
 
 void TestFormulaRenderer::tellsWhyTexIsBroken_data()
@@ -140,21 +137,21 @@ void TestFormulaRenderer::saysSoWithoutMathJax()
     if (m_hasMathJax)
         QSKIP("built with MathJax");
     FormulaRenderer renderer(nullptr, m_folder.path());
-    const Formula formula = answerOf(renderer, "x");
+    const Formula formula = answerOf(renderer, QStringLiteral("x"));
     QCOMPARE(formula.state, Formula::State::Unavailable);
-    QVERIFY(formula.error.contains("MathJax"));
+    QVERIFY(formula.error.contains(QLatin1String("MathJax")));
 }
 
 void TestFormulaRenderer::answersLaterEvenIfKnown()
 {
     FormulaRenderer renderer(nullptr, m_folder.path());
-    QVERIFY(!renderer.known("x", false));
-    const Formula first = answerOf(renderer, "x");
-    QVERIFY(renderer.known("x", false));
-    QVERIFY(!renderer.known("x", true));
+    QVERIFY(!renderer.known(QStringLiteral("x"), false));
+    const Formula first = answerOf(renderer, QStringLiteral("x"));
+    QVERIFY(renderer.known(QStringLiteral("x"), false));
+    QVERIFY(!renderer.known(QStringLiteral("x"), true));
 
     QSignalSpy spy(&renderer, &FormulaRenderer::ready);
-    renderer.request("x", false);
+    renderer.request(QStringLiteral("x"), false);
     QCOMPARE(spy.count(), 0);
     QVERIFY(spy.wait(patience));
     QCOMPARE(spy.first().at(2).value<Formula>(), first);
@@ -164,12 +161,12 @@ void TestFormulaRenderer::answersOnceForTheSameFormula()
 {
     FormulaRenderer renderer(nullptr, m_folder.path());
     QSignalSpy spy(&renderer, &FormulaRenderer::ready);
-    renderer.request("a", false);
-    renderer.request("a", false);
-    renderer.request("b", false); // answered after all of a
+    renderer.request(QStringLiteral("a"), false);
+    renderer.request(QStringLiteral("a"), false);
+    renderer.request(QStringLiteral("b"), false); // answered after all of a
     QTRY_COMPARE_WITH_TIMEOUT(spy.count(), 2, patience);
-    QCOMPARE(spy.at(0).at(0).toString(), "a");
-    QCOMPARE(spy.at(1).at(0).toString(), "b");
+    QCOMPARE(spy.at(0).at(0).toString(), QStringLiteral("a"));
+    QCOMPARE(spy.at(1).at(0).toString(), QStringLiteral("b"));
 }
 
 void TestFormulaRenderer::readsFormulaOfEarlierRunFromDisk()
@@ -179,7 +176,7 @@ void TestFormulaRenderer::readsFormulaOfEarlierRunFromDisk()
     const QTemporaryDir folder;
     {
         FormulaRenderer renderer(nullptr, folder.path());
-        QCOMPARE(answerOf(renderer, "x").state, Formula::State::Ready);
+        QCOMPARE(answerOf(renderer, QStringLiteral("x")).state, Formula::State::Ready);
     }
     // A mark in the file tells what was read from what was typeset anew.
     const QStringList files = QDir(folder.path()).entryList(QDir::Files);
@@ -189,7 +186,7 @@ void TestFormulaRenderer::readsFormulaOfEarlierRunFromDisk()
     file.write(R"({"svg":"<svg/>","width_ex":7,"height_ex":2,"depth_ex":1})");
     file.close();
     FormulaRenderer renderer(nullptr, folder.path());
-    QCOMPARE(answerOf(renderer, "x").width, 7.0);
+    QCOMPARE(answerOf(renderer, QStringLiteral("x")).width, 7.0);
 }
 
 void TestFormulaRenderer::drawsAgainIfCacheFileIsDamaged()
@@ -200,13 +197,13 @@ void TestFormulaRenderer::drawsAgainIfCacheFileIsDamaged()
     Formula whole;
     {
         FormulaRenderer renderer(nullptr, folder.path());
-        whole = answerOf(renderer, "x");
+        whole = answerOf(renderer, QStringLiteral("x"));
     }
     const QStringList files = QDir(folder.path()).entryList(QDir::Files);
     QCOMPARE(files.size(), 1);
     QVERIFY(QFile::resize(folder.filePath(files.first()), 20));
     FormulaRenderer renderer(nullptr, folder.path());
-    QCOMPARE(answerOf(renderer, "x"), whole);
+    QCOMPARE(answerOf(renderer, QStringLiteral("x")), whole);
 }
 
 void TestFormulaRenderer::survivesDestructionDuringWork()
@@ -215,54 +212,9 @@ void TestFormulaRenderer::survivesDestructionDuringWork()
     for (const int wait : {0, 50, 400}) { // ms: before, while and after MathJax loads
         FormulaRenderer renderer(nullptr, folder.path());
         for (int i = 0; i < 200; ++i)
-            renderer.request(QString("\\sqrt{\\frac{x_{%1}}{%2}}").arg(i).arg(wait), true);
+            renderer.request(QStringLiteral("\\sqrt{\\frac{x_{%1}}{%2}}").arg(i).arg(wait), true);
         QTest::qWait(wait);
     }
-}
-
-void TestFormulaRenderer::findsFormulas_data()
-{
-    QTest::addColumn<QString>("markdown");
-    QTest::addColumn<QStringList>("formulas"); // as TeX, "D " before those on their own line
-    const auto row = [](const char *name, const char *markdown, const QStringList &formulas) {
-        QTest::newRow(name) << QString(markdown) << formulas;
-    };
-    row("inline", "the $p_x$ and $p_y$.", {"p_x", "p_y"});
-    row("display", "so\n$$\na = b\n$$\nthen", {"D a = b"});
-    row("prices", "$5 and $6", {});
-    row("digit after", "$5 or US$20", {});
-    row("space after opening", "a $ x$ b", {});
-    row("space before closing", "a $x $ b", {});
-    row("escaped", "\\$x$ and \\$y\\$", {});
-    row("dollar within", "$a \\$ b$", {"a \\$ b"});
-    row("code span", "`$a$` and ``x ` $b$``", {});
-    row("unmatched backtick", "a ` and $x$", {"x"});
-    row("fenced block", "```lua\n$a$\n```\n$b$", {"b"});
-    row("tilde block", "~~~\n$a$\n```\n$b$\n~~~\n$c$", {"c"});
-    row("open block", "```\n$a$\n", {});
-    row("block in list", "- x\n\n  ```\n  $a$\n  ```\n", {});
-    row("two paragraphs", "a $x\n\ny$ b", {});
-    row("two lines", "a $x\n+ y$ b", {"x\n+ y"});
-    row("no end", "$$ a", {});
-    row("nothing inside", "$$$$ and $$ $$", {});
-}
-
-void TestFormulaRenderer::findsFormulas()
-{
-    QFETCH(QString, markdown);
-    QFETCH(QStringList, formulas);
-    const cradle::FormulaText text = findFormulas(markdown);
-    QStringList found;
-    for (const cradle::FormulaSource &formula : text.formulas)
-        found += (formula.display ? "D " : "") + formula.tex;
-    QCOMPARE(found, formulas);
-
-    QString restored = text.markdown;
-    for (size_t i = 0; i < text.formulas.size(); ++i) {
-        const QString mark = QChar(0xE000) + QString::number(i) + QChar(0xE001);
-        restored.replace(mark, text.formulas[i].markdown);
-    }
-    QCOMPARE(restored, markdown);
 }
 
 QTEST_MAIN(TestFormulaRenderer)

@@ -33,10 +33,10 @@ private slots:
     void potentialEnergyCountsBothPartsOfGravity();
     void allTogetherAreTheSum();
     void ofNoCirclesIsNothing();
-    void dissipatedAtAWall();
-    void dissipatedBetweenCircles();
-    void dissipatedCountsTheRightCircles();
-    void elasticHitDissipatesNothing();
+    void hitsSayWhatTheyTook_data();
+    void hitsSayWhatTheyTook();
+    void aCornerIsNotCountedTwice_data();
+    void aCornerIsNotCountedTwice();
 };
 
 void TestMeasurements::ofOneCircleByHand()
@@ -75,55 +75,62 @@ void TestMeasurements::ofNoCirclesIsNothing()
     QVERIFY(measure(std::span<const Circle>(), {0, -g}, 4.0) == Totals{});
 }
 
-void TestMeasurements::dissipatedAtAWall()
+void TestMeasurements::hitsSayWhatTheyTook_data()
 {
-    const std::array circles{two({0, 0}, {})};
-    const Hit hit{.kind = Hit::Kind::Wall,
-                  .a = 0,
-                  .b = int(Wall::Top), // no circle of that index
-                  .beforeA = {3, 4},
-                  .afterA = {3, -2}};
-    COMPARE_NEAR(dissipated(hit, circles), 16.0 - 4.0, 1e-13);
+    QTest::addColumn<int>("law");
+    QTest::addColumn<int>("timing");
+    QTest::addColumn<double>("restitution");
+    QTest::addColumn<double>("loss"); // J; 2 kg at 4 m/s against 6 kg at rest, ½ m v² = 16 J
+    for (const Timing timing : {Timing::Discrete, Timing::Continuous}) {
+        const QByteArray name = timing == Timing::Discrete ? "discrete" : "continuous";
+        const auto row = [&](const char *what, CircleLaw law, double e, double loss) {
+            QTest::newRow(name + ' ' + what) << int(law) << int(timing) << e << loss;
+        };
+        row("elastic", CircleLaw::Impulse, 1.0, 0.0);
+        row("half", CircleLaw::Impulse, 0.5, 9.0); // (1 − e²) ½ μ u², μ = 1.5 kg
+        row("plastic", CircleLaw::Impulse, 0.0, 12.0);
+        row("stop", CircleLaw::Stop, 1.0, 16.0);
+        row("swap", CircleLaw::SwapVelocities, 1.0, 16.0 - 48.0); // 6 kg at 4 m/s: more than before
+    }
 }
 
-void TestMeasurements::dissipatedBetweenCircles()
+void TestMeasurements::hitsSayWhatTheyTook()
 {
-    // 2 kg at 4 m/s and 6 kg at rest stick together at 1 m/s: ½ μ u² = ½ · 1.5 · 16
-    const std::array circles{two({0, 0}, {}), six({2, 0}, {})};
-    const Hit hit{.kind = Hit::Kind::Circle,
-                  .a = 0,
-                  .b = 1,
-                  .beforeA = {4, 0},
-                  .afterA = {1, 0},
-                  .beforeB = {0, 0},
-                  .afterB = {1, 0}};
-    COMPARE_NEAR(dissipated(hit, circles), 12.0, 1e-13);
+    QFETCH(int, law);
+    QFETCH(int, timing);
+    QFETCH(double, restitution);
+    QFETCH(double, loss);
+    Preset preset;
+    preset.restitution = restitution;
+    preset.laws = {WallLaw::None, static_cast<CircleLaw>(law), static_cast<Timing>(timing)};
+    preset.circles = {PresetCircle{.name = {}, .body = two({0, 0}, {4, 0})},
+                      PresetCircle{.name = {}, .body = six({3, 0}, {0, 0})}};
+    Run run(preset);
+    run.steps(60);
+    QCOMPARE(run.hits.size(), std::size_t{1});
+    COMPARE_NEAR(run.hits.front().loss, loss, 1e-9);
 }
 
-void TestMeasurements::dissipatedCountsTheRightCircles()
+void TestMeasurements::aCornerIsNotCountedTwice_data()
 {
-    const std::array circles{six({0, 0}, {}), two({0, 0}, {}), six({2, 0}, {})};
-    const Hit hit{.kind = Hit::Kind::Circle,
-                  .a = 1,
-                  .b = 2,
-                  .beforeA = {4, 0},
-                  .afterA = {1, 0},
-                  .beforeB = {0, 0},
-                  .afterB = {1, 0}};
-    COMPARE_NEAR(dissipated(hit, circles), 12.0, 1e-13);
+    QTest::addColumn<int>("timing");
+    QTest::newRow("discrete") << int(Timing::Discrete);
+    QTest::newRow("continuous") << int(Timing::Continuous);
 }
 
-void TestMeasurements::elasticHitDissipatesNothing()
+void TestMeasurements::aCornerIsNotCountedTwice()
 {
-    const std::array circles{two({0, 0}, {}), two({2, 0}, {})};
-    const Hit hit{.kind = Hit::Kind::Circle,
-                  .a = 0,
-                  .b = 1,
-                  .beforeA = {4, 1},
-                  .afterA = {0, 1},
-                  .beforeB = {0, -3},
-                  .afterB = {4, -3}};
-    COMPARE_NEAR(dissipated(hit, circles), 0.0, 1e-13);
+    // Both walls at once, e = ½: each takes ¾ of the energy of its own part, 2 · ¾ · ½ m 4².
+    QFETCH(int, timing);
+    Preset preset = scene({circle({3.5, 3.5}, {4, 4})},
+                          {WallLaw::Reflect, CircleLaw::None, static_cast<Timing>(timing)});
+    preset.restitution = 0.5;
+    Run run(preset);
+    run.steps(30);
+    double lost = 0.0;
+    for (const Hit &hit : run.hits)
+        lost += hit.loss;
+    COMPARE_NEAR(lost, 12.0 * 261.380508778670797, 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestMeasurements)

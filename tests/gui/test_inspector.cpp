@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/inspector/circle_edits.h"
+#include "views/circle_edits.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/inspector.h"
 #include "views/inspector/number_field.h"

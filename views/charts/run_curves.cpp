@@ -89,7 +89,7 @@ void RunCurves::read(qint64 index)
     Moment moment{recording.time(index), {}};
     auto hit = static_cast<std::size_t>(std::max<qint64>(0, m_nextHit - recording.droppedHits()));
     for (; hit < hits.size() && hits[hit].step <= recording.step(index); ++hit) {
-        m_lost += cradle::dissipated(hits[hit], circles);
+        m_lost += hits[hit].loss;
         if (!moment.hitTime)
             moment.hitTime = std::min(hits[hit].time, moment.time);
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/circle_delegate.h"
 
-#include "views/inspector/circle_edits.h"
+#include "views/circle_edits.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/number_field.h"
 #include "views/theme.h"

@@ -4,7 +4,7 @@
 
 #include "views/icons.h"
 #include "views/inspector/circle_delegate.h"
-#include "views/inspector/circle_edits.h"
+#include "views/circle_edits.h"
 #include "views/inspector/circle_header.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/theme.h"

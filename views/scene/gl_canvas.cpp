@@ -27,6 +27,9 @@ GlCanvas::GlCanvas(PictureSource source, const QString &shaders, QWidget *parent
 
 GlCanvas::~GlCanvas()
 {
+    // The base class destroys the context when there is no GlCanvas any more.
+    if (context())
+        disconnect(context(), nullptr, this, nullptr);
     release();
 }
 

@@ -36,9 +36,10 @@ bool crosses(const QLineF &line, const QRectF &rect)
     const auto clip = [&](double start, double delta, double low, double high) {
         if (delta == 0.0)
             return start >= low && start <= high;
-        const auto [a, b] = std::minmax((low - start) / delta, (high - start) / delta);
-        enter = std::max(enter, a);
-        leave = std::min(leave, b);
+        const double atLow = (low - start) / delta;
+        const double atHigh = (high - start) / delta;
+        enter = std::max(enter, std::min(atLow, atHigh));
+        leave = std::min(leave, std::max(atLow, atHigh));
         return enter <= leave;
     };
     return clip(line.x1(), line.dx(), rect.left(), rect.right())

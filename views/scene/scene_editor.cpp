@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_editor.h"
 
-#include "views/scene/circle_edits.h"
+#include "views/circle_edits.h"
 #include "views/scene/handles.h"
 
 #include <cmath>
@@ -48,7 +48,7 @@ void SceneEditor::keepSelectionValid()
 
 void SceneEditor::addCircle(Vec2 at)
 {
-    const Preset changed = withNewCircle(preset(), at);
+    const Preset changed = withAddedCircle(preset(), at);
     if (commit(tr("Add %1").arg(changed.circles.back().name), changed))
         select(circleCount() - 1);
 }

@@ -14,8 +14,8 @@ namespace cradle {
 [[nodiscard]] const QStringList &circleColours();
 
 /// \p preset with one more circle: like the last one, at rest, with the next free name and
-/// colour, at \p at or at a free place near the middle. The result may have a fault, if there
-/// is no free place.
+/// colour, at the free place nearest to \p at or to the middle. The result may have a fault, if
+/// there is no free place.
 [[nodiscard]] Preset withAddedCircle(const Preset &preset, std::optional<Vec2> at = std::nullopt);
 
 /// \p preset with a copy of circle \p index at its end: at the same place while circles pass

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/inspector/circle_edits.h"
+#include "views/circle_edits.h"
 
 #include "model/collision_detection.h"
 
@@ -103,7 +103,10 @@ Preset withAddedCircle(const Preset &preset, std::optional<Vec2> at)
     circle.name = freeName(preset);
     circle.colour = freeColour(preset);
     circle.body.velocity = {};
-    circle.body.position = at ? *at : freePlace(preset, circle.body, {});
+    const double room = std::max(0.0, preset.halfWidth - circle.body.radius);
+    const Vec2 wish = at.value_or(Vec2{});
+    circle.body.position = freePlace(
+        preset, circle.body, {std::clamp(wish.x, -room, room), std::clamp(wish.y, -room, room)});
     changed.circles.push_back(circle);
     changed.fill.reset();
     return changed;
