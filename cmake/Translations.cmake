@@ -14,6 +14,6 @@ qt_add_lrelease(cradle_app TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_file
 qt_add_resources(cradle_app translations PREFIX "/translations"
                  BASE "${CMAKE_BINARY_DIR}" FILES ${qm_files})
 add_custom_target(update_translations
-    COMMAND Qt6::lupdate -silent -no-obsolete -locations none ${translated}
+    COMMAND Qt6::lupdate -silent -no-obsolete -locations none -I "${CMAKE_SOURCE_DIR}" ${translated}
             -ts ${ts_files}
     VERBATIM)

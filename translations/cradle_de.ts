@@ -2,66 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>ChartPane</name>
-    <message>
-        <source>%1 · %2</source>
-        <comment>heading · unit</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 over time, %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the last %1 seconds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all</source>
-        <comment>the whole run</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the whole run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>circle %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ChartPlot</name>
-    <message>
-        <source>s</source>
-        <comment>seconds</comment>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>CheckRow</name>
-    <message>
-        <source>Passed: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show what was observed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show what was observed: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Checks</name>
     <message>
         <source>There is no circle %1; add one</source>
@@ -240,152 +180,6 @@
     </message>
 </context>
 <context>
-    <name>CircleTableModel</name>
-    <message>
-        <source>Change colour of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rename %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change position of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change velocity of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change radius of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change density of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change integrator of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Centre, to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Centre, upward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Velocity to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Velocity upward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Density in 1000 kg/m³; steel has 7.8</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How position and velocity are carried over a timestep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass of a ball of this radius and density</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Euler</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Symplectic Euler</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Velocity Verlet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runge-Kutta 4</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>CirclesGroup</name>
-    <message>
-        <source>Circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a circle at a free place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a copy of the selected circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove the selected circle (Delete)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reset to the step&apos;s scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bring back the scene that the step came with; Undo takes it back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Cli</name>
     <message>
         <source>Judges a preset for one step: the engine&apos;s laws, by what they do.</source>
@@ -507,80 +301,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
 </context>
 <context>
-    <name>EnergyChart</name>
-    <message>
-        <source>Energy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Run to see the energy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose the curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Total</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kinetic, &amp;each circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Kinetic, all circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Potential</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Dissipated in hits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>total</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kinetic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kinetic %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>potential</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>dissipated</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>FormulaRenderer</name>
-    <message>
-        <source>Cradle was built without MathJax, so formulas show as text.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MathJax does not run: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>GlPainter</name>
     <message>
         <source>No OpenGL context can be made here</source>
@@ -590,9 +310,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <source>OpenGL 3.3 is needed, but %1 offers %2.%3</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>GlText</name>
     <message>
         <source>OpenGL 3.3 is needed</source>
         <translation type="unfinished"></translation>
@@ -654,245 +371,9 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
 </context>
 <context>
-    <name>HitsModel</name>
-    <message>
-        <source>left wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>right wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>floor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ceiling</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <comment>circle, wall</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <comment>circle, circle</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hit %1 at %2 s: momentum before %3, after %4, change %5.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>N s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kg m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum (p_x, p_y) of the circles of the hit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>impulse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Inspector</name>
-    <message>
-        <source>Inspector</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>These values are the start of the run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not possible: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>“%1” is not a number; 0.5, 1e-3 or 1/240 would be right.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>InstructionsPane</name>
-    <message>
-        <source>Hint %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hint %1 of %2 ▸</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show hint %1 of %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Instructions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hints</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>LabReader</name>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>LawsGroup</name>
-    <message>
-        <source>Change law for walls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change law for circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change timing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Laws</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Timing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Law: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None</source>
-        <comment>law for walls</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles leave the square unhindered.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reflect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None</source>
-        <comment>law for circles</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles pass through each other.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles that meet both stop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Swap velocities</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles that meet exchange their whole velocities.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Swap normal parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Impulse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Discrete</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Continuous</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The motion is solved from hit to hit; the timestep only says when to look.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1131,148 +612,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
-    <message>
-        <source># %1
-
-This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A scene of your own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read the step on the left, set the values below the scene, press Run to watch, and Check when you are done.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is a scene of the check, at the moment where it went wrong.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back to my scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a lab&apos;s folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Cradle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, MathJax and valijson.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Energy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>MomentumChart</name>
-    <message>
-        <source>Momentum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kg m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Run to see the momentum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum upwards</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Size of the momentum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Part of the momentum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sum %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>NoticeBar</name>
-    <message>
-        <source>Notice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Got it</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>PictureObjects</name>
-    <message>
-        <source>pictures from elsewhere are not loaded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the picture must be in the folder of the instructions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is no picture %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the picture refers to another file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the picture cannot be read</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Preset</name>
     <message>
         <source>%1 circles of radius %2 m do not fit into the square; at most %3 are right</source>
@@ -1316,18 +655,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>PresetDocument</name>
-    <message>
-        <source>This is a scene of the check; go back to your own scene to change it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reset to the step&apos;s own scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ProgressText</name>
+    <name>Progress</name>
     <message>
         <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
         <translation type="unfinished"></translation>
@@ -1353,153 +681,9 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>ResultPane</name>
-    <message>
-        <source>Checking… %1 of %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Checking…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Check (Ctrl+Return) when you are done.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changed since this check</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the moment ▸</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show the moment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ Passed: the check</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>✓ Passed: all %1 checks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Next step ▸</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Commit message</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy the commit message</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Scene</name>
     <message>
         <source>%1 m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SceneEditor</name>
-    <message>
-        <source>Add %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set velocity of %1 to zero</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Restart (R) to change the start</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SceneView</name>
-    <message>
-        <source>first %1 s dropped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>first %1 min dropped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add a circle: Edit → Add circle (Ctrl+Shift+N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 at %2 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>selected: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add circle here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set velocity to zero</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1786,7 +970,843 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>StepsList</name>
+    <name>Variant</name>
+    <message>
+        <source>timestep 1/%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>throw %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle %1 at %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drop %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact at %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChartPane</name>
+    <message>
+        <source>%1 · %2</source>
+        <comment>heading · unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 over time, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the last %1 seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <comment>the whole run</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChartPlot</name>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckRow</name>
+    <message>
+        <source>Passed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was observed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was observed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CircleTableModel</name>
+    <message>
+        <source>Change colour of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change position of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change velocity of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change radius of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change density of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change integrator of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre, to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre, upward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity upward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density in 1000 kg/m³; steel has 7.8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How position and velocity are carried over a timestep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass of a ball of this radius and density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CirclesGroup</name>
+    <message>
+        <source>Circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a circle at a free place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a copy of the selected circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected circle (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to the step&apos;s scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring back the scene that the step came with; Undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::EnergyChart</name>
+    <message>
+        <source>Energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Run to see the energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Total</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinetic, &amp;each circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Kinetic, all circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Potential</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dissipated in hits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kinetic %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dissipated</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FormulaRenderer</name>
+    <message>
+        <source>Cradle was built without MathJax, so formulas show as text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MathJax does not run: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::HitsModel</name>
+    <message>
+        <source>left wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>circle, wall</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>circle, circle</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s: momentum before %3, after %4, change %5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum (p_x, p_y) of the circles of the hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Inspector</name>
+    <message>
+        <source>Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These values are the start of the run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not possible: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; 0.5, 1e-3 or 1/240 would be right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::InstructionsPane</name>
+    <message>
+        <source>Hint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2 ▸</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show hint %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LawsGroup</name>
+    <message>
+        <source>Change law for walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change law for circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change timing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for walls</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles leave the square unhindered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for circles</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles pass through each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles that meet both stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap velocities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles that meet exchange their whole velocities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap normal parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion is solved from hit to hit; the timestep only says when to look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MainWindow</name>
+    <message>
+        <source># %1
+
+This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scene of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values below the scene, press Run to watch, and Check when you are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a scene of the check, at the moment where it went wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to my scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Cradle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, MathJax and valijson.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MomentumChart</name>
+    <message>
+        <source>Momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Run to see the momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of the momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the momentum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PictureObjects</name>
+    <message>
+        <source>pictures from elsewhere are not loaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture must be in the folder of the instructions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no picture %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture refers to another file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PresetDocument</name>
+    <message>
+        <source>This is a scene of the check; go back to your own scene to change it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to the step&apos;s own scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ResultPane</name>
+    <message>
+        <source>Checking… %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Check (Ctrl+Return) when you are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed since this check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the moment ▸</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Passed: the check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Passed: all %1 checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step ▸</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commit message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the commit message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneEditor</name>
+    <message>
+        <source>Add %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set velocity of %1 to zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Restart (R) to change the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneView</name>
+    <message>
+        <source>first %1 s dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first %1 min dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a circle: Edit → Add circle (Ctrl+Shift+N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>selected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add circle here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set velocity to zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepsList</name>
     <message>
         <source>extra</source>
         <translation type="unfinished"></translation>
@@ -1825,7 +1845,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>Timeline</name>
+    <name>cradle::Timeline</name>
     <message>
         <source>%1 s</source>
         <translation type="unfinished"></translation>
@@ -1852,7 +1872,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>TransportBar</name>
+    <name>cradle::TransportBar</name>
     <message>
         <source>Pause</source>
         <translation type="unfinished"></translation>
@@ -1956,7 +1976,67 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>ValuesModel</name>
+    <name>cradle::ValuesModel</name>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position to the right of the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position above the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>%1, %2</source>
         <comment>quantity, unit</comment>
@@ -1968,7 +2048,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>ValuesPane</name>
+    <name>cradle::ValuesPane</name>
     <message>
         <source>Hits %L1</source>
         <translation type="unfinished"></translation>
@@ -2015,30 +2095,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>Variant</name>
-    <message>
-        <source>timestep 1/%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>throw %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>circle %1 at %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>drop %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>contact at %1°</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>WorldGroup</name>
+    <name>cradle::WorldGroup</name>
     <message>
         <source>World</source>
         <translation type="unfinished"></translation>
@@ -2109,69 +2166,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Change half width</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>cradle::ValuesModel</name>
-    <message>
-        <source>m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Position to the right of the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Position above the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Velocity to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Velocity upwards</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kg m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum to the right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Momentum upwards</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kinetic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kinetic energy</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2,9 +2,9 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>SceneView</name>
+    <name>Schema</name>
     <message numerus="yes">
-        <source>and %n more</source>
+        <source>a list of %n value(s)</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
@@ -12,9 +12,9 @@
     </message>
 </context>
 <context>
-    <name>Schema</name>
+    <name>cradle::SceneView</name>
     <message numerus="yes">
-        <source>a list of %n value(s)</source>
+        <source>and %n more</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
