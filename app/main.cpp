@@ -129,9 +129,10 @@ int main(int argc, char **argv)
             QCoreApplication::translate("Main", "cradle: --language %1: en or de is right")
                 .arg(language));
     setLanguage(language);
-    const auto theme = parser.isSet(options.theme)
-        ? themeFrom(parser.value(options.theme))
-        : static_cast<ThemeChoice>(settings.value(QStringLiteral("theme"), 0).toInt());
+    const auto theme =
+        parser.isSet(options.theme)
+            ? themeFrom(parser.value(options.theme))
+            : static_cast<ThemeChoice>(settings.value(QStringLiteral("theme"), 0).toInt());
     if (!theme)
         return complain(QCoreApplication::translate(
                             "Main", "cradle: --theme %1: system, light or dark is right")

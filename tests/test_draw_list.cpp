@@ -309,14 +309,14 @@ void TestDrawList::newCircleIsFreeAndNamed()
     Preset preset = glancing();
     preset.fill = CircleFill{.count = 2};
     for (int i = 0; i < 12; ++i) {
-        preset = withAddedCircle(preset, {2.0, 2.0});
+        preset = withAddedCircle(preset, Vec2{2.0, 2.0});
         QVERIFY(!findFault(preset));
     }
     QVERIFY(!preset.fill);
     QCOMPARE(preset.circles[2].name, QStringLiteral("circle 3"));
-    QCOMPARE(preset.circles[2].colour, QStringLiteral("#f59f00"));
+    QCOMPARE(preset.circles[2].colour, QStringLiteral("#e69f00"));
     QCOMPARE(preset.circles[2].body.velocity, Vec2{});
-    const Preset corner = withAddedCircle(glancing(), {50.0, -50.0});
+    const Preset corner = withAddedCircle(glancing(), Vec2{50.0, -50.0});
     QVERIFY(near(corner.circles.back().body.position, {3.8, -3.8}));
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/circles_group.h"
 
+#include "views/circle_edits.h"
 #include "views/icons.h"
 #include "views/inspector/circle_delegate.h"
-#include "views/circle_edits.h"
 #include "views/inspector/circle_header.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/theme.h"
