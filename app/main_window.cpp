@@ -62,6 +62,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     arrangePanes();
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion);
+    m_scene->setFocus();
 }
 
 MainWindow::~MainWindow() = default;

@@ -160,9 +160,11 @@ void ChartPlot::placeLabels()
     const QFont font = smallFont();
     const double height = std::ceil(QFontMetricsF(font).height());
     for (const ChartCurve &curve : m_curves) {
-        const double value = curve.samples->valueAt(m_moment.shown);
-        m_labelTexts.push_back(curve.label + QStringLiteral(": ")
-                               + shortNumber(value, m_moment.scale));
+        QString text = curve.label;
+        if (curve.showsValue)
+            text += QLatin1Char(' ')
+                    + shortNumber(curve.samples->valueAt(m_moment.shown), m_moment.scale);
+        m_labelTexts.push_back(text);
         sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
     }
     m_labelRects = m_layout.place(m_area, m_profiles, sizes);

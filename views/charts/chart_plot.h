@@ -20,7 +20,8 @@ namespace cradle {
 
 /// A curve of a chart and how it looks.
 struct ChartCurve {
-    QString label; ///< the value at the moment shown is written behind it
+    QString label;
+    bool showsValue = false; ///< the value at the moment shown is written behind the label
     QColor colour;
     Qt::PenStyle dash = Qt::SolidLine;
     double width = 1.5; ///< px

@@ -79,6 +79,7 @@ std::vector<ChartCurve> EnergyChart::curves() const
     const std::size_t count = run.circleCount();
     if (isShown(Total))
         all.push_back({.label = tr("total"),
+                       .showsValue = true,
                        .colour = colours.text,
                        .width = totalWidth,
                        .samples = &run.total()});
@@ -102,6 +103,7 @@ std::vector<ChartCurve> EnergyChart::curves() const
         std::max(std::abs(run.dissipated().maximum()), std::abs(run.dissipated().minimum()));
     if (isShown(Dissipated) && lost > leastLoss * scale())
         all.push_back({.label = tr("dissipated"),
+                       .showsValue = true,
                        .colour = colours.dissipated,
                        .dash = Qt::DashDotLine,
                        .samples = &run.dissipated()});

@@ -88,11 +88,13 @@ std::vector<ChartCurve> MomentumChart::curves() const
     // Of a single circle the sum is the same again.
     if (run.circleCount() != 1)
         all.push_back({.label = tr("sum %1").arg(symbolOf(m_part)),
+                       .showsValue = true,
                        .colour = theme().text,
                        .width = run.circleCount() == 0 ? 2.0 : sumWidth,
                        .samples = &run.sum().momentum[indexOf(m_part)]});
     for (std::size_t i = 0; i < run.circleCount(); ++i)
         all.push_back({.label = nameOf(i),
+                       .showsValue = run.circleCount() == 1,
                        .colour = colourOf(i),
                        .dash = circleDash(static_cast<int>(i)),
                        .samples = &run.circle(i).momentum[indexOf(m_part)]});

@@ -96,16 +96,17 @@ void WorldGroup::setColumns(int columns)
     if (columns == m_columns)
         return;
     m_columns = columns;
-    const int rows = columns == 2 ? 2 : 4;
-    m_grid->addWidget(m_heading, 0, 0, 1, 4);
-    for (int i = 0; i < 4; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        m_grid->addWidget(m_captions[k], 1 + i % rows, 3 * (i / rows));
-        m_grid->addWidget(m_cells[k], 1 + i % rows, 3 * (i / rows) + 1);
+    m_grid->addWidget(m_heading, 0, 0, 1, 5);
+    // In one column the short numbers at the end still share a row.
+    const std::array<std::array<int, 3>, 4> narrow{{{1, 0, 4}, {2, 0, 4}, {3, 0, 1}, {3, 3, 1}}};
+    const std::array<std::array<int, 3>, 4> wide{{{1, 0, 1}, {2, 0, 1}, {1, 3, 1}, {2, 3, 1}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto [row, column, span] = columns == 2 ? wide[i] : narrow[i];
+        m_grid->addWidget(m_captions[i], row, column);
+        m_grid->addWidget(m_cells[i], row, column + 1, 1, span);
     }
     m_grid->setColumnMinimumWidth(2, columns == 2 ? columnGap - 8 : 0);
-    for (int row = 0; row <= 6; ++row)
-        m_grid->setRowStretch(row, row == rows + 1 ? 1 : 0);
+    m_grid->setRowStretch(4, 1);
 }
 
 int WorldGroup::twoColumnWidth() const

@@ -13,8 +13,9 @@ namespace cradle {
 
 namespace {
 
-constexpr int narrowest = 260;    ///< px
-constexpr int resultHeight = 220; ///< px, at the start
+constexpr int narrowest = 260;        ///< px
+constexpr int resultHeight = 240;     ///< px, with a report; the student may change it
+constexpr int emptyResultHeight = 64; ///< px, while there is none
 
 } // namespace
 
@@ -33,7 +34,8 @@ TaskPane::TaskPane(QWidget *parent)
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 0);
-    splitter->setSizes({m_steps->sizeHint().height(), 10 * resultHeight, resultHeight});
+    m_splitter = splitter;
+    giveResult(emptyResultHeight);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(splitter);
@@ -70,6 +72,18 @@ void TaskPane::setHintsOpened(int count)
 void TaskPane::setReport(const std::optional<CheckReport> &report)
 {
     m_result->setReport(report);
+    if (report.has_value() != m_hasReport) {
+        m_hasReport = report.has_value();
+        giveResult(m_hasReport ? resultHeight : emptyResultHeight);
+    }
+}
+
+/// Room that the result does not need belongs to the instructions.
+void TaskPane::giveResult(int height)
+{
+    const int steps = m_splitter->sizes().value(0);
+    m_splitter->setSizes({steps > 0 ? steps : m_steps->sizeHint().height(),
+                          std::max(1, m_splitter->height() - steps - height), height});
 }
 
 void TaskPane::setChecking(bool checking, int done, int total)

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+class QSplitter;
+
 namespace cradle {
 
 class InstructionsPane;
@@ -40,10 +42,13 @@ signals:
 
 private:
     void chooseById(const QString &taskId);
+    void giveResult(int height);
 
     StepsList *m_steps = nullptr;
     InstructionsPane *m_instructions = nullptr;
     ResultPane *m_result = nullptr;
+    QSplitter *m_splitter = nullptr;
+    bool m_hasReport = false;
     QStringList m_taskIds;
 };
 
