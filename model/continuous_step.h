@@ -35,27 +35,32 @@ private:
         friend bool operator==(const Event &, const Event &) = default;
     };
 
+    // Motion and events: continuous_step.cpp
     void begin();
-    void findRestingPairs();
-    void rest(std::pair<int, int> pair);
-    void findAccelerations();
     void findEvents();
     void findPairEvent(std::size_t i, std::size_t j);
     void takeEventsAt(double time);
     void touchRestingNeighbours();
     void carryTo(std::size_t body, double time);
+    [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
+
+    // What rests, and the forces that hold it: continuous_rest.cpp
+    void findRestingPairs();
+    void rest(std::pair<int, int> pair);
+    void findAccelerations();
+    [[nodiscard]] bool isHeld(std::size_t body, Wall wall) const;
+    [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
+    [[nodiscard]] double closingSpeed(const Contact &contact) const;
+    [[nodiscard]] double closingAcceleration(const Contact &contact) const;
+
+    // How the contacts of one moment answer: continuous_contacts.cpp
     void resolve(std::vector<Hit> &hits);
     void meet(const Event &event);
     void addSupports();
     void respondTogether();
     void respondInTurn();
-    [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
-    [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
-    [[nodiscard]] bool isHeld(std::size_t body, Wall wall) const;
-    [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
     [[nodiscard]] double restitutionOf(const Contact &contact) const;
-    [[nodiscard]] double closingSpeed(const Contact &contact) const;
-    [[nodiscard]] double closingAcceleration(const Contact &contact) const;
+    [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
 
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
