@@ -43,6 +43,28 @@ void dropLevel(QList<QPointF> &points, double tolerance)
     points.resize(kept);
 }
 
+/// A curve that is longer than so many widths of the plot fills its columns from top to bottom.
+constexpr double denseLength = 8.0;
+
+double lengthOf(const QList<QPointF> &pixels)
+{
+    double sum = 0.0;
+    for (qsizetype i = 1; i < pixels.size(); ++i)
+        sum += std::abs(pixels[i].y() - pixels[i - 1].y());
+    return sum;
+}
+
+/// A dense curve gets a hairline: the outline of a wide one is laid around every segment, which
+/// costs twenty times as much and looks the same.
+QPen penOf(const ChartCurve &curve, bool dense)
+{
+    if (!dense)
+        return QPen(curve.colour, curve.width, curve.dash, Qt::FlatCap, Qt::MiterJoin);
+    QPen pen(curve.colour, 1.0);
+    pen.setCosmetic(true);
+    return pen;
+}
+
 } // namespace
 
 ChartPlot::ChartPlot(QWidget *parent)
@@ -105,8 +127,7 @@ void ChartPlot::setCurves(const std::vector<ChartCurve> &curves)
     m_series.clear();
     for (const ChartCurve &curve : curves) {
         auto *series = new QLineSeries;
-        QPen pen(curve.colour, curve.width, curve.dash, Qt::FlatCap, Qt::MiterJoin);
-        series->setPen(pen);
+        series->setPen(penOf(curve, false));
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
         series->attachAxis(m_valueAxis);
@@ -149,6 +170,9 @@ void ChartPlot::fillSeries()
             point.rx() -= m_moment.from;
         }
         m_series[i]->replace(points);
+        const QPen pen = penOf(m_curves[i], lengthOf(pixels) > denseLength * m_area.width());
+        if (pen != m_series[i]->pen())
+            m_series[i]->setPen(pen);
         m_profiles.emplace_back(pixels, m_area);
     }
 }
