@@ -73,17 +73,20 @@ std::optional<ThemeChoice> themeFrom(const QString &name)
     return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
 }
 
-/// Opens what the command line names; \return what is wrong with it
+/// Opens what the command line names: a lab, a scene, or with both a step and a scene that scene
+/// as the student's work on the step. \return what is wrong with it
 std::optional<Error> openNamed(Workbench &bench, const QString &path, const QString &step)
 {
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
     if (auto error = bench.openLab(isLab && !path.isEmpty() ? path : QLatin1String(shippedLab),
                                    currentLanguage()))
         return error;
-    if (!isLab)
+    if (!isLab && step.isEmpty())
         return bench.openPreset(path);
-    if (step.isEmpty() || bench.openTask(step))
+    if (step.isEmpty())
         return std::nullopt;
+    if (bench.openTask(step))
+        return isLab ? std::nullopt : bench.takePreset(path);
     QStringList ids;
     for (const Task &task : bench.lab().tasks)
         ids.append(task.id);

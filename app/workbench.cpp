@@ -121,6 +121,15 @@ bool Workbench::openTask(const QString &id)
     return index >= 0;
 }
 
+std::optional<Error> Workbench::takePreset(const QString &path)
+{
+    const Result<Preset> preset = readPreset(path);
+    if (!preset)
+        return preset.error();
+    m_document.edit(tr("Open a scene"), *preset);
+    return std::nullopt;
+}
+
 void Workbench::openTaskAt(int index)
 {
     if (index < 0 || index >= static_cast<int>(m_lab.tasks.size()))

@@ -39,6 +39,8 @@ public:
     /// Opens a scene that belongs to no step.
     std::optional<Error> openPreset(const QString &path);
     bool openTask(const QString &id);
+    /// Takes a scene as the student's own of the current step; it can be undone.
+    std::optional<Error> takePreset(const QString &path);
 
 public slots:
     void openTaskAt(int index);

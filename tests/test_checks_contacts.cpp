@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
 
-#include "tests/programs.h"
+#include "tests/contact_programs.h"
 #include "tests/scenes.h"
 
 using namespace cradle;
 using namespace cradle::programs;
+using namespace cradle::programs::contacts;
 using scenes::dt;
 
 /// The checks of circle against circle against programs that are not the engine.
@@ -30,196 +31,6 @@ private:
     static Observation meeting(const std::function<void(Circles &, double)> &program,
                                double restitution, double degrees, double sine, double radius);
 };
-
-namespace {
-
-constexpr double restitution = 0.75;
-
-double reach(const Circles &c)
-{
-    return c[0].radius + c[1].radius;
-}
-
-Vec2 between(const Circles &c)
-{
-    return c[1].position - c[0].position;
-}
-
-void move(Circles &c, double h)
-{
-    for (Circle &each : c)
-        each.position += h * each.velocity;
-}
-
-/// v' = v ± J/m with e; only if they come nearer.
-void push(Circles &c, Vec2 n, double e)
-{
-    const double closing = dot(c[0].velocity - c[1].velocity, n);
-    if (closing <= 0.0)
-        return;
-    const double m0 = mass(c[0]);
-    const double m1 = mass(c[1]);
-    const double impulse = (1.0 + e) * closing * m0 * m1 / (m0 + m1);
-    c[0].velocity -= impulse / m0 * n;
-    c[1].velocity += impulse / m1 * n;
-}
-
-bool touches(const Circles &c)
-{
-    return length(between(c)) < reach(c);
-}
-
-using Step = void (*)(Circles &c, double e, double h);
-
-struct Way {
-    const char *name;
-    Step step;
-};
-
-constexpr Way rightWays[] = {
-    {"goes back, normal of the step before",
-     [](Circles &c, double e, double h) {
-         const Circles old = c;
-         move(c, h);
-         if (!touches(c))
-             return;
-         push(c, normalized(between(old)), e);
-         c[0].position = old[0].position;
-         c[1].position = old[1].position;
-     }},
-    {"goes back, normal of the hit",
-     [](Circles &c, double e, double h) {
-         const Circles old = c;
-         move(c, h);
-         if (!touches(c))
-             return;
-         push(c, normalized(between(c)), e);
-         c[0].position = old[0].position;
-         c[1].position = old[1].position;
-     }},
-    {"stays inside and separates",
-     [](Circles &c, double e, double h) {
-         move(c, h);
-         if (touches(c))
-             push(c, normalized(between(c)), e);
-     }},
-    {"pushes the circles apart",
-     [](Circles &c, double e, double h) {
-         move(c, h);
-         if (!touches(c))
-             return;
-         const Vec2 n = normalized(between(c));
-         push(c, n, e);
-         const double depth = reach(c) - length(between(c));
-         c[0].position -= 0.5 * depth * n;
-         c[1].position += 0.5 * depth * n;
-     }},
-    {"looks before it moves", [](Circles &c, double e, double h) {
-         if (touches(c))
-             push(c, normalized(between(c)), e);
-         move(c, h);
-     }}};
-
-struct Mistake {
-    const char *name;
-    const char *word; ///< of the message
-    Step step;
-    double degrees = 30.0;
-};
-
-/// Moves, and on a hit answers by \p answer, from the old positions.
-template <typename Answer>
-void onHit(Circles &c, double h, const Answer &answer)
-{
-    const Circles old = c;
-    move(c, h);
-    if (!touches(c))
-        return;
-    answer(c, normalized(between(old)));
-    c[0].position = old[0].position;
-    c[1].position = old[1].position;
-}
-
-constexpr Mistake mistakes[] = {
-    {"whole velocity reversed", "left the hit",
-     [](Circles &c, double, double h) {
-         onHit(c, h, [](Circles &d, Vec2) {
-             for (Circle &each : d)
-                 each.velocity = -each.velocity;
-         });
-     }},
-    {"whole velocities swapped", "left the hit",
-     [](Circles &c, double, double h) {
-         onHit(c, h, [](Circles &d, Vec2) { std::swap(d[0].velocity, d[1].velocity); });
-     }},
-    {"normal not normalised", "left the hit",
-     [](Circles &c, double e, double h) {
-         onHit(c, h, [e](Circles &d, Vec2) { push(d, between(d), e); });
-     }},
-    {"normal the wrong way round", "run into each other",
-     [](Circles &c, double e, double h) {
-         onHit(c, h, [e](Circles &d, Vec2 n) { push(d, -n, e); });
-         if (touches(c))
-             return;
-         const Circles old = c;
-         move(c, h);
-         if (!touches(c))
-             c = old;
-     }},
-    {"second velocity from the changed first", "left the hit",
-     [](Circles &c, double e, double h) {
-         onHit(c, h, [e](Circles &d, Vec2 n) {
-             const double share = (1.0 + e) / 2.0;
-             d[0].velocity -= share * dot(d[0].velocity - d[1].velocity, n) * n;
-             d[1].velocity += share * dot(d[0].velocity - d[1].velocity, n) * n;
-         });
-     }},
-    {"e twice", "left the hit",
-     [](Circles &c, double e, double h) {
-         onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e * e); });
-     }},
-    {"e on one circle only", "left the hit",
-     [](Circles &c, double e, double h) {
-         onHit(c, h, [e](Circles &d, Vec2 n) {
-             const Vec2 second = d[1].velocity;
-             push(d, n, e);
-             const Vec2 change = d[1].velocity - second;
-             d[1].velocity = second + 2.0 / (1.0 + e) * change;
-         });
-     }},
-    {"margin", "apart",
-     [](Circles &c, double e, double h) {
-         c[0].radius += 0.05;
-         onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
-         c[0].radius -= 0.05;
-     }},
-    {"one radius only", "run into each other",
-     [](Circles &c, double e, double h) {
-         const double radius = c[1].radius;
-         c[1].radius = 0.0;
-         onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
-         c[1].radius = radius;
-     }},
-    {"boxes instead of circles", "apart",
-     [](Circles &c, double e, double h) {
-         const Vec2 d = between(c);
-         if (std::abs(d.x) < reach(c) && std::abs(d.y) < reach(c))
-             push(c, normalized(d), e);
-         move(c, h);
-     }, 45.0},
-    {"no reaction", "run into each other", [](Circles &c, double, double h) { move(c, h); }},
-    {"hit again while separating", "moving apart",
-     [](Circles &c, double, double h) {
-         move(c, h);
-         if (!touches(c))
-             return;
-         const Vec2 n = normalized(between(c));
-         const double closing = dot(c[0].velocity - c[1].velocity, n);
-         c[0].velocity -= (1.0 + restitution) / 2.0 * closing * n;
-         c[1].velocity += (1.0 + restitution) / 2.0 * closing * n;
-     }}};
-
-} // namespace
 
 /// Circle 1 comes from \p degrees and meets circle 2 off centre by \p sine; both move.
 Observation TestChecksContacts::meeting(const std::function<void(Circles &, double)> &program,
@@ -251,8 +62,8 @@ void TestChecksContacts::rightProgramIsAccepted_data()
             for (const double degrees : {0.0, 45.0, 117.0, 290.0}) {
                 for (const double sine : {0.0, 0.6, -0.9}) {
                     for (const double radius : {0.2, 0.35})
-                        QTest::addRow("%s, e %g, %g degrees, sine %g, r %g", rightWays[way].name,
-                                      e, degrees, sine, radius)
+                        QTest::addRow("%s, e %g, %g degrees, sine %g, r %g", rightWays[way].name, e,
+                                      degrees, sine, radius)
                             << way << e << degrees << sine << radius;
                 }
             }
@@ -267,8 +78,8 @@ void TestChecksContacts::rightProgramIsAccepted()
     QFETCH(double, degrees);
     QFETCH(double, sine);
     QFETCH(double, radius);
-    const Observation o = meeting(
-        [&](Circles &c, double h) { rightWays[way].step(c, e, h); }, e, degrees, sine, radius);
+    const Observation o = meeting([&](Circles &c, double h) { rightWays[way].step(c, e, h); }, e,
+                                  degrees, sine, radius);
     VERIFY_ACCEPTED(judge(check("collides", {0, 1}), o));
     const QJsonObject energy{{QStringLiteral("energy"), e == 1.0}};
     VERIFY_ACCEPTED(judge(check("conserves", {0, 1}, energy), o));
@@ -287,8 +98,8 @@ void TestChecksContacts::wrongProgramIsRefused()
     QFETCH(int, index);
     const Mistake &mistake = mistakes[index];
     const Observation o =
-        meeting([&](Circles &c, double h) { mistake.step(c, restitution, h); }, restitution,
-                mistake.degrees, 0.4, 0.2);
+        meeting([&](Circles &c, double h) { mistake.step(c, mistakenRestitution, h); },
+                mistakenRestitution, mistake.degrees, 0.4, 0.2);
     VERIFY_REFUSED(judge(check("collides", {0, 1}), o), QLatin1String(mistake.word));
 }
 
@@ -306,22 +117,22 @@ void TestChecksContacts::wrongProgramLosesMomentumOrEnergy()
 {
     QFETCH(int, index);
     QFETCH(QString, word);
-    const Observation o = meeting(
-        [&](Circles &c, double h) { mistakes[index].step(c, restitution, h); }, restitution, 30.0,
-        0.4, 0.2);
+    const Observation o =
+        meeting([&](Circles &c, double h) { mistakes[index].step(c, mistakenRestitution, h); },
+                mistakenRestitution, 30.0, 0.4, 0.2);
     const QJsonObject energy{{QStringLiteral("energy"), true}};
     VERIFY_REFUSED(judge(check("conserves", {0, 1}, energy), o), word);
 }
 
 void TestChecksContacts::missingHitsAreCounted()
 {
-    const Observation o = meeting(
-        [](Circles &c, double h) { rightWays[0].step(c, 1.0, h); }, 1.0, 0.0, 0.0, 0.2);
+    const Observation o =
+        meeting([](Circles &c, double h) { rightWays[0].step(c, 1.0, h); }, 1.0, 0.0, 0.0, 0.2);
     const QJsonObject two{{QStringLiteral("contacts"), 2}};
     VERIFY_REFUSED(judge(check("collides", {0, 1}, two), o), QStringLiteral("1 times"));
     const Observation apart = observed(scene({{}, {.position = {2.0, 0.0}}}), 1.0, move);
-    for (const char *kind : {"collides", "conserves", "after_contact", "loses_energy",
-                             "passes_through"})
+    for (const char *kind :
+         {"collides", "conserves", "after_contact", "loses_energy", "passes_through"})
         QVERIFY2(judge(check(kind, {0, 1}), apart), kind);
 }
 
@@ -329,12 +140,12 @@ void TestChecksContacts::hitAtAWallIsNotACollision()
 {
     // Circle 1 turns round at the right wall; circle 2 rests on the other side.
     const Circle one{.position = {3.0, 0.0}, .velocity = {3.0, 0.0}};
-    const Observation o = observed(scene({one, {.position = {-3.0, 0.0}}}), 1.0,
-                                   [](Circles &c, double h) {
-                                       move(c, h);
-                                       if (c[0].position.x > 3.8)
-                                           c[0].velocity.x = -3.0;
-                                   });
+    const Observation o =
+        observed(scene({one, {.position = {-3.0, 0.0}}}), 1.0, [](Circles &c, double h) {
+            move(c, h);
+            if (c[0].position.x > 3.8)
+                c[0].velocity.x = -3.0;
+        });
     const QJsonObject none{{QStringLiteral("contacts"), 0}};
     VERIFY_ACCEPTED(judge(check("collides", {0, 1}, none), o));
 }
@@ -352,15 +163,14 @@ void TestChecksContacts::handWorkedVelocitiesAreAsked()
     // r 0.2 and 0.252 of one density, 1 m/s against −1 m/s: masses 1 : 2.000376.
     const Circle one{.position = {-1.0, 0.0}, .velocity = {1.0, 0.0}};
     const Circle two{.position = {1.0, 0.0}, .velocity = {-1.0, 0.0}, .radius = 0.252};
-    const Observation o = observed(scene({one, two}), 2.0, [](Circles &c, double h) {
-        rightWays[3].step(c, 1.0, h);
-    });
+    const Observation o = observed(scene({one, two}), 2.0,
+                                   [](Circles &c, double h) { rightWays[3].step(c, 1.0, h); });
     const QJsonArray right{json({-1.66683, 0.0}), json({0.333166, 0.0})};
     const QJsonArray wrong{json({-1.66683, 0.0}), json({0.34, 0.0})};
     const auto asked = [](const QJsonArray &velocities) {
-        return check("after_contact", {0, 1},
-                     {{QStringLiteral("velocities"), velocities},
-                      {QStringLiteral("tolerance"), 1e-5}});
+        return check(
+            "after_contact", {0, 1},
+            {{QStringLiteral("velocities"), velocities}, {QStringLiteral("tolerance"), 1e-5}});
     };
     VERIFY_ACCEPTED(judge(asked(right), o));
     const auto fault = judge(asked(wrong), o);

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/variant.h"
+
+#include "tasks/observation.h"
+
+#include "tests/programs.h"
+#include "tests/scenes.h"
+
+#include <set>
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// The scenes that checks run: what they pin, what they leave to the student, and that a seed
+/// always gives the same.
+class TestVariant : public QObject
+{
+    Q_OBJECT
+private slots:
+    void ownSceneIsLeftAsItIs();
+    void ownSceneRunsAtEachTimestep();
+    void sameSeedGivesSameScenes_data() { addKinds(); }
+    void sameSeedGivesSameScenes();
+    void studentKeepsLawsAndIntegrators_data() { addKinds(); }
+    void studentKeepsLawsAndIntegrators();
+    void everySceneCanBeRun_data() { addKinds(); }
+    void everySceneCanBeRun();
+    void valuesStayInTheirRanges_data() { addKinds(); }
+    void valuesStayInTheirRanges();
+    void encountersMeetInTheMiddle();
+    void encountersComeFromAllSides();
+    void directionsShootEachCircleAlone();
+    void cornersAreAimedAt();
+    void dropsFallOntoTheFloor();
+    void restitutionsAndTimestepsAreMixed();
+    void namesTellScenesApart();
+
+private:
+    static void addKinds();
+};
+
+namespace {
+
+/// Two circles, a fill, odd values everywhere: nothing of it may show where it is pinned.
+Preset odd()
+{
+    Preset preset = scene({{.position = {1.0, 1.0}, .velocity = {3.0, 0.0}, .radius = 0.3},
+                           {.position = {-1.0, 1.0}},
+                           {.position = {-3.0, -3.0}}},
+                          {1.0, -2.0}, 0.3);
+    preset.halfWidth = 5.0;
+    preset.timestep = 1.0 / 100.0;
+    preset.circles[0].integrator = Integrator::Verlet;
+    preset.circles[1].integrator = Integrator::SymplecticEuler;
+    return preset;
+}
+
+CheckSpec spec(const QString &kind)
+{
+    CheckSpec made = check("collides", {0, 1});
+    made.scene = {{QStringLiteral("kind"), kind},
+                  {QStringLiteral("count"), 12},
+                  {QStringLiteral("duration"), 1.5},
+                  {QStringLiteral("gravity"), json({0.0, -9.81})},
+                  {QStringLiteral("timesteps"), QJsonArray{1.0 / 60.0, 1.0 / 120.0}},
+                  {QStringLiteral("restitutions"), QJsonArray{0.0, 0.5, 1.0}},
+                  {QStringLiteral("speeds"), QJsonArray{1.0, 4.0}},
+                  {QStringLiteral("radii"), QJsonArray{0.1, 0.4}},
+                  {QStringLiteral("densities"), QJsonArray{1.0, 10.0}},
+                  {QStringLiteral("offset"), 0.9},
+                  {QStringLiteral("both_move"), true}};
+    return made;
+}
+
+bool same(const std::vector<Variant> &a, const std::vector<Variant> &b)
+{
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(), [](const Variant &x, const Variant &y) {
+            return x.name == y.name && x.preset == y.preset && x.duration == y.duration;
+        });
+}
+
+double directionOf(Vec2 v)
+{
+    return std::atan2(v.y, v.x) * 180.0 / scenes::pi;
+}
+
+} // namespace
+
+void TestVariant::addKinds()
+{
+    QTest::addColumn<QString>("kind");
+    for (const char *kind : {"flight", "directions", "corners", "encounters", "drop"})
+        QTest::newRow(kind) << QString::fromLatin1(kind);
+}
+
+void TestVariant::ownSceneIsLeftAsItIs()
+{
+    CheckSpec bare = check("start");
+    const std::vector<Variant> variants = makeVariants(odd(), bare, 3);
+    QCOMPARE(variants.size(), std::size_t{1});
+    QCOMPARE(variants[0].name, QStringLiteral("preset"));
+    QVERIFY(variants[0].preset == odd());
+    QVERIFY(variants[0].duration > 0.0);
+}
+
+void TestVariant::ownSceneRunsAtEachTimestep()
+{
+    CheckSpec own = check("start");
+    own.scene = {{QStringLiteral("kind"), QStringLiteral("own")},
+                 {QStringLiteral("duration"), 5},
+                 {QStringLiteral("timesteps"), QJsonArray{0.01, 0.02}}};
+    const std::vector<Variant> variants = makeVariants(odd(), own, 1);
+    QCOMPARE(variants.size(), std::size_t{2});
+    QCOMPARE(variants[0].name, QStringLiteral("preset"));
+    QVERIFY(variants[1].name != QStringLiteral("preset"));
+    Preset changed = odd();
+    changed.timestep = 0.02;
+    QVERIFY(variants[1].preset == changed);
+    QCOMPARE(variants[1].duration, 5.0);
+}
+
+void TestVariant::sameSeedGivesSameScenes()
+{
+    QFETCH(QString, kind);
+    const CheckSpec check = spec(kind);
+    const auto first = makeVariants(odd(), check, 7);
+    QVERIFY(first.size() >= 12);
+    QVERIFY(same(first, makeVariants(odd(), check, 7)));
+    QVERIFY(!same(first, makeVariants(odd(), check, 8)));
+}
+
+void TestVariant::studentKeepsLawsAndIntegrators()
+{
+    QFETCH(QString, kind);
+    for (const Variant &variant : makeVariants(odd(), spec(kind), 1)) {
+        QVERIFY(variant.preset.laws == odd().laws);
+        QCOMPARE(variant.preset.circles.size(), std::size_t{2});
+        QCOMPARE(variant.preset.circles[0].integrator, Integrator::Verlet);
+        QCOMPARE(variant.preset.circles[1].integrator, Integrator::SymplecticEuler);
+        QCOMPARE(variant.preset.halfWidth, 4.0);
+        QVERIFY(!variant.preset.fill);
+        QVERIFY(variant.preset.gravity == (Vec2{0.0, -9.81}));
+        QCOMPARE(variant.duration, 1.5);
+    }
+}
+
+void TestVariant::everySceneCanBeRun()
+{
+    QFETCH(QString, kind);
+    for (qint64 seed = 1; seed <= 20; ++seed) {
+        for (const Variant &variant : makeVariants(odd(), spec(kind), seed)) {
+            // A throw puts both circles in one place on purpose: it looks at free flight only.
+            Preset preset = variant.preset;
+            if (kind == QLatin1String("flight"))
+                preset.laws.circles = CircleLaw::None;
+            const auto fault = findFault(preset);
+            QVERIFY2(!fault, qPrintable(fault ? variant.name + fault->toString() : QString()));
+        }
+    }
+}
+
+void TestVariant::valuesStayInTheirRanges()
+{
+    QFETCH(QString, kind);
+    std::set<double> restitutions;
+    std::set<double> timesteps;
+    for (qint64 seed = 1; seed <= 5; ++seed) {
+        for (const Variant &variant : makeVariants(odd(), spec(kind), seed)) {
+            restitutions.insert(variant.preset.restitution);
+            timesteps.insert(variant.preset.timestep);
+            for (const PresetCircle &circle : variant.preset.circles) {
+                QVERIFY(circle.body.radius >= 0.1 && circle.body.radius <= 0.4);
+                QVERIFY(circle.body.density >= 1.0 && circle.body.density <= 10.0);
+            }
+        }
+    }
+    QCOMPARE(restitutions, (std::set{0.0, 0.5, 1.0}));
+    QCOMPARE(timesteps, (std::set{1.0 / 60.0, 1.0 / 120.0}));
+}
+
+void TestVariant::encountersMeetInTheMiddle()
+{
+    for (qint64 seed = 1; seed <= 20; ++seed) {
+        for (const Variant &variant :
+             makeVariants(odd(), spec(QStringLiteral("encounters")), seed)) {
+            const Circle &a = variant.preset.circles[0].body;
+            const Circle &b = variant.preset.circles[1].body;
+            const Vec2 d = b.position - a.position;
+            const Vec2 v = b.velocity - a.velocity;
+            QVERIFY(length(v) >= 1.0 - 1e-12 && length(v) <= 4.0 + 1e-12);
+            // |d + t v| = r₁ + r₂ for the first time, by the formula for quadratics.
+            const double sum = a.radius + b.radius;
+            const double half = dot(d, v) / lengthSquared(v);
+            const double root = half * half - (lengthSquared(d) - sum * sum) / lengthSquared(v);
+            QVERIFY2(root > 0.0, "they pass each other");
+            const double t = -half - std::sqrt(root);
+            QVERIFY(t >= 0.5 - 1e-9 && t <= 0.5 + variant.preset.timestep);
+            const Vec2 place = a.position + t * a.velocity;
+            QVERIFY(std::abs(place.x) <= 1.0 + 1e-9 && std::abs(place.y) <= 1.0 + 1e-9);
+            // Off centre by at most 0.9 of the sum of the radii.
+            QVERIFY(std::abs(cross(d, normalized(v))) <= 0.9 * sum + 1e-9);
+        }
+    }
+}
+
+void TestVariant::encountersComeFromAllSides()
+{
+    std::set<int> sectors;
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("encounters")), 1)) {
+        const auto &c = variant.preset.circles;
+        sectors.insert(static_cast<int>(
+            (directionOf(c[1].body.position - c[0].body.position) + 180.0) / 45.0));
+    }
+    QVERIFY2(sectors.size() >= 7, qPrintable(QString::number(sectors.size())));
+}
+
+void TestVariant::directionsShootEachCircleAlone()
+{
+    CheckSpec still = spec(QStringLiteral("directions"));
+    still.scene.remove(QStringLiteral("gravity"));
+    Preset passing = odd();
+    passing.laws.circles = CircleLaw::None;
+    std::set<int> quadrants;
+    const auto variants = makeVariants(passing, still, 1);
+    QCOMPARE(variants.size(), std::size_t{24});
+    for (const Variant &variant : variants) {
+        const auto &c = variant.preset.circles;
+        const std::size_t shot = c[0].body.velocity == Vec2{} ? 1 : 0;
+        const std::size_t parked = 1 - shot;
+        QVERIFY(c[parked].body.velocity == Vec2{});
+        QVERIFY(c[shot].body.position == Vec2{});
+        QVERIFY(length(c[shot].body.velocity) >= 1.0 - 1e-12);
+        QVERIFY(length(c[shot].body.velocity) <= 4.0 + 1e-12);
+        quadrants.insert(static_cast<int>((directionOf(c[shot].body.velocity) + 180.0) / 90.0));
+        const Observation o = observe(variant);
+        for (qint64 k = 0; k <= o.steps(); ++k) {
+            const double apart = length(o.circle(1, k).position - o.circle(0, k).position);
+            QVERIFY2(apart > c[0].body.radius + c[1].body.radius, qPrintable(variant.name));
+        }
+    }
+    QCOMPARE(quadrants.size(), std::size_t{4});
+}
+
+void TestVariant::cornersAreAimedAt()
+{
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("corners")), 1)) {
+        const auto &c = variant.preset.circles;
+        const Vec2 v = c[0].body.velocity == Vec2{} ? c[1].body.velocity : c[0].body.velocity;
+        const double offDiagonal = std::abs(std::abs(std::abs(directionOf(v)) - 90.0) - 45.0);
+        QVERIFY2(offDiagonal < 5.0, qPrintable(QString::number(offDiagonal)));
+    }
+}
+
+void TestVariant::dropsFallOntoTheFloor()
+{
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("drop")), 1)) {
+        for (const PresetCircle &circle : variant.preset.circles)
+            QVERIFY(circle.body.velocity == Vec2{});
+        const Observation o = observe(variant);
+        double lowest = 4.0;
+        for (qint64 k = 0; k <= o.steps(); ++k)
+            lowest = std::min(lowest, o.circle(0, k).position.y - o.circle(0, k).radius);
+        QVERIFY(lowest < -3.9);
+    }
+}
+
+void TestVariant::restitutionsAndTimestepsAreMixed()
+{
+    std::set<std::pair<double, double>> pairs;
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("encounters")), 1))
+        pairs.insert({variant.preset.restitution, variant.preset.timestep});
+    QCOMPARE(pairs.size(), std::size_t{6});
+}
+
+void TestVariant::namesTellScenesApart()
+{
+    std::set<QString> names;
+    const auto variants = makeVariants(odd(), spec(QStringLiteral("encounters")), 1);
+    for (const Variant &variant : variants)
+        names.insert(variant.name);
+    QCOMPARE(names.size(), variants.size());
+}
+
+QTEST_GUILESS_MAIN(TestVariant)
+#include "test_variant.moc"
