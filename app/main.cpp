@@ -99,8 +99,11 @@ std::optional<Error> openNamed(Workbench &bench, const QString &path, const QStr
 int main(int argc, char **argv)
 {
     // A picture needs no display.
-    if (wantsScreenshot(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+    if (wantsScreenshot(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
+        // That platform warns of what it need not do.
+        qputenv("QT_LOGGING_RULES", "default.warning=false");
+    }
     if (const QString missing = missingDisplay(argc, argv); !missing.isEmpty())
         return complain(missing);
 

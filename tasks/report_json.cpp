@@ -22,19 +22,16 @@ QJsonValue numberOrNull(const std::optional<double> &value)
 
 QJsonObject jsonOf(const CheckOutcome &check)
 {
-    QJsonObject json{{QStringLiteral("id"), check.id},
-                     {QStringLiteral("title"), check.title},
-                     {QStringLiteral("passed"), check.passed}};
-    if (check.passed)
-        return json;
-    json.insert(QStringLiteral("message"), check.message);
-    json.insert(QStringLiteral("expected"), numberOrNull(check.expected));
-    json.insert(QStringLiteral("observed"), numberOrNull(check.observed));
-    json.insert(QStringLiteral("unit"), check.unit);
-    json.insert(QStringLiteral("step"),
-                check.step >= 0 ? QJsonValue(check.step) : QJsonValue(QJsonValue::Null));
-    json.insert(QStringLiteral("variant"), check.variant);
-    return json;
+    return {{QStringLiteral("id"), check.id},
+            {QStringLiteral("title"), check.title},
+            {QStringLiteral("passed"), check.passed},
+            {QStringLiteral("message"), check.message},
+            {QStringLiteral("expected"), numberOrNull(check.expected)},
+            {QStringLiteral("observed"), numberOrNull(check.observed)},
+            {QStringLiteral("unit"), check.unit},
+            {QStringLiteral("step"),
+             check.step >= 0 ? QJsonValue(check.step) : QJsonValue(QJsonValue::Null)},
+            {QStringLiteral("variant"), check.variant}};
 }
 
 } // namespace

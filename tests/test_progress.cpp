@@ -20,6 +20,7 @@ private slots:
     void movesABrokenFileAside_data();
     void movesABrokenFileAside();
     void keepsEveryBrokenFile();
+    void keepsAFileThatIsTooLarge();
     void takesNoMoreThanIsRight_data();
     void takesNoMoreThanIsRight();
     void leavesAnImpossibleSceneOut();
@@ -162,6 +163,22 @@ void TestProgress::keepsEveryBrokenFile()
         kept.append(content(m_folder->filePath(name)));
     for (const QByteArray &text : texts)
         QVERIFY2(kept.contains(text), text.constData());
+}
+
+void TestProgress::keepsAFileThatIsTooLarge()
+{
+    constexpr qint64 size = 65LL * 1024 * 1024;
+    {
+        QFile file(path());
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(size));
+    }
+    ProgressStore store(path());
+    QVERIFY(store.load());
+    QVERIFY(!store.save());
+    bool kept = false;
+    for (const QFileInfo &file : QDir(m_folder->path()).entryInfoList(QDir::Files))
+        kept = kept || file.size() == size;
+    QVERIFY(kept);
 }
 
 void TestProgress::takesNoMoreThanIsRight_data()

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/program_run.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+using namespace cradle::programs;
+
+/// cradle-cli check, as a grader uses it.
+class TestCliCheck : public QObject
+{
+    Q_OBJECT
+private slots:
+    void solutionsPassAndStartsDoNot_data();
+    void solutionsPassAndStartsDoNot();
+    void textListsTheChecks();
+    void jsonHasTheFieldsOfTheFormat();
+    void failedCheckSaysWhatAndWhere();
+    void outputGoesIntoAFile();
+    void exitZeroHidesOnlyTheVerdict();
+    void seedChangesNothingButTheScenes();
+    void ownLabIsRead();
+    void wrongUsageIsSaid_data();
+    void wrongUsageIsSaid();
+    void unreadableInputNamesItsPlace_data();
+    void unreadableInputNamesItsPlace();
+    void programExplainsItself_data();
+    void programExplainsItself();
+
+private:
+    static QString lab(const char *file);
+    static QJsonObject json(const QStringList &arguments, int code);
+
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+QString text(const char *latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QStringList words(const char *line)
+{
+    return text(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+} // namespace
+
+QString TestCliCheck::lab(const char *file)
+{
+    return QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/") + QLatin1String(file);
+}
+
+QJsonObject TestCliCheck::json(const QStringList &arguments, int code)
+{
+    const Outcome outcome = runCli(arguments + words("--format json"));
+    if (outcome.code != code || !outcome.error.isEmpty())
+        qWarning("%s", outcome.toText().constData());
+    return QJsonDocument::fromJson(outcome.out.toUtf8()).object();
+}
+
+void TestCliCheck::solutionsPassAndStartsDoNot_data()
+{
+    QTest::addColumn<QString>("step");
+    for (const char *step : {"L42T1", "L42X6", "L42T11", "L42T17"})
+        QTest::newRow(step) << text(step);
+}
+
+void TestCliCheck::solutionsPassAndStartsDoNot()
+{
+    QFETCH(QString, step);
+    const QString folder = lab("") + step;
+    const Outcome good =
+        runCli({text("check"), step, text("--preset"), folder + text("/solution-preset.json")});
+    VERIFY_CODE(good, 0);
+    QVERIFY(good.out.contains(step + text(" passed")));
+    QVERIFY(good.error.isEmpty());
+    const Outcome start =
+        runCli({text("check"), step, text("--preset"), folder + text("/preset.json")});
+    VERIFY_CODE(start, 1);
+    QVERIFY(start.out.contains(step + text(" did not pass")));
+    QVERIFY(start.error.isEmpty());
+}
+
+void TestCliCheck::textListsTheChecks()
+{
+    const Outcome outcome =
+        runCli({text("check"), text("L42T1"), text("--preset"), lab("L42T1/preset.json")});
+    QVERIFY(outcome.out.contains(text("FAIL  Circle 1 starts with (2, 0) m/s")));
+    QVERIFY(outcome.out.contains(text("ok    It drifts evenly to the right")));
+}
+
+void TestCliCheck::jsonHasTheFieldsOfTheFormat()
+{
+    const QJsonObject report = json(
+        {text("check"), text("L42T1"), text("--preset"), lab("L42T1/solution-preset.json")}, 0);
+    for (const char *key : {"format", "lab", "lab_hash", "task", "seed", "passed", "checks",
+                            "diagnosis", "remarks", "error", "elapsed_ms"})
+        QVERIFY2(report.contains(text(key)), key);
+    QCOMPARE(report.value(text("format")).toInt(), 1);
+    QCOMPARE(report.value(text("lab")).toString(), text("lab-4.2"));
+    QCOMPARE(report.value(text("lab_hash")).toString().size(), 64);
+    QCOMPARE(report.value(text("task")).toString(), text("L42T1"));
+    QCOMPARE(report.value(text("seed")).toInt(), 1);
+    QCOMPARE(report.value(text("passed")), QJsonValue(true));
+    QVERIFY(report.value(text("diagnosis")).isNull() && report.value(text("error")).isNull());
+}
+
+void TestCliCheck::failedCheckSaysWhatAndWhere()
+{
+    // Step 1 starts at rest; 2 m/s to the right are asked for.
+    const QJsonObject report =
+        json({text("check"), text("L42T1"), text("--preset"), lab("L42T1/preset.json")}, 1);
+    QCOMPARE(report.value(text("passed")), QJsonValue(false));
+    const QJsonObject first = report.value(text("checks")).toArray().at(0).toObject();
+    QCOMPARE(first.value(text("id")).toString(), text("start-velocity"));
+    QCOMPARE(first.value(text("passed")), QJsonValue(false));
+    QCOMPARE(first.value(text("expected")).toDouble(), 2.0);
+    QCOMPARE(first.value(text("observed")), QJsonValue(0.0));
+    QCOMPARE(first.value(text("unit")).toString(), text("m/s"));
+    QCOMPARE(first.value(text("step")).toInt(), 0);
+    QCOMPARE(first.value(text("variant")).toString(), text("preset"));
+    QVERIFY(!first.value(text("message")).toString().isEmpty());
+}
+
+void TestCliCheck::outputGoesIntoAFile()
+{
+    const QString path = m_folder.filePath(text("report.json"));
+    const QStringList judge{text("check"), text("L42T1"), text("--preset"),
+                            lab("L42T1/solution-preset.json")};
+    const Outcome outcome = runCli(judge + words("--format json --output") + QStringList{path});
+    VERIFY_CODE(outcome, 0);
+    QVERIFY(outcome.out.isEmpty());
+    QCOMPARE(QJsonDocument::fromJson(contentOf(path)).object().value(text("passed")),
+             QJsonValue(true));
+    const QString nowhere = m_folder.filePath(text("no/folder/report.json"));
+    const Outcome failed = runCli(judge + QStringList{text("--output"), nowhere});
+    VERIFY_CODE(failed, 2);
+    QVERIFY2(failed.error.startsWith(nowhere + text(": ")), failed.toText().constData());
+}
+
+void TestCliCheck::exitZeroHidesOnlyTheVerdict()
+{
+    const QStringList judge{text("check"), text("L42T1"), text("--exit-zero"), text("--preset")};
+    const Outcome failed = runCli(judge + QStringList{lab("L42T1/preset.json")});
+    VERIFY_CODE(failed, 0);
+    QVERIFY(failed.out.contains(text("did not pass")));
+    VERIFY_CODE(runCli(judge + QStringList{lab("nowhere.json")}), 2);
+}
+
+void TestCliCheck::seedChangesNothingButTheScenes()
+{
+    const auto report = [](const char *seed) {
+        QJsonObject object = json({text("check"), text("L42T2"), text("--preset"),
+                                   lab("L42T2/preset.json"), text("--seed"), text(seed)},
+                                  1);
+        object.remove(text("elapsed_ms"));
+        return object;
+    };
+    const QJsonObject first = report("5");
+    QCOMPARE(first.value(text("seed")).toInt(), 5);
+    QCOMPARE(report("5"), first);
+    QVERIFY(report("6") != first);
+}
+
+void TestCliCheck::ownLabIsRead()
+{
+    const QString folder = QStringLiteral(CRADLE_FIXTURES "/labs/");
+    const QStringList judge{text("check"), text("S1"), text("--preset"),
+                            lab("L42T4/solution-preset.json"), text("--lab")};
+    VERIFY_CODE(runCli(judge + QStringList{folder + text("good")}), 1);
+    // The step that can be read is judged; the other one is complained of.
+    const Outcome partly = runCli(judge + QStringList{folder + text("unknown_check")});
+    VERIFY_CODE(partly, 1);
+    QVERIFY(partly.error.startsWith(folder + text("unknown_check/S2/task.json: /checks/1/kind: ")));
+}
+
+void TestCliCheck::wrongUsageIsSaid_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("word");
+    const QString good = lab("L42T1/preset.json");
+    const auto row = [](const char *name, const QStringList &arguments, const char *word) {
+        QTest::newRow(name) << arguments << text(word);
+    };
+    row("nothing", {}, "Usage");
+    row("unknown subcommand", words("judge L42T1"), "unknown subcommand judge");
+    row("no step", words("check"), "an argument is missing");
+    row("no preset", words("check L42T1"), "--preset");
+    row("preset without a value", words("check L42T1 --preset"), "preset");
+    row("unknown step", words("check L42T99 --preset") + QStringList{good}, "L42T17");
+    row("two steps", words("check L42T1 L42T2 --preset") + QStringList{good}, "L42T2");
+    row("unknown option", words("check L42T1 --color --preset") + QStringList{good}, "color");
+    row("unknown format", words("check L42T1 --format xml --preset") + QStringList{good}, "xml");
+    row("seed is a word", words("check L42T1 --seed one --preset") + QStringList{good}, "one");
+    row("seed is a half", words("check L42T1 --seed 1.5 --preset") + QStringList{good}, "1.5");
+    row("empty step", QStringList{text("check"), QString(), text("--preset"), good}, "no step");
+}
+
+void TestCliCheck::wrongUsageIsSaid()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, word);
+    const Outcome outcome = runCli(arguments);
+    VERIFY_CODE(outcome, 2);
+    QVERIFY2(outcome.error.contains(word), outcome.toText().constData());
+    QVERIFY(outcome.out.isEmpty());
+}
+
+void TestCliCheck::unreadableInputNamesItsPlace_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<QString>("lab");
+    QTest::addColumn<QString>("start"); ///< of the message
+    const QString good = lab("L42T1/preset.json");
+    const QString bad = QStringLiteral(CRADLE_FIXTURES "/presets/bad/");
+    const QString labs = QStringLiteral(CRADLE_FIXTURES "/labs/");
+    const auto row = [](const char *name, const QString &preset, const QString &folder,
+                        const QString &start) { QTest::newRow(name) << preset << folder << start; };
+    row("missing preset", text("nowhere.json"), {}, text("nowhere.json: "));
+    row("folder as preset", labs, {}, labs + text(": "));
+    row("binary preset", bad + text("binary.json"), {}, bad + text("binary.json:1: "));
+    row("negative radius", bad + text("radius_negative.json"), {},
+        bad + text("radius_negative.json: /circles/0/radius: "));
+    row("endless preset", text("/dev/zero"), {}, text("/dev/zero: "));
+    row("missing lab", good, text("nowhere"), text("nowhere/lab.json: "));
+    row("step outside", good, labs + text("step_outside"),
+        labs + text("step_outside/lab.json: /steps/1: "));
+    row("broken syntax", good, labs + text("broken_syntax"),
+        labs + text("broken_syntax/lab.json:3: "));
+}
+
+void TestCliCheck::unreadableInputNamesItsPlace()
+{
+    QFETCH(QString, preset);
+    QFETCH(QString, lab);
+    QFETCH(QString, start);
+    QStringList arguments{text("check"), text("L42T1"), text("--preset"), preset};
+    if (!lab.isEmpty())
+        arguments += {text("--lab"), lab};
+    const Outcome outcome = runCli(arguments);
+    VERIFY_CODE(outcome, 2);
+    QVERIFY2(outcome.error.startsWith(start), outcome.toText().constData());
+    QVERIFY(outcome.out.isEmpty());
+}
+
+void TestCliCheck::programExplainsItself_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("help") << text("--help") << text("Exit status");
+    QTest::newRow("help of check") << text("check --help") << text("--exit-zero");
+    QTest::newRow("help of simulate") << text("simulate --help") << text("--every");
+    QTest::newRow("version") << text("--version") << text("cradle-cli ");
+}
+
+void TestCliCheck::programExplainsItself()
+{
+    QFETCH(QString, arguments);
+    QFETCH(QString, word);
+    const Outcome outcome = runCli(arguments.split(QLatin1Char(' ')));
+    VERIFY_CODE(outcome, 0);
+    QVERIFY2(outcome.out.contains(word), outcome.toText().constData());
+    QVERIFY(outcome.error.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestCliCheck)
+#include "test_cli_check.moc"
