@@ -56,11 +56,8 @@ TaskProgress &Workbench::progress()
 std::vector<bool> Workbench::passed() const
 {
     std::vector<bool> result;
-    const auto &tasks = const_cast<ProgressStore &>(m_store).lab(m_lab.id).tasks;
-    for (const Task &task : m_lab.tasks) {
-        const auto found = tasks.find(task.id);
-        result.push_back(found != tasks.end() && found->second.passed);
-    }
+    for (const Task &task : m_lab.tasks)
+        result.push_back(m_store.isPassed(m_lab.id, task.id));
     return result;
 }
 

@@ -83,6 +83,15 @@ std::optional<Error> ProgressStore::load()
     return std::nullopt;
 }
 
+bool ProgressStore::isPassed(const QString &labId, const QString &taskId) const
+{
+    const auto lab = m_labs.find(labId);
+    if (lab == m_labs.end())
+        return false;
+    const auto task = lab->second.tasks.find(taskId);
+    return task != lab->second.tasks.end() && task->second.passed;
+}
+
 std::optional<Error> ProgressStore::save() const
 {
     if (m_path.isEmpty())

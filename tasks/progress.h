@@ -42,6 +42,8 @@ public:
     [[nodiscard]] std::optional<Error> save() const;
 
     LabProgress &lab(const QString &labId) { return m_labs[labId]; }
+    /// Whether that step was passed once.
+    [[nodiscard]] bool isPassed(const QString &labId, const QString &taskId) const;
 
 private:
     QString m_path;

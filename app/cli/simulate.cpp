@@ -32,7 +32,6 @@ public:
     QByteArray events = "time,kind,a,b,nx,ny,impulse\n";
     bool wantStates = false;
     bool wantTotals = false;
-    bool wantEvents = false;
 
     void addState(const World &world, const Preset &preset)
     {
@@ -87,17 +86,129 @@ QByteArray summary(const Preset &preset, const World &world, std::size_t hits)
         .toUtf8();
 }
 
-/// The number of an option within (0, most]; nullopt (and a complaint) else.
-std::optional<double> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option,
-                               double most)
+/// What was asked for; see simulate().
+struct Request {
+    Preset preset{};
+    qint64 steps = 0;
+    qint64 every = 1;
+    QString states{}; ///< files; empty if not wanted, "-" for standard output
+    QString totals{};
+    QString events{};
+};
+
+struct SimulateOptions {
+    QCommandLineOption duration = option("duration", SimulateText::tr("how long, s"), "S");
+    QCommandLineOption timestep =
+        option("timestep", SimulateText::tr("instead of the preset's, s"), "S");
+    QCommandLineOption timing =
+        option("timing", SimulateText::tr("discrete, continuous or exact"), "NAME");
+    QCommandLineOption every = option("every", SimulateText::tr("write every N-th step only"), "N");
+    QCommandLineOption states =
+        option("states", SimulateText::tr("table of the circles' states"), "F.csv");
+    QCommandLineOption totals =
+        option("totals", SimulateText::tr("table of momentum and energy"), "F.csv");
+    QCommandLineOption events = option("events", SimulateText::tr("table of the hits"), "F.csv");
+
+    static QCommandLineOption option(const char *name, const QString &what, const char *value)
+    {
+        return {QString::fromLatin1(name), what, QString::fromLatin1(value)};
+    }
+};
+
+Error wrong(const QCommandLineOption &option, const QString &text, const QString &right)
+{
+    return {.message = SimulateText::tr("--%1 %2 is not right; %3 is right")
+                           .arg(option.names().first(), text, right)};
+}
+
+/// The number of an option, in (0, most].
+Result<double> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option,
+                        double most)
 {
     bool ok = false;
     const QString text = parser.value(option);
     const double value = text.toDouble(&ok);
     if (ok && value > 0.0 && value <= most)
         return value;
-    complain(SimulateText::tr("--%1 %2 is not right; a number above 0 and at most %3 is right")
-                 .arg(option.names().first(), text, shortestNumber(most)));
+    return wrong(option, text,
+                 SimulateText::tr("a number above 0 and at most %1").arg(shortestNumber(most)));
+}
+
+/// Reads the preset and lays the options over it.
+Result<Request> requestOf(const QCommandLineParser &parser, const SimulateOptions &options)
+{
+    if (!parser.isSet(options.duration))
+        return Error{.message = SimulateText::tr("--duration S is missing: how long, in s?")};
+    const Result<double> seconds = numberOf(parser, options.duration, 1e9);
+    if (!seconds)
+        return seconds.error();
+    Result<Preset> preset = readPreset(parser.positionalArguments().first());
+    if (!preset)
+        return preset.error();
+    Request request{.preset = std::move(*preset)};
+    if (parser.isSet(options.timestep)) {
+        const Result<double> timestep = numberOf(parser, options.timestep, limits::maxTimestep);
+        if (!timestep)
+            return timestep.error();
+        request.preset.timestep = *timestep;
+    }
+    if (parser.isSet(options.timing)) {
+        const auto timing = timingFromName(parser.value(options.timing));
+        if (!timing)
+            return wrong(options.timing, parser.value(options.timing),
+                         SimulateText::tr("discrete, continuous or exact"));
+        request.preset.laws.timing = *timing;
+    }
+    if (parser.isSet(options.every)) {
+        bool ok = false;
+        request.every = parser.value(options.every).toLongLong(&ok);
+        if (!ok || request.every < 1)
+            return wrong(options.every, parser.value(options.every),
+                         SimulateText::tr("a whole number from 1"));
+    }
+    // A part of a step at the end is a step: the run lasts at least as long as asked.
+    const double steps = std::ceil(*seconds / request.preset.timestep * (1.0 - 1e-12));
+    if (steps > mostSteps)
+        return Error{.message = SimulateText::tr("%1 steps are too many; at most %2 are right")
+                                    .arg(steps)
+                                    .arg(mostSteps)};
+    request.steps = static_cast<qint64>(steps);
+    request.states = parser.value(options.states);
+    request.totals = parser.value(options.totals);
+    request.events = parser.value(options.events);
+    return request;
+}
+
+/// Runs the scene and writes what was asked for, or a summary. \return what could not be written
+std::optional<Error> run(const Request &request)
+{
+    Tables tables;
+    tables.wantStates = !request.states.isEmpty();
+    tables.wantTotals = !request.totals.isEmpty();
+    Stepper stepper(request.preset);
+    World world = initialWorld(request.preset);
+    std::size_t hitCount = 0;
+    std::vector<Hit> hits;
+    tables.addState(world, request.preset);
+    for (qint64 k = 1; k <= request.steps; ++k) {
+        hits.clear();
+        stepper.advance(world, hits);
+        hitCount += hits.size();
+        if (!request.events.isEmpty())
+            tables.addHits(hits);
+        if (k % request.every == 0)
+            tables.addState(world, request.preset);
+    }
+    if (request.states.isEmpty() && request.totals.isEmpty() && request.events.isEmpty())
+        return writeText({}, summary(request.preset, world, hitCount));
+    for (const auto &[path, text] :
+         {std::pair(request.states, tables.states), std::pair(request.totals, tables.totals),
+          std::pair(request.events, tables.events)}) {
+        if (path.isEmpty())
+            continue;
+        if (const auto error = writeText(path, text))
+            return error;
+    }
     return std::nullopt;
 }
 
@@ -108,89 +219,16 @@ ExitCode simulate(const QStringList &arguments)
     QCommandLineParser parser;
     parser.setApplicationDescription(SimulateText::tr("Runs a scene and writes what happens."));
     parser.addPositionalArgument(QStringLiteral("PRESET.json"), SimulateText::tr("the scene"));
-    const auto option = [&](const char *name, const QString &what, const char *value) {
-        return QCommandLineOption(QString::fromLatin1(name), what, QString::fromLatin1(value));
-    };
-    const auto duration = option("duration", SimulateText::tr("how long, s"), "S");
-    const auto timestep = option("timestep", SimulateText::tr("instead of the preset's, s"), "S");
-    const auto timing = option("timing", SimulateText::tr("discrete, continuous or exact"), "NAME");
-    const auto every = option("every", SimulateText::tr("write every N-th step only"), "N");
-    const auto states = option("states", SimulateText::tr("table of the circles' states"), "F.csv");
-    const auto totals = option("totals", SimulateText::tr("table of momentum and energy"), "F.csv");
-    const auto events = option("events", SimulateText::tr("table of the hits"), "F.csv");
-    parser.addOptions({duration, timestep, timing, every, states, totals, events});
+    const SimulateOptions options;
+    parser.addOptions({options.duration, options.timestep, options.timing, options.every,
+                       options.states, options.totals, options.events});
     if (const auto code = parse(parser, arguments, 1, 1))
         return *code;
-    if (!parser.isSet(duration))
-        return complain(SimulateText::tr("--duration S is missing: how long, in s?"));
-    const auto seconds = numberOf(parser, duration, 1e9);
-    if (!seconds)
-        return BadInput;
-    Result<Preset> preset = readPreset(parser.positionalArguments().first());
-    if (!preset)
-        return complain(preset.error());
-    if (parser.isSet(timestep)) {
-        const auto value = numberOf(parser, timestep, limits::maxTimestep);
-        if (!value)
-            return BadInput;
-        preset->timestep = *value;
-    }
-    if (parser.isSet(timing)) {
-        const auto value = timingFromName(parser.value(timing));
-        if (!value)
-            return complain(SimulateText::tr("--timing %1 is not right; discrete, continuous or "
-                                             "exact is right")
-                                .arg(parser.value(timing)));
-        preset->laws.timing = *value;
-    }
-    qint64 stride = 1;
-    if (parser.isSet(every)) {
-        const auto value = numberOf(parser, every, 1e9);
-        if (!value)
-            return BadInput;
-        stride = static_cast<qint64>(*value);
-        if (stride < 1)
-            return complain(SimulateText::tr("--every counts whole steps; 1 or more is right"));
-    }
-    // A part of a step at the end is a step: the run lasts at least as long as asked.
-    const double steps = std::ceil(*seconds / preset->timestep * (1.0 - 1e-12));
-    if (steps > mostSteps)
-        return complain(SimulateText::tr("%1 steps are too many; at most %2 are right")
-                            .arg(steps)
-                            .arg(mostSteps));
-
-    Tables tables;
-    tables.wantStates = parser.isSet(states);
-    tables.wantTotals = parser.isSet(totals);
-    tables.wantEvents = parser.isSet(events);
-    Stepper stepper(*preset);
-    World world = initialWorld(*preset);
-    std::size_t hitCount = 0;
-    std::vector<Hit> hits;
-    tables.addState(world, *preset);
-    for (qint64 k = 1; k <= static_cast<qint64>(steps); ++k) {
-        hits.clear();
-        stepper.advance(world, hits);
-        hitCount += hits.size();
-        if (tables.wantEvents)
-            tables.addHits(hits);
-        if (k % stride == 0)
-            tables.addState(world, *preset);
-    }
-
-    const std::pair<const QCommandLineOption &, const QByteArray &> outputs[] = {
-        {states, tables.states}, {totals, tables.totals}, {events, tables.events}};
-    bool written = false;
-    for (const auto &[wanted, text] : outputs) {
-        if (!parser.isSet(wanted))
-            continue;
-        written = true;
-        if (const auto error = writeText(parser.value(wanted), text))
-            return complain(*error);
-    }
-    if (!written)
-        writeText({}, summary(*preset, world, hitCount));
-    return Done;
+    const Result<Request> request = requestOf(parser, options);
+    if (!request)
+        return complain(request.error());
+    const auto error = run(*request);
+    return error ? complain(*error) : Done;
 }
 
 } // namespace cradle::cli
