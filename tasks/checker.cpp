@@ -11,6 +11,7 @@
 #include <QtConcurrent>
 
 #include <algorithm>
+#include <map>
 
 namespace cradle {
 
@@ -62,6 +63,20 @@ void fail(CheckOutcome &outcome, const Fault &fault, const Variant &variant)
     outcome.scene = variant.preset;
 }
 
+/// The lab's commit messages are English, whatever language the student reads.
+QString englishNames(const std::vector<Integrator> &integrators)
+{
+    static const std::map<Integrator, QString> names{
+        {Integrator::Euler, QStringLiteral("Euler")},
+        {Integrator::SymplecticEuler, QStringLiteral("symplectic Euler")},
+        {Integrator::Verlet, QStringLiteral("velocity Verlet")},
+        {Integrator::RungeKutta4, QStringLiteral("Runge-Kutta 4")}};
+    QStringList found;
+    for (const Integrator integrator : integrators)
+        found.append(names.at(integrator));
+    return found.join(QStringLiteral(" or "));
+}
+
 /// The commit message, with the integrator that the submission was seen to use.
 QString commitOf(const Task &task, const Preset &submission)
 {
@@ -70,7 +85,8 @@ QString commitOf(const Task &task, const Preset &submission)
     if (!commit.contains(wanted) || submission.circles.empty())
         return commit;
     const Observation run = observe({QStringLiteral("preset"), submission, 2.0});
-    return commit.replace(wanted, namesOf(matchingIntegrators({}, run, 0, submission.gravity)));
+    return commit.replace(wanted,
+                          englishNames(matchingIntegrators({}, run, 0, submission.gravity)));
 }
 
 } // namespace

@@ -5,9 +5,9 @@
     <name>Schema</name>
     <message numerus="yes">
         <source>a list of %n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>a list of %n value</numerusform>
+            <numerusform>a list of %n values</numerusform>
         </translation>
     </message>
 </context>
@@ -15,9 +15,9 @@
     <name>cradle::SceneView</name>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>

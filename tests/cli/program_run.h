@@ -104,5 +104,6 @@ inline Table readTable(const QString &path)
 /// The program must have ended by itself with this code.
 #define VERIFY_CODE(outcome, wanted)                                                               \
     do {                                                                                           \
-        QVERIFY2((outcome).ended && (outcome).code == (wanted), (outcome).toText().constData());   \
+        const cradle::programs::Outcome &outcome_ = (outcome);                                     \
+        QVERIFY2(outcome_.ended &&outcome_.code == (wanted), outcome_.toText().constData());       \
     } while (false)
