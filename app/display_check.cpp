@@ -35,7 +35,8 @@ QString missingDisplay(int argc, char **argv)
 {
     for (int i = 1; i < argc; ++i) {
         // The user chose a platform; Qt says itself if that is wrong.
-        if (std::string_view(argv[i]) == "-platform")
+        const std::string_view argument(argv[i]);
+        if (argument == "-platform" || argument == "--platform")
             return {};
     }
     if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")

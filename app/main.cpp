@@ -29,12 +29,16 @@ int complain(const QString &message)
     return badUsage;
 }
 
-bool wantsScreenshot(int argc, char **argv)
+/// A picture, help and version are had without a display.
+bool needsNoDisplay(int argc, char **argv)
 {
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument(argv[i]);
-        if (argument == "--screenshot" || argument.starts_with("--screenshot="))
-            return true;
+        for (const std::string_view name :
+             {"--screenshot", "--help", "-h", "--help-all", "--version", "-v"}) {
+            if (argument == name || argument.starts_with("--screenshot="))
+                return true;
+        }
     }
     return false;
 }
@@ -98,8 +102,7 @@ std::optional<Error> openNamed(Workbench &bench, const QString &path, const QStr
 
 int main(int argc, char **argv)
 {
-    // A picture needs no display.
-    if (wantsScreenshot(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+    if (needsNoDisplay(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         // That platform warns of what it need not do.
         qputenv("QT_LOGGING_RULES", "default.warning=false");

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace cradle {
 
@@ -20,6 +21,11 @@ namespace {
 struct CheckerText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
+
+/// Bounds of what a check runs, so that a verdict comes in time: a step of a lab has a handful of
+/// circles and some thousand steps.
+constexpr std::size_t mostCircles = 100;
+constexpr double mostSteps = 100'000;
 
 /// A check with the scenes that it runs, or the reason why it can run none.
 struct Plan {
@@ -39,7 +45,23 @@ Plan planOf(const CheckSpec &check, const Preset &submission, qint64 seed)
         plan.missing = CheckerText::tr("There is no circle %1; add one").arg(needed);
         return plan;
     }
+    if (submission.circles.size() > mostCircles) {
+        plan.missing = CheckerText::tr("A check runs at most %1 circles; there are %2")
+                           .arg(mostCircles)
+                           .arg(submission.circles.size());
+        return plan;
+    }
     plan.variants = makeVariants(submission, check, seed);
+    for (const Variant &variant : plan.variants) {
+        if (variant.duration / variant.preset.timestep > mostSteps) {
+            plan.missing = CheckerText::tr("The timestep %1 s is too short to be judged; %2 s or "
+                                           "more is right")
+                               .arg(variant.preset.timestep)
+                               .arg(variant.duration / mostSteps);
+            plan.variants.clear();
+            break;
+        }
+    }
     return plan;
 }
 
@@ -130,12 +152,16 @@ Checker::Checker(QObject *parent)
     : QObject(parent)
 {
     connect(&m_watcher, &QFutureWatcherBase::finished, this, [this] {
-        const std::optional<CheckReport> report = m_watcher.result();
-        if (report && !m_stop->load())
+        // A cancelled one has nothing more to say, even if it was done just before.
+        if (!std::exchange(m_running, false))
+            return;
+        if (const std::optional<CheckReport> report = m_watcher.result())
             emit finished(*report);
     });
-    connect(&m_watcher, &QFutureWatcherBase::progressValueChanged, this,
-            [this](int done) { emit progressed(done, m_watcher.progressMaximum()); });
+    connect(&m_watcher, &QFutureWatcherBase::progressValueChanged, this, [this](int done) {
+        if (m_running)
+            emit progressed(done, m_watcher.progressMaximum());
+    });
 }
 
 Checker::~Checker()
@@ -159,12 +185,13 @@ void Checker::start(const Lab &lab, const Task &task, const Preset &submission, 
                                .cancelled = [stop] { return stop->load(); }};
         promise.addResult(judgeTask(lab, task, submission, seed, hooks));
     };
+    m_running = true;
     m_watcher.setFuture(QtConcurrent::run(work));
 }
 
 void Checker::cancel()
 {
-    if (!m_watcher.isRunning())
+    if (!std::exchange(m_running, false))
         return;
     m_stop->store(true);
     emit cancelled();

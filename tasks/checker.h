@@ -35,7 +35,7 @@ public:
     explicit Checker(QObject *parent = nullptr);
     ~Checker() override;
 
-    [[nodiscard]] bool isRunning() const { return m_watcher.isRunning(); }
+    [[nodiscard]] bool isRunning() const { return m_running; }
 
     /// Begins; a judgement that still runs is cancelled first.
     void start(const Lab &lab, const Task &task, const Preset &submission, qint64 seed);
@@ -51,6 +51,7 @@ signals:
 private:
     QFutureWatcher<std::optional<CheckReport>> m_watcher;
     std::shared_ptr<std::atomic_bool> m_stop;
+    bool m_running = false; ///< started and neither finished nor cancelled
 };
 
 } // namespace cradle

@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QJsonArray>
+#include <QStringDecoder>
 
 #include <algorithm>
 
@@ -57,7 +58,13 @@ QString textOf(const QString &folder, const QString &language, Lab &lab)
         lab.findings.push_back(text.error());
         return {};
     }
-    return QString::fromUtf8(*text);
+    QStringDecoder decode(QStringDecoder::Utf8);
+    const QString decoded = decode(*text);
+    if (decode.hasError())
+        lab.findings.push_back({.message = ReaderText::tr("the text is not in UTF-8, which would "
+                                                          "be right; some letters are lost"),
+                                .file = path});
+    return decoded;
 }
 
 QStringList stringsOf(const QJsonValue &list)

@@ -46,6 +46,16 @@ TaskProgress taskFrom(const QJsonObject &json)
     return task;
 }
 
+/// Gives a file that cannot be read a name of its own beside it, so that it is never written over.
+QString moveAside(const QString &path)
+{
+    QString aside = path + QStringLiteral(".unreadable");
+    for (int n = 2; QFileInfo::exists(aside); ++n)
+        aside = path + QStringLiteral(".unreadable-%1").arg(n);
+    QFile::rename(path, aside);
+    return aside;
+}
+
 } // namespace
 
 ProgressStore::ProgressStore(QString path)
@@ -59,16 +69,11 @@ std::optional<Error> ProgressStore::load()
     if (!QFileInfo::exists(m_path))
         return std::nullopt;
     const Result<QByteArray> text = readFile(m_path, maxBytes);
-    if (!text)
-        return text.error();
-    const QJsonDocument document = QJsonDocument::fromJson(*text);
+    const QJsonDocument document = QJsonDocument::fromJson(text ? *text : QByteArray());
     if (!document.isObject() || document.object().value(QStringLiteral("format")).toInt() != 1) {
-        const QString aside = m_path + QStringLiteral(".unreadable");
-        QFile::remove(aside);
-        QFile::rename(m_path, aside);
         return Error{.message = ProgressText::tr("your progress could not be read and was moved to "
                                                  "%1; Cradle begins anew")
-                                    .arg(aside),
+                                    .arg(moveAside(m_path)),
                      .file = m_path};
     }
     const QJsonObject labs = document.object().value(QStringLiteral("labs")).toObject();

@@ -25,6 +25,7 @@ private slots:
     void cancelledJudgementHasNoReport();
     void finishesOffThisThread();
     void cancelIsFollowedByNothing();
+    void progressEndsWithTheCancel();
     void cancelAfterTheWorkIsDoneIsFollowedByNothing();
     void cancelWithNothingRunningIsSilent();
     void newStartReplacesTheOldOne();
@@ -203,6 +204,19 @@ void TestChecker::cancelIsFollowedByNothing()
     QCoreApplication::processEvents();
     QVERIFY(finished.isEmpty());
     QCOMPARE(cancelled.size(), 1);
+}
+
+void TestChecker::progressEndsWithTheCancel()
+{
+    Checker checker;
+    QSignalSpy progressed(&checker, &Checker::progressed);
+    checker.start(m_lab, task("L42T17"), solution("L42T17"), 1);
+    QTRY_VERIFY(!progressed.isEmpty());
+    checker.cancel();
+    const auto before = progressed.size();
+    QTRY_VERIFY(!checker.isRunning());
+    QCoreApplication::processEvents();
+    QCOMPARE(progressed.size(), before);
 }
 
 void TestChecker::cancelAfterTheWorkIsDoneIsFollowedByNothing()

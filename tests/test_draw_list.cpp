@@ -3,8 +3,8 @@
 #include "model/simulation.h"
 #include "views/circle_edits.h"
 #include "views/scene/handles.h"
-#include "views/scene/label_layout.h"
 #include "views/scene/scene_builder.h"
+#include "views/scene/scene_labels.h"
 #include "views/theme.h"
 
 #include <QtTest>

@@ -131,7 +131,9 @@ qint64 missedContact(const Observation &o, int a, int b)
         const Circle &cb = o.circle(b, k);
         const Vec2 d = cb.position - ca.position;
         const double sum = ca.radius + cb.radius;
-        const bool nearer = dot(d, cb.velocity - ca.velocity) < 0.0;
+        // Two that stay in touch (e = 0) come nearer by rounding only.
+        const double noise = sameVelocity * (1.0 + length(ca.velocity) + length(cb.velocity));
+        const bool nearer = dot(normalized(d), ca.velocity - cb.velocity) > noise;
         const bool in = length(d) < sum * (1.0 - 1e-9);
         inside = in && nearer ? inside + 1 : 0;
         // One state may show the overlap that the next step answers.

@@ -18,10 +18,11 @@ struct SettleText {
 
 /// The end of the run that is looked at, s.
 constexpr double lastSeconds = 5.0;
-/// How much higher than the reference a circle may still hop: other correct ways to handle the
-/// wall (clamping, mirroring) lose a little less than going back does.
+/// How much higher than the reference a circle may still hop, and what is always allowed, m: other
+/// correct ways to handle the wall lose a little less than going back does. Measured: mirroring the
+/// overshoot hops to 34 mm with e = 0.9 for ever; a wall that takes nothing, to metres.
 constexpr double generosity = 2.0;
-constexpr double roundOff = 2e-3; ///< m; two steps of gravity from rest at 1/60 s
+constexpr double alwaysAllowed = 0.06;
 
 /// How high above the floor the rim of circle \p i still comes at the end, m.
 double lastHeight(const Observation &o, int i)
@@ -54,7 +55,7 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         double allowed = 0.0;
         for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
-        allowed = generosity * allowed + roundOff;
+        allowed = std::max(generosity * allowed, alwaysAllowed);
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
             return Fault{.message = SettleText::tr("After %1 s circle %2 still comes %3 m above "

@@ -89,7 +89,12 @@ public:
         table->setFocus();
         table->setCurrentIndex(table->model()->index(row, column));
         table->edit(table->currentIndex());
-        auto *field = table->viewport()->findChild<NumberField *>();
+        // The editor of the cell before may still wait for its end.
+        NumberField *field = nullptr;
+        for (auto *each : table->viewport()->findChildren<NumberField *>()) {
+            if (each->isVisible())
+                field = each;
+        }
         QVERIFY(field);
         field->selectAll();
         QTest::keyClicks(field, text);

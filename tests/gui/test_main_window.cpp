@@ -29,7 +29,6 @@ private slots:
     void editsAreUndoneAndRedoneByKeys();
     void languageIsSwitchedWhileItRuns();
     void languageSwitchKeepsTheVisit();
-    void languageIsKept();
     void coloursAreSwitched();
     void panesAreUnlockedAndLocked();
     void layoutIsKept();
@@ -114,7 +113,6 @@ void TestMainWindow::keysDriveTheSimulation()
     m_open->press(Qt::Key_Space);
     QVERIFY(!simulation.isRunning());
     m_open->press(Qt::Key_R);
-    QCOMPARE(simulation.current(), qint64{0});
     QVERIFY(simulation.atStart());
 }
 
@@ -168,14 +166,16 @@ void TestMainWindow::languageIsSwitchedWhileItRuns()
     m_open->press(Qt::Key_Right);
     const QStringList english = shown();
     m_open->window.chooseLanguage(QStringLiteral("de"));
+    QTRY_COMPARE(shown()[4], QStringLiteral("Prüfen"));
     const QStringList german = shown();
     // "Lab" is the same word in both.
     for (const int i : {0, 1, 3, 4, 5})
         QVERIFY2(german[i] != english[i], qPrintable(german[i]));
     QCOMPARE(german[5], QStringLiteral("1 · In Bewegung setzen"));
+    QCOMPARE(m_open->settings.value(QStringLiteral("language")).toString(), QStringLiteral("de"));
     QCOMPARE(m_open->simulation().current(), qint64{1});
     m_open->window.chooseLanguage(QStringLiteral("en"));
-    QCOMPARE(shown(), english);
+    QTRY_COMPARE(shown(), english);
 }
 
 void TestMainWindow::languageSwitchKeepsTheVisit()
@@ -187,14 +187,7 @@ void TestMainWindow::languageSwitchKeepsTheVisit()
     m_open->window.chooseLanguage(QStringLiteral("de"));
     QVERIFY(m_open->bench.document().isVisiting());
     QVERIFY2(m_open->window.notice().isVisible(), "no way back is shown");
-    QVERIFY(!m_open->says(QStringLiteral("This is a scene of the check")));
-}
-
-void TestMainWindow::languageIsKept()
-{
-    m_open->window.chooseLanguage(QStringLiteral("de"));
-    QCOMPARE(m_open->settings.value(QStringLiteral("language")).toString(), QStringLiteral("de"));
-    QCOMPARE(currentLanguage(), QStringLiteral("de"));
+    QTRY_VERIFY(!m_open->says(QStringLiteral("This is a scene of the check")));
 }
 
 void TestMainWindow::coloursAreSwitched()
@@ -204,8 +197,7 @@ void TestMainWindow::coloursAreSwitched()
     QCOMPARE(m_open->window.palette().color(QPalette::Window), Theme::darkTheme().window);
     const QImage dark = m_open->window.grab().toImage();
     m_open->window.chooseTheme(ThemeChoice::Light);
-    QVERIFY(!theme().dark);
-    QVERIFY(m_open->window.grab().toImage() != dark);
+    QVERIFY(!theme().dark && m_open->window.grab().toImage() != dark);
     QCOMPARE(m_open->settings.value(QStringLiteral("theme")).toInt(),
              static_cast<int>(ThemeChoice::Light));
 }
@@ -214,12 +206,11 @@ void TestMainWindow::panesAreUnlockedAndLocked()
 {
     // A bar of no height hides the style's; without it the pane can be moved.
     QVERIFY(pane("task")->titleBarWidget());
-    m_open->window.unlockPanes(true);
-    for (const QDockWidget *dock : m_open->window.panes())
-        QVERIFY(!dock->titleBarWidget());
-    m_open->window.unlockPanes(false);
-    for (const QDockWidget *dock : m_open->window.panes())
-        QVERIFY(dock->titleBarWidget());
+    for (const bool unlocked : {true, false}) {
+        m_open->window.unlockPanes(unlocked);
+        for (const QDockWidget *dock : m_open->window.panes())
+            QCOMPARE(dock->titleBarWidget() == nullptr, unlocked);
+    }
 }
 
 void TestMainWindow::layoutIsKept()
@@ -248,8 +239,7 @@ void TestMainWindow::layoutIsReset()
 void TestMainWindow::sceneFileIsOpened()
 {
     openFile(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/L42T14/preset.json"));
-    const Preset wanted = *readPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json"));
-    QVERIFY(m_open->preset() == wanted);
+    QVERIFY(m_open->preset() == *readPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     // The lab is still there.
     QVERIFY(m_open->bench.openTask(QStringLiteral("L42T2")));
     QVERIFY(m_open->window.transportBar().checkAction()->isEnabled());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/raster_painter.h"
 
-#include "views/scene/label_layout.h"
+#include "views/scene/scene_labels.h"
 #include "views/scene/stroke_geometry.h"
 
 #include <QPainter>

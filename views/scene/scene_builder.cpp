@@ -5,7 +5,7 @@
 #include "model/simulation.h"
 #include "views/scene/handles.h"
 #include "views/scene/hit_parts.h"
-#include "views/scene/label_layout.h"
+#include "views/scene/scene_labels.h"
 #include "views/theme.h"
 
 #include <QCoreApplication>
@@ -201,7 +201,7 @@ void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
 
 void placeLabels(SceneDraft &draft, const SceneLook &look)
 {
-    LabelLayout layout(draft.list, look.camera, look.font, look.reserved);
+    SceneLabels layout(draft.list, look.camera, look.font, look.reserved);
     // Numbers in discs first: they have only one good place.
     for (const LabelWish &wish : draft.wishes) {
         if (wish.atAnchor && !layout.placeThere(wish.label)) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_picture.h"
 
-#include "views/scene/label_layout.h"
 #include "views/scene/raster_painter.h"
+#include "views/scene/scene_labels.h"
 #include "views/theme.h"
 
 #include <QPainter>

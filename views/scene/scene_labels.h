@@ -21,13 +21,13 @@ namespace cradle {
 
 /// Finds places for labels beside what they name: never over another text, if possible not over
 /// discs and arrows, and inside the viewport.
-class LabelLayout
+class SceneLabels
 {
 public:
     /// \param list  receives the labels; its discs and arrows are what labels avoid, so they
     ///     must be complete
     /// \param reserved  rectangles (px) that labels must not cover either
-    LabelLayout(DrawList &list, const Camera &camera, const QFont &base,
+    SceneLabels(DrawList &list, const Camera &camera, const QFont &base,
                 const std::vector<QRectF> &reserved = {});
 
     /// Puts \p label where its offset says, or not at all. \return whether it was put

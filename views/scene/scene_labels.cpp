@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/scene/label_layout.h"
+#include "views/scene/scene_labels.h"
 
 #include <QFontInfo>
 
@@ -72,7 +72,7 @@ QRectF labelRect(const DrawList::Label &label, const Camera &camera, const QFont
     return {corner, size};
 }
 
-LabelLayout::LabelLayout(DrawList &list, const Camera &camera, const QFont &base,
+SceneLabels::SceneLabels(DrawList &list, const Camera &camera, const QFont &base,
                          const std::vector<QRectF> &reserved)
     : m_list(list)
     , m_camera(camera)
@@ -89,7 +89,7 @@ LabelLayout::LabelLayout(DrawList &list, const Camera &camera, const QFont &base
         m_shafts.emplace_back(camera.toPixels(arrow.from), camera.toPixels(arrow.to));
 }
 
-bool LabelLayout::placeThere(const DrawList::Label &label)
+bool SceneLabels::placeThere(const DrawList::Label &label)
 {
     const QRectF rect = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics);
     if (coversText(rect))
@@ -99,7 +99,7 @@ bool LabelLayout::placeThere(const DrawList::Label &label)
     return true;
 }
 
-bool LabelLayout::placeBeside(DrawList::Label label, Vec2 direction, double clearance)
+bool SceneLabels::placeBeside(DrawList::Label label, Vec2 direction, double clearance)
 {
     label.alignment = Qt::AlignCenter;
     label.offset = {};
@@ -127,14 +127,14 @@ bool LabelLayout::placeBeside(DrawList::Label label, Vec2 direction, double clea
     return true;
 }
 
-bool LabelLayout::coversText(const QRectF &rect) const
+bool SceneLabels::coversText(const QRectF &rect) const
 {
     const QRectF room = rect.adjusted(-2.0, 0.0, 2.0, 0.0);
     return std::any_of(m_taken.begin(), m_taken.end(),
                        [&](const QRectF &taken) { return taken.intersects(room); });
 }
 
-double LabelLayout::cost(const QRectF &rect) const
+double SceneLabels::cost(const QRectF &rect) const
 {
     double sum = 0.0;
     if (!QRectF({}, m_camera.viewport()).contains(rect))
