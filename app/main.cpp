@@ -77,25 +77,39 @@ std::optional<ThemeChoice> themeFrom(const QString &name)
     return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
 }
 
+/// What is wrong with the name of a step; asked before anything of the student's is touched.
+std::optional<Error> missingStep(const QString &folder, const QString &step)
+{
+    if (step.isEmpty())
+        return std::nullopt;
+    const Result<Lab> lab = readLab(folder);
+    if (!lab)
+        return lab.error();
+    if (lab->indexOf(step) >= 0)
+        return std::nullopt;
+    QStringList ids;
+    for (const Task &task : lab->tasks)
+        ids.append(task.id);
+    return Error{.message = QCoreApplication::translate("Main", "there is no step %1; there are %2")
+                                .arg(step, ids.join(QStringLiteral(", ")))};
+}
+
 /// Opens what the command line names: a lab, a scene, or with both a step and a scene that scene
 /// as the student's work on the step. \return what is wrong with it
 std::optional<Error> openNamed(Workbench &bench, const QString &path, const QString &step)
 {
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
-    if (auto error = bench.openLab(isLab && !path.isEmpty() ? path : QLatin1String(shippedLab),
-                                   currentLanguage()))
+    const QString folder = isLab && !path.isEmpty() ? path : QLatin1String(shippedLab);
+    if (const auto error = missingStep(folder, step))
+        return error;
+    if (auto error = bench.openLab(folder, currentLanguage()))
         return error;
     if (!isLab && step.isEmpty())
         return bench.openPreset(path);
     if (step.isEmpty())
         return std::nullopt;
-    if (bench.openTask(step))
-        return isLab ? std::nullopt : bench.takePreset(path);
-    QStringList ids;
-    for (const Task &task : bench.lab().tasks)
-        ids.append(task.id);
-    return Error{.message = QCoreApplication::translate("Main", "there is no step %1; there are %2")
-                                .arg(step, ids.join(QStringLiteral(", ")))};
+    bench.openTask(step);
+    return isLab ? std::nullopt : bench.takePreset(path);
 }
 
 } // namespace

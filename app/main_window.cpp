@@ -20,6 +20,7 @@
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -58,7 +59,9 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     m_scene->setRenderer(
         static_cast<Renderer>(settings.value(QStringLiteral("renderer"), 0).toInt()));
     retranslate();
-    resize(firstSize);
+    // No larger than the screen, with room for its window's frame.
+    const QSize room = screen()->availableGeometry().size() - QSize(0, 32);
+    resize(firstSize.boundedTo(room));
     arrangePanes();
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion);
@@ -174,6 +177,8 @@ void MainWindow::wireViews()
         });
     }
     connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
+    connect(simulation, &Simulation::noHitFound, this,
+            [this] { m_notice->showNotice(tr("Nothing hits anything within the next minute.")); });
 }
 
 void MainWindow::showTask()

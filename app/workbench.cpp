@@ -177,8 +177,19 @@ void Workbench::finishCheck(const CheckReport &report)
         m_saveSoon.start();
         emit progressChanged();
     }
+    showFirstFailure();
     emit checkEnded();
     emit reportChanged();
+}
+
+/// Goes to where the student's own scene first went wrong, if it did there.
+void Workbench::showFirstFailure()
+{
+    const auto &checks = m_report->checks;
+    const auto failure = std::find_if(checks.begin(), checks.end(),
+                                      [](const CheckOutcome &check) { return !check.passed; });
+    if (failure != checks.end() && failure->step > 0 && failure->scene == m_document.own())
+        showMoment(*failure);
 }
 
 void Workbench::setHintsOpened(int count)

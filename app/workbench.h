@@ -66,6 +66,7 @@ signals:
 private:
     void keepEdited();
     void finishCheck(const CheckReport &report);
+    void showFirstFailure();
     TaskProgress &progress();
 
     ProgressStore m_store;

@@ -29,10 +29,10 @@ std::optional<Error> outOfRange(double value, double low, double high, const QSt
 {
     if (value >= low && value <= high)
         return std::nullopt;
-    return fault(pointer, PresetText::tr("%1 is out of range; a number from %2 to %3 %4 is right")
-                              .arg(shortestNumber(value), shortestNumber(low), shortestNumber(high),
-                                   QString::fromUtf8(unit))
-                              .trimmed());
+    const QString bound =
+        (shortestNumber(high) + QLatin1Char(' ') + QString::fromUtf8(unit)).trimmed();
+    return fault(pointer, PresetText::tr("%1 is out of range; a number from %2 to %3 is right")
+                              .arg(shortestNumber(value), shortestNumber(low), bound));
 }
 
 std::optional<Error> outOfRange(Vec2 value, double bound, const QString &pointer, const char *unit)

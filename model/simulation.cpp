@@ -118,10 +118,15 @@ void Simulation::seekNextHit()
         return std::any_of(hits.rbegin(), hits.rend(),
                            [step](const Hit &hit) { return hit.step == step; });
     };
+    const qint64 begin = m_current;
     const double end = time() + longestSearch;
     do {
         advance(m_preset.timestep);
     } while (!hitShown() && time() < end);
+    if (!hitShown()) {
+        m_current = std::max(begin, m_recording.first());
+        emit noHitFound();
+    }
     emit frameReady();
 }
 

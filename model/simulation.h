@@ -43,11 +43,12 @@ public slots:
     void stepBack();         ///< pauses; one recorded step
     void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
     void goTo(qint64 step);  ///< pauses; shows that step, computed if it is yet to come
-    void seekNextHit();      ///< pauses; runs on, at most a minute of the scene, to the next hit
+    void seekNextHit(); ///< pauses; runs on to the next hit, or stays if none comes in a minute
     void setSpeed(double speed); ///< bounded to slowest … fastest
     void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did
 
 signals:
+    void noHitFound();    ///< seekNextHit() looked in vain and stays where it was
     void frameReady();    ///< the moment shown or the recording changed: repaint once
     void restarted();     ///< the recording was begun anew; frameReady follows
     void presetChanged(); ///< restarted and frameReady follow

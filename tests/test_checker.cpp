@@ -7,6 +7,8 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThreadPool>
+#include <QThreadPool>
 
 using namespace cradle;
 
@@ -225,8 +227,7 @@ void TestChecker::cancelAfterTheWorkIsDoneIsFollowedByNothing()
     QSignalSpy finished(&checker, &Checker::finished);
     checker.start(m_lab, task("L42T1"), solution("L42T1"), 1);
     // Without events the end of the work is not yet told when it is cancelled.
-    while (checker.isRunning())
-        QThread::yieldCurrentThread();
+    QThreadPool::globalInstance()->waitForDone();
     checker.cancel();
     QCoreApplication::processEvents();
     QCoreApplication::processEvents();

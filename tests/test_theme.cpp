@@ -59,6 +59,8 @@ private slots:
     void switchingRepaintsEverything();
     void systemChoiceFollowsTheDesktop();
     void everyIconIsDrawnInTheTextColour();
+    void paintedAsTheyAreIconsCanBeSeen_data();
+    void paintedAsTheyAreIconsCanBeSeen();
     void unknownIconIsNull();
     void circlesDifferByDash();
 };
@@ -155,12 +157,15 @@ void TestTheme::everyIconIsDrawnInTheTextColour()
 {
     const QStringList files = QDir(QStringLiteral(":/icons")).entryList({QStringLiteral("*.svg")});
     QVERIFY(files.size() >= 22);
+    // These are of the style sheet, which cannot tint.
+    const QStringList untinted{QStringLiteral("chevron-down"), QStringLiteral("close"),
+                               QStringLiteral("float")};
     for (const QString &file : files) {
         const QString name = file.chopped(4);
         const QIcon drawn = icon(name);
         QVERIFY2(!drawn.isNull(), qPrintable(name));
-        if (name.startsWith(QStringLiteral("chevron")))
-            continue; // of the style sheet, which cannot tint
+        if (untinted.contains(name))
+            continue;
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
             applyTheme(choice);
             const QImage image = drawn.pixmap(48, 48).toImage();
@@ -176,6 +181,34 @@ void TestTheme::everyIconIsDrawnInTheTextColour()
             QVERIFY2(inked > 20, qPrintable(name));
         }
     }
+}
+
+void TestTheme::paintedAsTheyAreIconsCanBeSeen_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"chevron-down", "close", "float"})
+        QTest::addRow("%s", name) << QString::fromLatin1(name);
+}
+
+/// What the style sheet cannot tint is seen on the panels of both themes.
+void TestTheme::paintedAsTheyAreIconsCanBeSeen()
+{
+    QFETCH(QString, name);
+    applyTheme(ThemeChoice::Light);
+    QVERIFY(qApp->styleSheet().contains(QStringLiteral("url(:/icons/%1.svg)").arg(name)));
+    const QImage image = icon(name).pixmap(48, 48).toImage();
+    int inked = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            if (pixel.alpha() < 255)
+                continue;
+            ++inked;
+            QVERIFY(wcag(pixel, Theme::lightTheme().panel) >= 3.0);
+            QVERIFY(wcag(pixel, Theme::darkTheme().panel) >= 3.0);
+        }
+    }
+    QVERIFY(inked > 20);
 }
 
 void TestTheme::unknownIconIsNull()

@@ -18,6 +18,7 @@ bool usesKey(const QObject *control, const QKeyEvent &event)
 {
     const int key = event.key();
     const bool space = key == Qt::Key_Space;
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
     const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
     if ((event.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
         return false;
@@ -30,7 +31,7 @@ bool usesKey(const QObject *control, const QKeyEvent &event)
     if (const auto *table = qobject_cast<const QTableView *>(control)) {
         const bool editable = table->editTriggers().testFlag(QAbstractItemView::AnyKeyPressed)
                               && table->currentIndex().flags().testFlag(Qt::ItemIsEditable);
-        return space || sideways || (editable && !event.text().isEmpty());
+        return sideways || (editable && !space && !enter && !event.text().isEmpty());
     }
     return false;
 }

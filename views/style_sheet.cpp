@@ -12,8 +12,12 @@ const QString frames = QStringLiteral(R"(
 QMainWindow { background: @window; }
 QMainWindow::separator { background: @window; width: 4px; height: 4px; }
 QMainWindow::separator:hover { background: @accent; }
-QDockWidget { color: @mutedText; titlebar-close-icon: none; titlebar-normal-icon: none; }
+QDockWidget { color: @mutedText; titlebar-close-icon: url(:/icons/close.svg);
+    titlebar-normal-icon: url(:/icons/float.svg); }
 QDockWidget::title { background: @panel; padding: 6px 12px; text-align: left; }
+QDockWidget::close-button, QDockWidget::float-button {
+    border: 1px solid transparent; border-radius: 4px; background: transparent; padding: 1px; }
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: @hover; }
 QSplitter::handle { background: @panel; }
 QSplitter::handle:vertical { height: 5px; border-bottom: 1px solid @border; }
 QSplitter::handle:horizontal { width: 5px; border-right: 1px solid @border; }

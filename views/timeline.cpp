@@ -60,6 +60,15 @@ void Timeline::showFrame()
     update();
 }
 
+std::vector<Timeline::Mark> Timeline::recordedMarks() const
+{
+    const Recording &recording = m_simulation.recording();
+    std::vector<Mark> recorded;
+    std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(recorded),
+                 [&](const Mark &mark) { return mark.time <= recording.time(recording.last()); });
+    return recorded;
+}
+
 double Timeline::xOf(double time) const
 {
     const Recording &recording = m_simulation.recording();

@@ -70,6 +70,7 @@ private:
     void addHitLabel(std::vector<Label> &labels, const HitColumn &column) const;
     void drawHits(QPainter &painter) const;
     void drawMarks(QPainter &painter) const;
+    [[nodiscard]] std::vector<Mark> recordedMarks() const; ///< the run has come so far
     [[nodiscard]] QRectF bar() const;
     [[nodiscard]] QFont smallFont() const;
     [[nodiscard]] std::vector<HitColumn> columns() const;

@@ -5,8 +5,9 @@
 #include "views/charts/frame_throttle.h"
 #include "views/charts/hit_columns.h"
 #include "views/charts/hits_model.h"
+#include "views/charts/number_table.h"
 #include "views/charts/number_text.h"
-#include "views/charts/symbol_header.h"
+#include "views/charts/sentence_label.h"
 #include "views/charts/values_model.h"
 #include "views/theme.h"
 
@@ -27,8 +28,8 @@ namespace cradle {
 
 namespace {
 
-constexpr int rowHeight = 26;  ///< px
 constexpr int cellPad = 10;    ///< px left and right of a number together
+constexpr int massPlaces = 7;  ///< characters of a mass
 constexpr int fittedRows = 64; ///< the columns of the hits fit these many of them
 
 /// The cells of \p rows × \p columns as lines with tabs.
@@ -59,19 +60,21 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     , m_valuesModel(new ValuesModel(simulation, this))
     , m_hitsModel(new HitsModel(simulation, this))
     , m_tabs(new QTabWidget)
-    , m_values(makeTable(m_valuesModel, ValuesModel::unitRole))
-    , m_hits(makeTable(m_hitsModel, HitsModel::unitRole))
-    , m_sentence(new QLabel)
+    , m_values(makeNumberTable(m_valuesModel, ValuesModel::unitRole))
+    , m_hits(makeNumberTable(m_hitsModel, HitsModel::unitRole))
+    , m_sentence(new SentenceLabel)
+    , m_noHits(new QLabel(m_hits->viewport()))
     , m_copyAction(new QAction(this))
     , m_copyAllAction(new QAction(this))
     , m_throttle(new FrameThrottle(simulation, this))
 {
-    m_sentence->setWordWrap(true);
-    m_sentence->setTextFormat(Qt::PlainText);
-    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_sentence->setContentsMargins(14, 10, 14, 10);
     setKind(m_sentence, "muted");
+    m_noHits->setWordWrap(true);
+    m_noHits->setAlignment(Qt::AlignCenter);
+    setKind(m_noHits, "muted");
+    (new QVBoxLayout(m_hits->viewport()))->addWidget(m_noHits);
     auto *valuesTab = new QWidget;
+    valuesTab->installEventFilter(this);
     auto *column = new QVBoxLayout(valuesTab);
     column->setContentsMargins({});
     column->setSpacing(0);
@@ -106,28 +109,6 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     retranslate();
 }
 
-QTableView *ValuesPane::makeTable(QAbstractItemModel *model, int unitRole)
-{
-    auto *table = new QTableView;
-    table->setHorizontalHeader(new SymbolHeader(unitRole, table));
-    table->setVerticalHeader(new NumberHeader(table));
-    table->setModel(model);
-    table->setStyleSheet(
-        QStringLiteral("QTableCornerButton::section { background: transparent; border: none; }"));
-    table->setShowGrid(false);
-    table->setWordWrap(false);
-    table->setCornerButtonEnabled(false);
-    table->setSelectionMode(QAbstractItemView::ContiguousSelection);
-    table->setTabKeyNavigation(false);
-    table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    table->horizontalHeader()->setMinimumSectionSize(32);
-    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table->verticalHeader()->setMinimumSectionSize(rowHeight);
-    table->verticalHeader()->setDefaultSectionSize(rowHeight);
-    return table;
-}
-
 void ValuesPane::addTab(QWidget *widget, const QString &title)
 {
     m_tabs->addTab(widget, title);
@@ -157,9 +138,7 @@ void ValuesPane::refreshValues()
     const int first = std::max(0, m_values->rowAt(0));
     const int below = m_values->rowAt(m_values->viewport()->height() - 1);
     m_valuesModel->refresh(first, below >= 0 ? below : m_valuesModel->rowCount() - 1);
-    const QString sentence = hitSentence();
-    if (m_sentence->text() != sentence)
-        m_sentence->setText(sentence);
+    m_sentence->setSentence(hitSentence());
 }
 
 QString ValuesPane::hitSentence() const
@@ -176,6 +155,7 @@ QString ValuesPane::hitSentence() const
 void ValuesPane::refreshHits()
 {
     const int rows = m_hitsModel->rowCount();
+    m_noHits->setVisible(rows == 0);
     if (rows > m_fittedHits && m_fittedHits < fittedRows) {
         m_fittedHits = rows;
         m_hits->resizeColumnsToContents();
@@ -192,21 +172,29 @@ void ValuesPane::fitValues()
 {
     // Room for the usual numbers, so that widths rest while numbers change.
     const QFontMetrics figures(columnFont());
-    const int number = figures.horizontalAdvance(QStringLiteral("-99.999"));
-    const int momentum = figures.horizontalAdvance(QStringLiteral("-99999.999"));
+    const int figure = figures.horizontalAdvance(u'0');
     for (int column = 0; column < ValuesModel::Count; ++column) {
-        const bool wide = column >= ValuesModel::MomentumX;
-        m_values->setColumnWidth(column, (wide ? momentum : number) + cellPad);
+        const int places = column < ValuesModel::Mass    ? ValuesModel::narrowPlaces
+                           : column == ValuesModel::Mass ? massPlaces
+                                                         : ValuesModel::widePlaces;
+        m_values->setColumnWidth(column, places * figure + cellPad);
     }
+    fitHeights();
+}
+
+void ValuesPane::fitHeights()
+{
     const int bar = m_values->horizontalScrollBar()->sizeHint().height();
     // The viewport has not its width yet when the pane is resized.
     const int needed =
         m_values->verticalHeader()->sizeHint().width() + m_values->horizontalHeader()->length();
     const bool scrolls = needed > width();
     const int rows = m_values->verticalHeader()->length();
-    m_values->setMaximumHeight(m_values->horizontalHeader()->sizeHint().height() + rows
-                               + (scrolls ? bar : 0));
-    m_values->setMinimumHeight(std::min(m_values->maximumHeight(), 4 * rowHeight));
+    const int header = m_values->horizontalHeader()->sizeHint().height();
+    m_values->setMaximumHeight(header + rows + (scrolls ? bar : 0));
+    m_values->setMinimumHeight(std::min(m_values->maximumHeight(), header + numberRowHeight));
+    const QSize tab = m_sentence->parentWidget()->size();
+    m_sentence->fitInto({tab.width(), tab.height() - m_values->maximumHeight()});
 }
 
 void ValuesPane::copySelection()
@@ -272,10 +260,11 @@ void ValuesPane::changeEvent(QEvent *event)
     m_throttle->request();
 }
 
-void ValuesPane::resizeEvent(QResizeEvent *event)
+bool ValuesPane::eventFilter(QObject *watched, QEvent *event)
 {
-    QWidget::resizeEvent(event);
-    fitValues();
+    if (event->type() == QEvent::Resize && watched == m_sentence->parentWidget())
+        fitHeights();
+    return QWidget::eventFilter(watched, event);
 }
 
 void ValuesPane::retranslate()
@@ -286,6 +275,7 @@ void ValuesPane::retranslate()
     m_values->setAccessibleName(tr("Values of the circles at the moment shown"));
     m_hits->setAccessibleName(tr("Hits; Enter shows the moment"));
     m_sentence->setAccessibleName(tr("Last hit"));
+    m_noHits->setText(tr("No hits yet: press Run or Next hit"));
     m_copyAction->setText(tr("Copy"));
     m_copyAllAction->setText(tr("Copy all"));
     m_throttle->request();

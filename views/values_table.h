@@ -7,7 +7,6 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
-class QAbstractItemModel;
 class QAction;
 class QLabel;
 class QTableView;
@@ -18,6 +17,7 @@ namespace cradle {
 
 class FrameThrottle;
 class HitsModel;
+class SentenceLabel;
 class ValuesModel;
 
 /// Tables of the moment shown: the numbers of every circle, and the hits so far.
@@ -42,15 +42,15 @@ signals:
     void seekRequested(qint64 index); ///< a hit was chosen: the frame where it shows
 
 protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QTableView *makeTable(QAbstractItemModel *model, int unitRole);
     void refresh();
     void refreshValues();
     void refreshHits();
     void fitValues();
+    void fitHeights();
     void retranslate();
     void seekHit(const QModelIndex &index);
     [[nodiscard]] QTableView *shownTable() const;
@@ -61,7 +61,8 @@ private:
     QTabWidget *m_tabs;
     QTableView *m_values;
     QTableView *m_hits;
-    QLabel *m_sentence;
+    SentenceLabel *m_sentence;
+    QLabel *m_noHits; ///< in place of an empty list
     QAction *m_copyAction;
     QAction *m_copyAllAction;
     FrameThrottle *m_throttle;

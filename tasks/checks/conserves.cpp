@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 
+#include <utility>
+
 namespace cradle::kinds {
 
 namespace {
@@ -97,21 +99,21 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
         return noContact();
     const double tolerance = check.parameters.value(QStringLiteral("tolerance")).toDouble(1e-6);
     const QJsonArray wanted = check.parameters.value(QStringLiteral("velocities")).toArray();
-    const Vec2 observed[] = {found.front().afterA, found.front().afterB};
-    for (int i = 0; i < 2 && i < wanted.size(); ++i) {
-        const QJsonArray v = wanted.at(i).toArray();
+    const std::pair<int, Vec2> leaving[] = {{0, found.front().afterA}, {1, found.front().afterB}};
+    for (const auto &[circle, observed] : leaving) {
+        const QJsonArray v = wanted.at(circle).toArray();
         const Vec2 expected{v.at(0).toDouble(), v.at(1).toDouble()};
-        if (length(observed[i] - expected) <= tolerance)
+        if (v.isEmpty() || length(observed - expected) <= tolerance)
             continue;
-        const bool x = std::abs(observed[i].x - expected.x) > std::abs(observed[i].y - expected.y);
-        return Fault{.message =
-                         ConserveText::tr("At step %1 circle %2 left the first hit with %3 "
-                                          "m/s; %4 m/s is right")
-                             .arg(QString::number(found.front().step + 1), QString::number(i + 1),
-                                  motion::figureBeside(observed[i], expected),
-                                  motion::figureBeside(expected, observed[i])),
+        const bool x = std::abs(observed.x - expected.x) > std::abs(observed.y - expected.y);
+        return Fault{.message = ConserveText::tr("At step %1 circle %2 left the first hit with %3 "
+                                                 "m/s; %4 m/s is right")
+                                    .arg(QString::number(found.front().step + 1),
+                                         QString::number(circle + 1),
+                                         motion::figureBeside(observed, expected),
+                                         motion::figureBeside(expected, observed)),
                      .expected = x ? expected.x : expected.y,
-                     .observed = x ? observed[i].x : observed[i].y,
+                     .observed = x ? observed.x : observed.y,
                      .unit = QStringLiteral("m/s"),
                      .step = found.front().step + 1};
     }

@@ -20,7 +20,6 @@ private slots:
     void explainsItselfWithoutADisplay();
     void drawsAPictureWithoutADisplay_data();
     void drawsAPictureWithoutADisplay();
-    void pictureIsTheSameEveryTime();
     void pictureShowsTheMoment();
     void pictureShowsAFile();
     void pictureLeavesNoProgress();
@@ -142,14 +141,6 @@ void TestCradleProgram::drawsAPictureWithoutADisplay()
     QFETCH(QString, options);
     QFETCH(QSize, size);
     QCOMPARE(sizeOf(picture(options)), size);
-}
-
-void TestCradleProgram::pictureIsTheSameEveryTime()
-{
-    const QString options = text("--at 1.9 --step L42T11 --size 1280x800 --theme light");
-    const QByteArray first = picture(options);
-    QVERIFY(!first.isEmpty());
-    QVERIFY(picture(options) == first);
 }
 
 void TestCradleProgram::pictureShowsTheMoment()

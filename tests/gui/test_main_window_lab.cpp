@@ -4,7 +4,7 @@
 
 #include "tests/gui/open_window.h"
 
-#include <QThread>
+#include <QThreadPool>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -204,8 +204,7 @@ void TestMainWindowLab::sceneOpenedDuringTheCheckEndsIt()
 {
     m_open->click(QStringLiteral("Check"));
     // The work is done, but no event has told so yet.
-    while (m_open->bench.isChecking())
-        QThread::yieldCurrentThread();
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(60'000));
     QVERIFY(!m_open->bench.openPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     QTRY_VERIFY(!m_open->window.transportBar().isChecking());
 }

@@ -22,6 +22,10 @@ namespace {
 /// every frame.
 constexpr double aheadPart = 1.0 / 16.0;
 
+/// These parts of the last seconds are kept to the left and to the right of the moment shown.
+constexpr double leastPast = 0.4;
+constexpr double leastFuture = 0.2;
+
 QuietButton *addChoice(QButtonGroup *group, QHBoxLayout *line)
 {
     auto *button = new QuietButton;
@@ -63,6 +67,7 @@ ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *p
     connect(m_lastButton, &QuietButton::clicked, this, [this] { setWindow(Window::LastSeconds); });
     connect(m_allButton, &QuietButton::clicked, this, [this] { setWindow(Window::All); });
     connect(m_plot, &ChartPlot::timePicked, this, &ChartPane::seekRequested);
+    connect(m_plot, &ChartPlot::pickingEnded, m_throttle, &FrameThrottle::request);
     connect(m_throttle, &FrameThrottle::due, this, &ChartPane::redraw);
     connect(&simulation, &Simulation::restarted, this, [this] { m_range.reset(); });
     setHeadingFont();
@@ -180,10 +185,14 @@ void ChartPane::chooseWindow(double first, double last, ChartMoment &moment)
         m_windowStart = last - lastSeconds;
         return;
     }
-    // Moves no further than needed to hold the moment shown: a drag does not run away.
+    // Moves no further than needed to hold the moment shown with what was before it and comes
+    // after it, and not so far under a drag in the chart: that would run away.
     if (moment.shown == last)
         m_windowStart = last - lastSeconds;
-    m_windowStart = std::clamp(m_windowStart, moment.shown - lastSeconds, moment.shown);
+    const double past = m_plot->isPicking() ? 0.0 : leastPast * lastSeconds;
+    const double future = m_plot->isPicking() ? 0.0 : leastFuture * lastSeconds;
+    m_windowStart =
+        std::clamp(m_windowStart, moment.shown - lastSeconds + future, moment.shown - past);
     m_windowStart = std::clamp(m_windowStart, first, last - lastSeconds);
     moment.from = m_windowStart;
     moment.to = m_windowStart + lastSeconds;

@@ -243,8 +243,10 @@ QFont ChartPlot::smallFont() const
 
 void ChartPlot::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && m_showsRun)
-        emit timePicked(timeAt(event->position().x()));
+    if (event->button() != Qt::LeftButton || !m_showsRun)
+        return;
+    m_isPicking = true;
+    emit timePicked(timeAt(event->position().x()));
 }
 
 void ChartPlot::mouseMoveEvent(QMouseEvent *event)
@@ -256,6 +258,10 @@ void ChartPlot::mouseMoveEvent(QMouseEvent *event)
 void ChartPlot::mouseReleaseEvent(QMouseEvent *event)
 {
     event->accept();
+    if (event->button() != Qt::LeftButton || !m_isPicking)
+        return;
+    m_isPicking = false;
+    emit pickingEnded();
 }
 
 void ChartPlot::resizeEvent(QResizeEvent *event)

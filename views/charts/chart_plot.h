@@ -54,6 +54,8 @@ public:
     /// Shows \p text instead of curves.
     void showEmpty(const QString &text);
 
+    /// Whether the mouse is held down in it.
+    [[nodiscard]] bool isPicking() const { return m_isPicking; }
     [[nodiscard]] double timeAt(double x) const; ///< s, at x px; within the axis
     [[nodiscard]] QRectF plotArea() const { return m_area; }
     /// The labels shown with their places, for tests and for screen readers.
@@ -61,6 +63,7 @@ public:
 
 signals:
     void timePicked(double time); ///< a click or a drag, s
+    void pickingEnded();          ///< the mouse was let go
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;
@@ -91,6 +94,7 @@ private:
     AxisScale m_scale;
     QRectF m_area; ///< px
     bool m_showsRun = false;
+    bool m_isPicking = false;
     QString m_emptyText; ///< shown instead of a run
 
     LabelLayout m_layout;

@@ -18,6 +18,19 @@ namespace {
 constexpr double totalWidth = 3.0; ///< px; another curve on top of it leaves an edge
 /// Less than this part of the total is rounding, not loss.
 constexpr double leastLoss = 1e-9;
+/// With more circles their totals would be a tangle.
+constexpr std::size_t mostCompared = 4;
+
+/// Whether the scene is there to compare what integrators make of the energy.
+bool comparesIntegrators(const Preset &preset)
+{
+    const auto &circles = preset.circles;
+    if (circles.size() < 2 || circles.size() > mostCompared || preset.gravity == Vec2{})
+        return false;
+    return std::any_of(circles.begin(), circles.end(), [&](const PresetCircle &circle) {
+        return circle.integrator != circles.front().integrator;
+    });
+}
 
 } // namespace
 
@@ -29,11 +42,15 @@ EnergyChart::EnergyChart(const Simulation &simulation, RunCurves &curves, QWidge
     for (int choice = 0; choice < ChoiceCount; ++choice) {
         auto *action = new QAction(this);
         action->setCheckable(true);
-        action->setChecked(choice != Kinetic);
         connect(action, &QAction::toggled, this, [this] { selectionChanged(); });
+        const auto index = static_cast<std::size_t>(choice);
+        connect(action, &QAction::triggered, this, [this, index] { m_isChosen[index] = true; });
         menu->addAction(action);
-        m_actions[static_cast<std::size_t>(choice)] = action;
+        m_actions[index] = action;
     }
+    menu->setToolTipsVisible(true);
+    connect(&simulation, &Simulation::restarted, this, &EnergyChart::showDefaults);
+    showDefaults();
     m_button->setMenu(menu);
     addSelector(m_button);
     EnergyChart::retranslate();
@@ -41,7 +58,23 @@ EnergyChart::EnergyChart(const Simulation &simulation, RunCurves &curves, QWidge
 
 void EnergyChart::setShown(Choice choice, bool shown)
 {
+    m_isChosen[choice] = true;
     m_actions[choice]->setChecked(shown);
+}
+
+void EnergyChart::showDefaults()
+{
+    const bool compares = comparesIntegrators(simulation().preset());
+    const auto suggest = [this](Choice choice, bool shown) {
+        if (!m_isChosen[choice])
+            m_actions[choice]->setChecked(shown);
+    };
+    for (const Choice choice : {Total, Potential, Dissipated})
+        suggest(choice, true);
+    for (const Choice choice : {TotalOfEach, ByIntegrator})
+        suggest(choice, compares);
+    suggest(KineticOfEach, !compares);
+    suggest(Kinetic, false);
 }
 
 bool EnergyChart::isShown(Choice choice) const
@@ -57,10 +90,15 @@ void EnergyChart::retranslate()
     m_button->setToolTip(tr("Choose the curves"));
     m_button->setAccessibleName(m_button->toolTip());
     m_actions[Total]->setText(tr("&Total"));
+    m_actions[TotalOfEach]->setText(tr("Total of e&ach"));
     m_actions[KineticOfEach]->setText(tr("Kinetic, &each circle"));
     m_actions[Kinetic]->setText(tr("&Kinetic, all circles"));
     m_actions[Potential]->setText(tr("&Potential"));
     m_actions[Dissipated]->setText(tr("&Dissipated in hits"));
+    m_actions[ByIntegrator]->setText(tr("By the &integrator"));
+    m_actions[ByIntegrator]->setToolTip(
+        tr("Energy made by the integrator, or lost if negative: total + dissipated in hits − total "
+           "at the start. So start = total + dissipated − made by the integrator."));
     m_button->updateGeometry();
 }
 
@@ -74,18 +112,43 @@ double EnergyChart::scale() const
 std::vector<ChartCurve> EnergyChart::curves() const
 {
     std::vector<ChartCurve> all;
-    const Theme &colours = theme();
+    addTotals(all);
+    addKinetics(all);
+    if (isShown(Potential))
+        all.push_back({.label = tr("potential"),
+                       .colour = theme().potential,
+                       .dash = Qt::DotLine,
+                       .width = 2.0,
+                       .samples = &runCurves().potential()});
+    addLosses(all);
+    return all;
+}
+
+void EnergyChart::addTotals(std::vector<ChartCurve> &all) const
+{
     const RunCurves &run = runCurves();
-    const std::size_t count = run.circleCount();
     if (isShown(Total))
         all.push_back({.label = tr("total"),
                        .showsValue = true,
-                       .colour = colours.text,
+                       .colour = theme().text,
                        .width = totalWidth,
                        .samples = &run.total()});
+    for (std::size_t i = 0; isShown(TotalOfEach) && i < run.circleCount(); ++i)
+        all.push_back({.label = tr("total %1").arg(i + 1),
+                       .showsValue = true,
+                       .colour = colourOf(i),
+                       .dash = circleDash(static_cast<int>(i)),
+                       .width = 2.0,
+                       .samples = &run.circle(i).total});
+}
+
+void EnergyChart::addKinetics(std::vector<ChartCurve> &all) const
+{
+    const RunCurves &run = runCurves();
+    const std::size_t count = run.circleCount();
     if (isShown(Kinetic) || (isShown(KineticOfEach) && count == 0))
         all.push_back({.label = tr("kinetic"),
-                       .colour = colours.kinetic,
+                       .colour = theme().kinetic,
                        .width = 2.0,
                        .samples = &run.sum().kinetic});
     for (std::size_t i = 0; isShown(KineticOfEach) && i < count; ++i)
@@ -93,21 +156,25 @@ std::vector<ChartCurve> EnergyChart::curves() const
                        .colour = colourOf(i),
                        .dash = circleDash(static_cast<int>(i)),
                        .samples = &run.circle(i).kinetic});
-    if (isShown(Potential))
-        all.push_back({.label = tr("potential"),
-                       .colour = colours.potential,
-                       .dash = Qt::DotLine,
-                       .width = 2.0,
-                       .samples = &run.potential()});
+}
+
+void EnergyChart::addLosses(std::vector<ChartCurve> &all) const
+{
+    const RunCurves &run = runCurves();
     const double lost =
         std::max(std::abs(run.dissipated().maximum()), std::abs(run.dissipated().minimum()));
     if (isShown(Dissipated) && lost > leastLoss * scale())
         all.push_back({.label = tr("dissipated"),
                        .showsValue = true,
-                       .colour = colours.dissipated,
+                       .colour = theme().dissipated,
                        .dash = Qt::DashDotLine,
                        .samples = &run.dissipated()});
-    return all;
+    if (isShown(ByIntegrator))
+        all.push_back({.label = tr("by the integrator"),
+                       .showsValue = true,
+                       .colour = theme().mutedText,
+                       .dash = Qt::DashDotDotLine,
+                       .samples = &run.made()});
 }
 
 } // namespace cradle

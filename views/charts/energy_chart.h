@@ -10,7 +10,8 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
-/// The energies of a run over time: kinetic, potential, total, and what hits dissipated.
+/// The energies of a run over time: kinetic, potential, total, what hits dissipated, and what the
+/// integrator made. Where a few circles fall by different integrators each has a total of its own.
 class EnergyChart final : public ChartPane
 {
     Q_OBJECT
@@ -18,7 +19,17 @@ public:
     EnergyChart(const Simulation &simulation, RunCurves &curves, QWidget *parent = nullptr);
 
     /// A curve or a set of curves that can be chosen.
-    enum Choice { Total, KineticOfEach, Kinetic, Potential, Dissipated, ChoiceCount };
+    enum Choice {
+        Total,
+        TotalOfEach,
+        KineticOfEach,
+        Kinetic,
+        Potential,
+        Dissipated,
+        ByIntegrator,
+        ChoiceCount
+    };
+    /// As the student's own choice: no preset changes it any more.
     void setShown(Choice choice, bool shown);
     [[nodiscard]] bool isShown(Choice choice) const;
 
@@ -28,8 +39,14 @@ protected:
     void retranslate() override;
 
 private:
+    void addTotals(std::vector<ChartCurve> &all) const;
+    void addKinetics(std::vector<ChartCurve> &all) const;
+    void addLosses(std::vector<ChartCurve> &all) const;
+    void showDefaults();
+
     QuietButton *m_button;
     std::array<QAction *, ChoiceCount> m_actions{};
+    std::array<bool, ChoiceCount> m_isChosen{}; ///< by the student
 };
 
 } // namespace cradle

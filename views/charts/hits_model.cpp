@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cradle {
 
@@ -21,10 +22,26 @@ double sizeOf(const HitMomentum &p)
     return std::max(length(p.before), length(p.after));
 }
 
-QString vectorText(Vec2 v, double scale)
+/// The momenta of one hit: as vectors, or their x alone if none of them has a y.
+class MomentumText
 {
-    return QStringLiteral("(%1, %2)").arg(shortNumber(v.x, scale), shortNumber(v.y, scale));
-}
+public:
+    explicit MomentumText(const HitMomentum &p)
+        : m_scale(sizeOf(p))
+        , m_isLevel(std::max(std::abs(p.before.y), std::abs(p.after.y)) <= noise * m_scale)
+    {
+    }
+
+    QString operator()(Vec2 v) const
+    {
+        const QString x = shortNumber(v.x, m_scale);
+        return m_isLevel ? x : QStringLiteral("(%1, %2)").arg(x, shortNumber(v.y, m_scale));
+    }
+
+private:
+    double m_scale;
+    bool m_isLevel;
+};
 
 QString wallName(int wall)
 {
@@ -65,20 +82,16 @@ HitMomentum momentumOf(const Hit &hit, std::span<const Circle> circles)
 QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circles)
 {
     const HitMomentum p = momentumOf(hit, circles);
-    const double scale = sizeOf(p);
+    const MomentumText momentum(p);
     const QString time = QString::number(hit.time, 'f', 3);
-    QString text = hit.kind == Hit::Kind::Circle
-                       ? HitsModel::tr("Hit %1 at %2 s: momentum before %3, after %4, change %5.")
-                       : HitsModel::tr("Hit %1 at %2 s, circle %6 on the %7: "
-                                       "momentum before %3, after %4, change %5.");
-    // Kept momentum is told by its size; a change has a direction.
-    const bool kept = length(p.change()) <= noise * scale;
-    const auto vector = [&](Vec2 v) {
-        return kept ? shortNumber(length(v), scale) : vectorText(v, scale);
-    };
-    text = text.arg(number).arg(time, vector(p.before), vector(p.after),
-                                kept ? QStringLiteral("0") : vector(p.change()));
-    return hit.kind == Hit::Kind::Circle ? text : text.arg(hit.a + 1).arg(wallName(hit.b));
+    const QString text =
+        hit.kind == Hit::Kind::Circle
+            ? HitsModel::tr("Hit %1 at %2 s: momentum before %3, after %4, change %5 kg m/s.")
+            : HitsModel::tr("Hit %1 at %2 s, circle %6 on the %7: "
+                            "momentum before %3, after %4, change %5 kg m/s.");
+    const QString told =
+        text.arg(number).arg(time, momentum(p.before), momentum(p.after), momentum(p.change()));
+    return hit.kind == Hit::Kind::Circle ? told : told.arg(hit.a + 1).arg(wallName(hit.b));
 }
 
 HitsModel::HitsModel(const Simulation &simulation, QObject *parent)
@@ -171,21 +184,20 @@ QString HitsModel::text(const Hit &hit, int column) const
 {
     const Recording &recording = m_simulation.recording();
     const HitMomentum p = momentumOf(hit, recording.circles(recording.last()));
-    const double scale = sizeOf(p);
+    const MomentumText momentum(p);
     switch (column) {
     case Time:
         return QString::number(hit.time, 'f', 3);
     case Who:
         return whoMet(hit);
     case Impulse:
-        return shortNumber(hit.impulse, scale);
+        return shortNumber(hit.impulse, sizeOf(p));
     case Before:
-        return vectorText(p.before, scale);
+        return momentum(p.before);
     case After:
-        return vectorText(p.after, scale);
+        return momentum(p.after);
     case Change:
-        return length(p.change()) <= noise * scale ? QStringLiteral("0")
-                                                   : vectorText(p.change(), scale);
+        return momentum(p.change());
     default:
         return {};
     }
@@ -209,7 +221,7 @@ QVariant HitsModel::headerData(int section, Qt::Orientation orientation, int rol
     if (role == Qt::TextAlignmentRole)
         return int(section == Who ? Qt::AlignLeft : Qt::AlignRight);
     if (role == Qt::ToolTipRole && isMomentum)
-        return tr("Momentum (p_x, p_y) of the circles of the hit");
+        return tr("Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y");
     if (role != Qt::DisplayRole)
         return {};
     const std::array<QString, Count> names{tr("time"),   tr("who"),   tr("impulse"),

@@ -20,7 +20,8 @@ struct HitMomentum {
 /// Of both circles, or of the one that met a wall.
 [[nodiscard]] HitMomentum momentumOf(const Hit &hit, std::span<const Circle> circles);
 
-/// "Hit 1 at 1.868 s: momentum before 522.7, after 522.7, change 0."
+/// "Hit 1 at 1.868 s: momentum before 522.8, after 522.8, change 0 kg m/s." Of a momentum along x
+/// only x is told, with its sign, of any other both parts.
 [[nodiscard]] QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circles);
 
 /// The last hits of the recording, oldest first: when, who with whom, and what became of their

@@ -4,6 +4,8 @@
 
 #include "views/theme.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,16 +21,46 @@ QString withMinus(QString text)
     return text.replace(u'-', QChar(0x2212));
 }
 
+/// Of a number of \p size written with four digits; three at most.
+int decimalsOfFour(double size)
+{
+    return std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3);
+}
+
 } // namespace
 
-QString fixedNumber(double value)
+QString fixedNumber(double value, int places)
 {
     if (!std::isfinite(value))
         return QStringLiteral("–");
     if (std::abs(value) >= scientificFrom)
         return QString::number(value, 'e', 3);
-    const QString text = QString::number(value, 'f', 3);
-    return text == QLatin1String("-0.000") ? text.mid(1) : text;
+    QString text;
+    for (int decimals = 4; decimals >= 0; --decimals) {
+        text = QString::number(value, 'f', decimals);
+        if (text.size() <= places)
+            break;
+    }
+    return text.toDouble() == 0.0 && text.startsWith(u'-') ? text.mid(1) : text;
+}
+
+QString fourDigits(double value)
+{
+    const double size = std::abs(value);
+    if (!std::isfinite(value))
+        return QStringLiteral("–");
+    if (size == 0.0)
+        return QStringLiteral("0");
+    if (size >= 1e5 || size < 1e-2)
+        return QString::number(value, 'e', 1);
+    return QString::number(value, 'f', decimalsOfFour(size));
+}
+
+QString fullNumber(double value)
+{
+    if (!std::isfinite(value))
+        return QStringLiteral("–");
+    return withMinus(QString::number(value, 'g', QLocale::FloatingPointShortest));
 }
 
 QString shortNumber(double value, double scale)
@@ -40,7 +72,7 @@ QString shortNumber(double value, double scale)
         return QStringLiteral("0");
     if (size >= scientificFrom || size < 1e-3)
         return withMinus(QString::number(value, 'e', 2));
-    const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3);
+    const int decimals = std::max(decimalsOfFour(size), size < 1e5 ? 1 : 0);
     return withMinus(QString::number(value, 'f', decimals));
 }
 

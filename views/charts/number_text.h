@@ -7,10 +7,18 @@
 
 namespace cradle {
 
-/// For columns of numbers: three decimals, or scientific from 10⁶ on; never "-0.000".
-[[nodiscard]] QString fixedNumber(double value);
+/// For columns of numbers: four decimals, fewer where they would not fit \p places characters, or
+/// scientific from 10⁶ on; never "-0.0000".
+[[nodiscard]] QString fixedNumber(double value, int places = 11);
 
-/// For labels and sentences: four digits. What is below rounding noise (10⁻⁹) of \p scale is "0".
+/// Four digits, for columns with no room for more.
+[[nodiscard]] QString fourDigits(double value);
+
+/// All digits of a number, as few as tell it from every other one.
+[[nodiscard]] QString fullNumber(double value);
+
+/// For labels and sentences: four digits, and below 10⁵ at least one decimal. What is below
+/// rounding noise (10⁻⁹) of \p scale is "0".
 [[nodiscard]] QString shortNumber(double value, double scale = 0.0);
 
 /// For a tick of an axis whose ticks are \p step apart: no more decimals than the step needs.

@@ -33,6 +33,7 @@ struct Moment {
         append(curves.momentum[1], totals.momentum.y);
         append(curves.momentum[2], length(totals.momentum));
         append(curves.kinetic, totals.kinetic);
+        append(curves.total, totals.total());
     }
 };
 
@@ -54,8 +55,8 @@ void RunCurves::reset()
     m_circles.assign(count <= maxCircles ? count : 0, {});
     m_sum = {};
     m_potential.clear();
-    m_total.clear();
     m_dissipated.clear();
+    m_made.clear();
     m_nextFrame = 0;
     m_nextHit = 0;
     m_lost = 0.0;
@@ -75,8 +76,8 @@ void RunCurves::update()
     if (recording.hasDropped())
         dropBefore(recording.time(recording.first()));
     if (bytes() > m_maxBytes) {
-        const double first = m_total.firstTime();
-        dropBefore(first + forgottenPart * (m_total.lastTime() - first));
+        const double first = total().firstTime();
+        dropBefore(first + forgottenPart * (total().lastTime() - first));
     }
 }
 
@@ -102,10 +103,12 @@ void RunCurves::read(qint64 index)
         if (i < m_circles.size())
             moment.append(m_circles[i], one);
     }
+    if (m_made.isEmpty())
+        m_start = sum.total();
     moment.append(m_sum, sum);
     moment.append(m_potential, sum.potential);
-    moment.append(m_total, sum.total());
     moment.append(m_dissipated, m_lost);
+    moment.append(m_made, sum.total() + m_lost - m_start);
 }
 
 double RunCurves::momentumScale() const
@@ -124,13 +127,14 @@ void RunCurves::forEach(Visit visit)
         for (MinMaxPyramid &curve : curves.momentum)
             visit(curve);
         visit(curves.kinetic);
+        visit(curves.total);
     };
     for (MotionCurves &curves : m_circles)
         visitMotion(curves);
     visitMotion(m_sum);
     visit(m_potential);
-    visit(m_total);
     visit(m_dissipated);
+    visit(m_made);
 }
 
 void RunCurves::dropBefore(double time)

@@ -12,10 +12,11 @@ namespace cradle {
 /// What is shown of a momentum.
 enum class MomentumPart { X, Y, Length };
 
-/// Momentum and kinetic energy of one circle, or of all, over the run.
+/// Momentum and energy of one circle, or of all, over the run.
 struct MotionCurves {
     std::array<MinMaxPyramid, 3> momentum{}; ///< by MomentumPart, kg m/s
     MinMaxPyramid kinetic{};                 ///< J
+    MinMaxPyramid total{};                   ///< kinetic and potential energy, J
 };
 
 /// The curves of a run that the charts share. Reads each recorded frame once, keeps what the
@@ -39,9 +40,12 @@ public:
     [[nodiscard]] const MotionCurves &circle(std::size_t index) const { return m_circles[index]; }
     [[nodiscard]] const MotionCurves &sum() const { return m_sum; }
     [[nodiscard]] const MinMaxPyramid &potential() const { return m_potential; }
-    [[nodiscard]] const MinMaxPyramid &total() const { return m_total; }
+    [[nodiscard]] const MinMaxPyramid &total() const { return m_sum.total; }
     /// Kinetic energy that hits have taken since the start, J.
     [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_dissipated; }
+    /// Energy that the integrator has made since the start, J; negative if it lost some:
+    /// total + dissipated in hits − total at the start.
+    [[nodiscard]] const MinMaxPyramid &made() const { return m_made; }
     /// The greatest |p| of any circle or of all, kg m/s: the scale of the run.
     [[nodiscard]] double momentumScale() const;
 
@@ -59,11 +63,12 @@ private:
     std::vector<MotionCurves> m_circles;
     MotionCurves m_sum;
     MinMaxPyramid m_potential;
-    MinMaxPyramid m_total;
     MinMaxPyramid m_dissipated;
+    MinMaxPyramid m_made;
     qint64 m_nextFrame = 0;
     qint64 m_nextHit = 0; ///< of all hits ever
     double m_lost = 0.0;  ///< J, up to the last frame read
+    double m_start = 0.0; ///< total of the first frame read, J
 };
 
 } // namespace cradle

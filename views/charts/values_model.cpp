@@ -142,10 +142,22 @@ QVariant ValuesModel::data(const QModelIndex &index, int role) const
         return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::FontRole)
         return m_font;
-    if (role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     const auto value = number(index.row(), index.column());
-    return value ? fixedNumber(*value) : QString();
+    if (!value)
+        return QString();
+    if (role == Qt::DisplayRole)
+        return text(*value, index.column());
+    const ColumnText &column = columnTexts[static_cast<std::size_t>(index.column())];
+    return tr("%1 %2", "number unit").arg(fullNumber(*value), tr(column.unit));
+}
+
+QString ValuesModel::text(double value, int column) const
+{
+    if (column == Mass)
+        return fourDigits(value);
+    return fixedNumber(value, column < Mass ? narrowPlaces : widePlaces);
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -17,6 +17,9 @@ class ValuesModel final : public QAbstractTableModel
     Q_OBJECT
 public:
     enum Column { X, Y, VelocityX, VelocityY, Mass, Speed, MomentumX, MomentumY, Kinetic, Count };
+    /// Characters of a number of the columns before the mass, and of those after it.
+    static constexpr int narrowPlaces = 8;
+    static constexpr int widePlaces = 11;
     static constexpr int unitRole = Qt::UserRole; ///< of a column's header
 
     explicit ValuesModel(const Simulation &simulation, QObject *parent = nullptr);
@@ -36,6 +39,7 @@ public:
 
 private:
     [[nodiscard]] int circleCount() const;
+    [[nodiscard]] QString text(double value, int column) const;
     [[nodiscard]] std::optional<double> sumOf(int column) const;
     [[nodiscard]] QVariant circleHeader(int row, int role) const;
 

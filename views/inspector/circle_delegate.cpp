@@ -121,7 +121,7 @@ void CircleDelegate::setEditorData(QWidget *editor, const QModelIndex &index) co
 {
     const QVariant value = index.data(Qt::EditRole);
     if (auto *field = qobject_cast<NumberField *>(editor)) {
-        if (!field->isRefused())
+        if (!field->isRefused() && !field->isProposing()) // what was typed stays
             field->setValue(value.toDouble());
     } else if (auto *list = qobject_cast<QComboBox *>(editor)) {
         list->setCurrentIndex(list->findData(value));

@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 
 namespace cradle {
@@ -167,10 +168,18 @@ void CirclesGroup::setFault(const QString &pointer)
     m_model->setFault(pointer);
 }
 
+/// Selects the last circle without a move of the table to the side.
+void CirclesGroup::selectLast()
+{
+    const int left = m_table->horizontalScrollBar()->value();
+    select(m_model->rowCount() - 1);
+    m_table->horizontalScrollBar()->setValue(left);
+}
+
 void CirclesGroup::addCircle()
 {
     if (m_document.edit(tr("Add circle"), withAddedCircle(m_document.preset())))
-        select(m_model->rowCount() - 1);
+        selectLast();
 }
 
 void CirclesGroup::duplicate()
@@ -178,7 +187,7 @@ void CirclesGroup::duplicate()
     const int circle = selected();
     if (circle >= 0
         && m_document.edit(tr("Duplicate circle"), withDuplicate(m_document.preset(), circle)))
-        select(m_model->rowCount() - 1);
+        selectLast();
 }
 
 void CirclesGroup::remove()
@@ -218,15 +227,29 @@ void CirclesGroup::layOutColumns()
         std::clamp(m_table->viewport()->width() - taken - slack, name, 2 * name));
 }
 
+/// Delete removes a circle; Space and Return, which belong to shortcuts, begin no text.
+bool CirclesGroup::handleKey(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Delete:
+        remove();
+        return true;
+    case Qt::Key_Space:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        event->ignore();
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool CirclesGroup::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize && watched == m_table->viewport())
         layOutColumns();
-    if (watched == m_table && event->type() == QEvent::KeyPress
-        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Delete) {
-        remove();
-        return true;
-    }
+    if (watched == m_table && event->type() == QEvent::KeyPress)
+        return handleKey(static_cast<QKeyEvent *>(event));
     return QWidget::eventFilter(watched, event);
 }
 

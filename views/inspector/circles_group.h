@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QKeyEvent;
 class QLabel;
 class QPushButton;
 class QTableView;
@@ -48,9 +49,11 @@ private:
     void nameButtons();
     void reload();
     void layOutColumns();
+    void selectLast();
     void addCircle();
     void duplicate();
     void remove();
+    bool handleKey(QKeyEvent *event);
 
     PresetDocument &m_document;
     QLabel *m_heading = nullptr;

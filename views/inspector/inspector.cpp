@@ -58,12 +58,11 @@ void Inspector::makeLayout()
     m_groups = new QBoxLayout(QBoxLayout::TopToBottom, content);
     m_groups->setContentsMargins(margin, 8, margin, 4);
     m_groups->setSpacing(6);
-    auto *top = new QHBoxLayout;
-    top->setSpacing(groupGap);
-    top->addWidget(m_world);
-    top->addWidget(m_laws);
-    top->addStretch(1);
-    m_groups->addLayout(top);
+    m_top = new QBoxLayout(QBoxLayout::LeftToRight);
+    m_top->addWidget(m_world);
+    m_top->addWidget(m_laws);
+    m_top->addStretch(1);
+    m_groups->addLayout(m_top);
     m_groups->addWidget(m_circles, 1);
 
     auto *scroll = new QScrollArea(this);
@@ -124,12 +123,15 @@ void Inspector::showStartNote()
 }
 
 /// The table beside the other groups where there is room for both; fields of the world in one
-/// column where two do not fit.
+/// column where two do not fit, and the groups below one another where even that is too wide.
 void Inspector::arrange()
 {
     const int laws = m_laws->sizeHint().width();
     const int oneRow = m_world->twoColumnWidth() + groupGap + laws + 2 * margin;
     m_world->setColumns(oneRow <= width() ? 2 : 1);
+    const bool sideBySide = m_world->sizeHint().width() + groupGap + laws + 2 * margin <= width();
+    m_top->setDirection(sideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_top->setSpacing(sideBySide ? groupGap : 6);
     const bool beside = width() >= oneRow + groupGap + besideTable;
     m_groups->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_groups->setSpacing(beside ? groupGap : 6);

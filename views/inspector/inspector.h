@@ -50,6 +50,7 @@ private:
     LawsGroup *m_laws = nullptr;
     CirclesGroup *m_circles = nullptr;
     QBoxLayout *m_groups = nullptr; ///< World and Laws, then Circles
+    QBoxLayout *m_top = nullptr;    ///< World and Laws
     QLabel *m_refusal = nullptr;
     QLabel *m_startNote = nullptr;
 };

@@ -74,6 +74,13 @@ void NumberField::revert()
         emit reverted();
 }
 
+void NumberField::offer(double value, bool spinning)
+{
+    m_proposing = true;
+    emit valueProposed(value, spinning);
+    m_proposing = false;
+}
+
 bool NumberField::propose()
 {
     if (text() == textOf(m_value)) {
@@ -86,7 +93,7 @@ bool NumberField::propose()
         emit notANumber(text());
         return false;
     }
-    emit valueProposed(*number, false);
+    offer(*number, false);
     if (!m_refused && *number == m_value)
         setValue(m_value); // "0,50" becomes 0.5
     return !m_refused;
@@ -98,7 +105,7 @@ void NumberField::spin(int steps)
     const double moved = m_spin == Spin::Add ? spun(from, m_step, steps) : from * std::exp2(steps);
     const double to = std::clamp(moved, m_lowest, m_highest);
     setText(textOf(to));
-    emit valueProposed(to, true);
+    offer(to, true);
     selectAll();
 }
 

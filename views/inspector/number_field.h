@@ -27,6 +27,8 @@ public:
 
     [[nodiscard]] double value() const { return m_value; }
     [[nodiscard]] bool isRefused() const { return m_refused; }
+    /// Whether a number is proposed at this moment and neither taken nor refused yet.
+    [[nodiscard]] bool isProposing() const { return m_proposing; }
     [[nodiscard]] QSize sizeHint() const override;
 
 public slots:
@@ -51,6 +53,7 @@ protected:
 
 private:
     void spin(int steps);
+    void offer(double value, bool spinning);
     void measure();
     [[nodiscard]] QString textOf(double value) const;
 
@@ -61,6 +64,7 @@ private:
     double m_highest = std::numeric_limits<double>::infinity();
     double m_value = 0.0;
     bool m_refused = false;
+    bool m_proposing = false;
 };
 
 } // namespace cradle

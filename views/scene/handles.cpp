@@ -98,6 +98,15 @@ QString circleName(const Preset &preset, int index)
     return name.isEmpty() ? QString::number(index + 1) : name;
 }
 
+Vec2 withinWalls(const Preset &preset, int index)
+{
+    const Circle &circle = preset.circles[static_cast<std::size_t>(index)].body;
+    if (preset.laws.walls == WallLaw::None)
+        return circle.position;
+    const double room = std::max(preset.halfWidth - circle.radius, 0.0);
+    return {std::clamp(circle.position.x, -room, room), std::clamp(circle.position.y, -room, room)};
+}
+
 HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed)
     : m_handle(handle)
     , m_start(start)
@@ -117,6 +126,8 @@ Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
     value += m_handle.kind == Handle::Kind::Circle ? moved : moved / arrowScale(m_start.halfWidth);
     if (snap)
         value = {snapped(value.x), snapped(value.y)};
+    if (m_handle.kind == Handle::Kind::Circle)
+        body.position = withinWalls(changed, m_handle.index);
     return changed;
 }
 

@@ -49,6 +49,10 @@ struct Handle {
 /// The name of circle \p index, or its number where it has none.
 [[nodiscard]] QString circleName(const Preset &preset, int index);
 
+/// Where circle \p index of \p preset can be at most: inside the square, touching a wall that it
+/// would go through, if walls reflect; else where it is.
+[[nodiscard]] Vec2 withinWalls(const Preset &preset, int index);
+
 /// A handle on its way: what the preset would be with the pointer at a place.
 class HandleDrag
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/hit_parts.h"
 
+#include "views/scene/arrow_lanes.h"
 #include "views/scene/handles.h"
 #include "views/theme.h"
 
@@ -23,7 +24,13 @@ constexpr std::size_t mostShown = 6; ///< more would cover each other
 constexpr double smallestPart = 0.005;
 
 constexpr double beforeOpacity = 0.4;
-constexpr double normalReach = 0.15; ///< of the half width, beyond the discs
+constexpr double normalReach = 0.15; ///< of the half width, beyond the disc or the wall
+constexpr double normalHead = 8.0;   ///< px
+constexpr double normalGap = 6.0;    ///< px that arrows keep from the normal
+
+// Which labels find a place first; names come after all of them.
+constexpr int partRank = 0;
+constexpr int beforeRank = 1;
 
 /// The frame at whose end \p hit shows, if it is kept.
 std::optional<qint64> frameOf(const SceneMoment &moment, const Hit &hit)
@@ -53,37 +60,101 @@ QColor textColour(const QColor &colour)
     return theme().dark ? colour : colour.darker(140);
 }
 
-void addPart(SceneDraft &draft, Vec2 from, Vec2 part, double halfWidth, const QColor &colour,
-             const QString &text)
-{
-    const Vec2 tip = arrowTip(from, part, halfWidth);
-    draft.list.arrows.push_back(
-        {.from = from, .to = tip, .colour = colour, .width = 2.5, .head = 12.0});
-    draft.wishes.push_back({.label = {.anchor = tip, .text = text, .colour = textColour(colour)},
-                            .direction = part,
-                            .clearance = 6.0});
-}
+/// One circle of the hit, where it was then.
+struct HitCircle {
+    Circle body;
+    Vec2 before; ///< velocity, m/s
+    Vec2 after;
+    QColor colour;
+};
 
-void addSplitVelocity(SceneDraft &draft, const SceneMoment &moment, const Circle &circle,
-                      Vec2 before, Vec2 normal, const QColor &colour, double opacity)
+/// The arrows of one hit on their way into a draft.
+class HitArrows
 {
-    const double halfWidth = moment.preset.halfWidth;
-    const Vec2 along = dot(before, normal) * normal;
-    const Vec2 across = before - along;
-    const bool hasAlong = length(along) > smallestPart;
-    const bool hasAcross = length(across) > smallestPart;
-    // If there is one part only, it lies on the velocity itself and says it all.
-    if (hasAlong && hasAcross) {
-        addPart(draft, circle.position, before, halfWidth, faded(colour, beforeOpacity * opacity),
-                HitText::tr("before %1").arg(speedText(length(before))));
-        draft.wishes.back().label.colour = textColour(faded(colour, opacity));
+public:
+    HitArrows(SceneDraft &draft, ArrowLanes &lanes, double halfWidth, double opacity,
+              double pixelsPerMetre)
+        : m_draft(draft)
+        , m_lanes(lanes)
+        , m_halfWidth(halfWidth)
+        , m_opacity(opacity)
+        , m_scale(pixelsPerMetre)
+    {
     }
-    if (hasAlong)
-        addPart(draft, circle.position, along, halfWidth, faded(theme().along, opacity),
-                HitText::tr("along %1").arg(speedText(length(along))));
-    if (hasAcross)
-        addPart(draft, circle.position, across, halfWidth, faded(theme().across, opacity),
-                HitText::tr("across %1").arg(speedText(length(across))));
+
+    void addBefore(const HitCircle &circle)
+    {
+        const QColor pale = faded(circle.colour, beforeOpacity);
+        addArrow(circle, circle.before, pale, circle.colour, beforeRank,
+                 HitText::tr("before %1").arg(speedText(length(circle.before))));
+    }
+
+    void addAfter(const HitCircle &circle)
+    {
+        if (length(circle.after - circle.before) <= smallestPart)
+            return;
+        const QString text = HitText::tr("after %1").arg(speedText(length(circle.after)));
+        if (length(circle.after) > smallestPart) {
+            addArrow(circle, circle.after, circle.colour, circle.colour, partRank, text);
+            return;
+        }
+        const QColor colour = textColour(faded(circle.colour, m_opacity));
+        m_draft.wishes.push_back(
+            {.label = {.anchor = circle.body.position, .text = text, .colour = colour},
+             .direction = -circle.before,
+             .clearance = circle.body.radius * m_scale + 5.0,
+             .rank = partRank,
+             .clearOfDiscs = true});
+    }
+
+    void addPart(const HitCircle &circle, Vec2 part, const QColor &colour, const QString &text)
+    {
+        addArrow(circle, part, colour, colour, partRank, text.arg(speedText(length(part))));
+    }
+
+private:
+    void addArrow(const HitCircle &circle, Vec2 velocity, const QColor &colour,
+                  const QColor &labelColour, int rank, const QString &text)
+    {
+        const Stretch place = m_lanes.place(circle.body, arrowTip({}, velocity, m_halfWidth));
+        m_draft.list.arrows.push_back({.from = place.from,
+                                       .to = place.to,
+                                       .colour = faded(colour, m_opacity),
+                                       .width = 2.5,
+                                       .head = 12.0});
+        m_draft.wishes.push_back({.label = {.anchor = place.to,
+                                            .text = text,
+                                            .colour = textColour(faded(labelColour, m_opacity))},
+                                  .direction = velocity,
+                                  .clearance = 6.0,
+                                  .elsewhere = 0.5 * (place.from + place.to),
+                                  .rank = rank,
+                                  .clearOfDiscs = true});
+    }
+
+    SceneDraft &m_draft;
+    ArrowLanes &m_lanes;
+    double m_halfWidth;
+    double m_opacity;
+    double m_scale; ///< px/m
+};
+
+/// The normal as a dashed line from the centre of a through the contact to \p end.
+void addNormal(SceneDraft &draft, Vec2 from, Vec2 end, Vec2 normal, double opacity, double scale)
+{
+    const QColor colour = faded(theme().along, opacity);
+    const Vec2 neck = end - (normalHead / scale) * normal;
+    draft.list.lines.push_back(
+        {.from = from, .to = neck, .colour = colour, .width = 1.5, .dash = {5.0, 4.0}});
+    draft.list.arrows.push_back(
+        {.from = neck, .to = end, .colour = colour, .width = 1.5, .head = normalHead});
+    draft.wishes.push_back({.label = {.anchor = end,
+                                      .text = HitText::tr("n", "the normal vector"),
+                                      .colour = textColour(colour)},
+                            .direction = normal,
+                            .clearance = 4.0,
+                            .rank = partRank,
+                            .clearOfDiscs = true});
 }
 
 bool samePair(const Hit &x, const Hit &y)
@@ -118,33 +189,55 @@ std::vector<ShownHit> shownHits(const SceneMoment &moment, int selected)
     return shown;
 }
 
-void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown)
+void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown,
+                 double pixelsPerMetre)
 {
     const Hit &hit = *shown.hit;
     const std::optional<qint64> frame = frameOf(moment, hit);
     if (!frame || hit.normal == Vec2{})
         return;
-    const auto colour = [&](int index) {
-        return circleColour(moment.preset.circles[static_cast<std::size_t>(index)].colour);
+    const auto circleOf = [&](int index, Vec2 before, Vec2 after) {
+        const QString &colour = moment.preset.circles[static_cast<std::size_t>(index)].colour;
+        return HitCircle{circleAtHit(moment, *frame, hit, index, after), before, after,
+                         circleColour(colour)};
     };
-    const double reach = normalReach * moment.preset.halfWidth;
-    const Circle a = circleAtHit(moment, *frame, hit, hit.a, hit.afterA);
-    const Vec2 start = a.position - (a.radius + reach) * hit.normal;
-    Vec2 end = a.position + (a.radius + reach) * hit.normal;
-    if (hit.kind == Hit::Kind::Circle) {
-        const Circle b = circleAtHit(moment, *frame, hit, hit.b, hit.afterB);
-        end = b.position + (b.radius + reach) * hit.normal;
-        addSplitVelocity(draft, moment, b, hit.beforeB, hit.normal, colour(hit.b), shown.opacity);
+    std::vector<HitCircle> circles{circleOf(hit.a, hit.beforeA, hit.afterA)};
+    if (hit.kind == Hit::Kind::Circle)
+        circles.push_back(circleOf(hit.b, hit.beforeB, hit.afterB));
+    std::vector<Circle> discs;
+    for (const HitCircle &circle : circles)
+        discs.push_back(circle.body);
+    ArrowLanes lanes(discs, pixelsPerMetre);
+    HitArrows arrows(draft, lanes, moment.preset.halfWidth, shown.opacity, pixelsPerMetre);
+
+    const Circle &last = discs.back();
+    const double reach = last.radius + normalReach * moment.preset.halfWidth;
+    const Vec2 end = last.position + reach * hit.normal;
+    lanes.occupy({discs.front().position, end}, normalGap);
+    // If there is one part only, it lies on the velocity itself and says it all.
+    const auto along = [&](const HitCircle &circle) {
+        return dot(circle.before, hit.normal) * hit.normal;
+    };
+    const auto across = [&](const HitCircle &circle) { return circle.before - along(circle); };
+    const auto matters = [](Vec2 part) { return length(part) > smallestPart; };
+    for (const HitCircle &circle : circles) {
+        if (matters(along(circle)) && matters(across(circle)))
+            arrows.addBefore(circle);
     }
-    const QColor normalColour = faded(theme().along, shown.opacity);
-    draft.list.lines.push_back(
-        {.from = start, .to = end, .colour = normalColour, .width = 1.5, .dash = {5.0, 4.0}});
-    draft.wishes.push_back({.label = {.anchor = start,
-                                      .text = HitText::tr("n", "the normal vector"),
-                                      .colour = textColour(normalColour)},
-                            .direction = -hit.normal,
-                            .clearance = 4.0});
-    addSplitVelocity(draft, moment, a, hit.beforeA, hit.normal, colour(hit.a), shown.opacity);
+    for (const HitCircle &circle : circles) {
+        if (matters(across(circle)))
+            arrows.addPart(circle, across(circle), theme().across, HitText::tr("across %1"));
+    }
+    // While running the circles' own arrows tell it.
+    for (const HitCircle &circle : circles) {
+        if (!moment.running)
+            arrows.addAfter(circle);
+    }
+    for (const HitCircle &circle : circles) {
+        if (matters(along(circle)))
+            arrows.addPart(circle, along(circle), theme().along, HitText::tr("along %1"));
+    }
+    addNormal(draft, discs.front().position, end, hit.normal, shown.opacity, pixelsPerMetre);
 }
 
 } // namespace cradle

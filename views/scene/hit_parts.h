@@ -17,9 +17,10 @@ struct ShownHit {
 /// hitSeconds; of each pair only the newest. In a crowd only those of \p selected.
 [[nodiscard]] std::vector<ShownHit> shownHits(const SceneMoment &moment, int selected);
 
-/// Draws \p shown: the normal, and each circle's velocity before with its parts
+/// Draws \p shown: the normal, each circle's velocity before with its parts
 ///     v = (v·n) n + (v − (v·n) n)
-/// along and across the normal n, at the place of the hit.
-void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown);
+/// along and across the normal n, and what it became, at the place of the hit.
+void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown,
+                 double pixelsPerMetre);
 
 } // namespace cradle

@@ -199,22 +199,25 @@ void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
              .colour = theme().warning});
 }
 
+/// Turns the wishes of \p draft into labels.
 void placeLabels(SceneDraft &draft, const SceneLook &look)
 {
     SceneLabels layout(draft.list, look.camera, look.font, look.reserved);
     // Numbers in discs first: they have only one good place.
-    for (const LabelWish &wish : draft.wishes) {
-        if (wish.atAnchor && !layout.placeThere(wish.label)) {
-            DrawList::Label beside = wish.label;
-            beside.colour = theme().text;
-            beside.plate = true;
-            layout.placeBeside(std::move(beside), wish.direction, wish.clearance);
+    std::vector<LabelWish> open;
+    for (LabelWish &wish : draft.wishes) {
+        if (wish.atAnchor && layout.placeThere(wish.label))
+            continue;
+        if (wish.atAnchor) {
+            wish.label.colour = theme().text;
+            wish.label.plate = true;
         }
+        open.push_back(std::move(wish));
     }
-    for (const LabelWish &wish : draft.wishes) {
-        if (!wish.atAnchor)
-            layout.placeBeside(wish.label, wish.direction, wish.clearance);
-    }
+    std::stable_sort(open.begin(), open.end(),
+                     [](const LabelWish &x, const LabelWish &y) { return x.rank < y.rank; });
+    for (const LabelWish &wish : open)
+        layout.placeBeside(wish);
 }
 
 } // namespace
@@ -250,7 +253,7 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
     const std::vector<ShownHit> hits =
         options.hitParts ? shownHits(moment, look.selected) : std::vector<ShownHit>{};
     for (const ShownHit &hit : hits)
-        addHitParts(draft, moment, hit);
+        addHitParts(draft, moment, hit, look.camera.pixelsPerMetre());
     // While a hit stands still, the arrows of what it did to the circles would lie on its own.
     const auto standsInHit = [&](int index) {
         return !moment.running

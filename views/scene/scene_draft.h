@@ -4,20 +4,28 @@
 
 #include "views/scene/draw_list.h"
 
+#include <optional>
+
 namespace cradle {
+
+/// Names are the least important labels.
+inline constexpr int nameRank = 2;
 
 /// A label that still has to find its place.
 struct LabelWish {
     DrawList::Label label{};
-    Vec2 direction{};       ///< from the anchor, where it would like to be
-    double clearance = 8.0; ///< px from the anchor
-    bool atAnchor = false;  ///< best on the anchor itself (a number in its disc)
+    Vec2 direction{};                ///< from the anchor, where it would like to be
+    double clearance = 8.0;          ///< px from the anchor
+    bool atAnchor = false;           ///< best on the anchor itself (a number in its disc)
+    std::optional<Vec2> elsewhere{}; ///< another anchor, m, where there is no room at the first
+    int rank = nameRank;             ///< the smallest find their places first
+    bool clearOfDiscs = false;       ///< rather left out than put over a disc
 };
 
 /// A DrawList in the making: labels are placed when all that they avoid is known.
 struct SceneDraft {
     DrawList list{};
-    std::vector<LabelWish> wishes{}; ///< the important ones first
+    std::vector<LabelWish> wishes{}; ///< in the order they came up
 };
 
 /// \p colour with its opacity times \p opacity (0 to 1).

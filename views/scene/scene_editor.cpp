@@ -99,6 +99,7 @@ void SceneEditor::nudgeSelected(Vec2 by)
         return step == 0.0 ? value : rounded;
     };
     position = {added(position.x, by.x), added(position.y, by.y)};
+    position = withinWalls(changed, m_selected);
     commit(tr("Move %1").arg(circleName(preset(), m_selected)), changed,
            QStringLiteral("scene nudge %1").arg(m_selected));
 }

@@ -21,8 +21,9 @@ constexpr int smallestSize = 11; ///< px
 constexpr double outsideCost = 40.0;
 constexpr double discCost = 10.0;
 constexpr double shaftCost = 4.0;
-constexpr double turnCost = 0.5;     ///< per eighth of a turn
-constexpr double distanceCost = 1.5; ///< per ring further away
+constexpr double turnCost = 0.5;      ///< per eighth of a turn
+constexpr double distanceCost = 1.5;  ///< per ring further away
+constexpr double elsewhereCost = 3.0; ///< at the other anchor
 
 /// Turns from the preferred direction, in eighths, in the order they are tried.
 constexpr int eighths[] = {0, 1, -1, 2, -2, 3, -3, 4};
@@ -82,8 +83,7 @@ SceneLabels::SceneLabels(DrawList &list, const Camera &camera, const QFont &base
 {
     for (const DrawList::Disc &disc : list.discs) {
         const double r = disc.radius * camera.pixelsPerMetre();
-        const QPointF centre = camera.toPixels(disc.centre);
-        m_discs.emplace_back(centre.x() - r, centre.y() - r, 2 * r, 2 * r);
+        m_discs.push_back({camera.toPixels(disc.centre), r});
     }
     for (const DrawList::Arrow &arrow : list.arrows)
         m_shafts.emplace_back(camera.toPixels(arrow.from), camera.toPixels(arrow.to));
@@ -99,31 +99,44 @@ bool SceneLabels::placeThere(const DrawList::Label &label)
     return true;
 }
 
-bool SceneLabels::placeBeside(DrawList::Label label, Vec2 direction, double clearance)
+bool SceneLabels::placeBeside(const LabelWish &wish)
 {
+    DrawList::Label label = wish.label;
+    const QFontMetricsF &metrics = label.strong ? m_strongMetrics : m_metrics;
     label.alignment = Qt::AlignCenter;
-    label.offset = {};
-    const QRectF centred = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics);
-    const double preferred = std::atan2(-direction.y, direction.x);
+    std::optional<DrawList::Label> best;
     double bestCost = std::numeric_limits<double>::infinity();
-    for (int ring = 0; ring < rings; ++ring) {
-        for (const int turn : eighths) {
-            const double angle = preferred + turn * std::numbers::pi / 4.0;
-            const double reach = clearance + ring * 0.8 * centred.height();
-            const QPointF offset(std::cos(angle) * (reach + centred.width() / 2),
-                                 std::sin(angle) * (reach + centred.height() / 2));
-            const QRectF rect = centred.translated(offset);
-            const double price = cost(rect) + std::abs(turn) * turnCost + ring * distanceCost;
-            if (price < bestCost && !coversText(rect)) {
+    const auto tryBeside = [&](Vec2 anchor, double preferred, double handicap) {
+        label.anchor = anchor;
+        label.offset = {};
+        const QRectF centred = labelRect(label, m_camera, metrics);
+        for (int ring = 0; ring < rings; ++ring) {
+            for (const int turn : eighths) {
+                const double angle = preferred + turn * std::numbers::pi / 4.0;
+                const double reach = wish.clearance + ring * 0.8 * centred.height();
+                const QPointF offset(std::cos(angle) * (reach + centred.width() / 2),
+                                     std::sin(angle) * (reach + centred.height() / 2));
+                const QRectF rect = centred.translated(offset);
+                const double price =
+                    handicap + cost(rect) + std::abs(turn) * turnCost + ring * distanceCost;
+                if (price >= bestCost || coversText(rect)
+                    || (wish.clearOfDiscs && discsUnder(rect) > 0))
+                    continue;
                 bestCost = price;
                 label.offset = offset;
+                best = label;
             }
         }
-    }
-    if (bestCost == std::numeric_limits<double>::infinity())
+    };
+    const double preferred = std::atan2(-wish.direction.y, wish.direction.x);
+    tryBeside(wish.label.anchor, preferred, 0.0);
+    // Beside a shaft, not on it.
+    if (wish.elsewhere)
+        tryBeside(*wish.elsewhere, preferred + std::numbers::pi / 2.0, elsewhereCost);
+    if (!best)
         return false;
-    m_taken.push_back(centred.translated(label.offset));
-    m_list.labels.push_back(std::move(label));
+    m_taken.push_back(labelRect(*best, m_camera, metrics));
+    m_list.labels.push_back(*std::move(best));
     return true;
 }
 
@@ -134,13 +147,22 @@ bool SceneLabels::coversText(const QRectF &rect) const
                        [&](const QRectF &taken) { return taken.intersects(room); });
 }
 
+int SceneLabels::discsUnder(const QRectF &rect) const
+{
+    return static_cast<int>(std::count_if(m_discs.begin(), m_discs.end(), [&](const Disc &disc) {
+        const QPointF nearest(std::clamp(disc.centre.x(), rect.left(), rect.right()),
+                              std::clamp(disc.centre.y(), rect.top(), rect.bottom()));
+        const QPointF apart = nearest - disc.centre;
+        return std::hypot(apart.x(), apart.y()) < disc.radius;
+    }));
+}
+
 double SceneLabels::cost(const QRectF &rect) const
 {
     double sum = 0.0;
     if (!QRectF({}, m_camera.viewport()).contains(rect))
         sum += outsideCost;
-    for (const QRectF &disc : m_discs)
-        sum += disc.intersects(rect) ? discCost : 0.0;
+    sum += discCost * discsUnder(rect);
     for (const QLineF &shaft : m_shafts)
         sum += crosses(shaft, rect) ? shaftCost : 0.0;
     return sum;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "views/scene/camera.h"
-#include "views/scene/draw_list.h"
+#include "views/scene/scene_draft.h"
 
 #include <QFont>
 #include <QFontMetricsF>
@@ -32,13 +32,19 @@ public:
 
     /// Puts \p label where its offset says, or not at all. \return whether it was put
     bool placeThere(const DrawList::Label &label);
-    /// Puts \p label at \p clearance px from its anchor, preferably towards \p direction
-    /// (scene coordinates), else turned away from that as little as needed.
-    /// \return false if every place would cover a text: then the label is left out
-    bool placeBeside(DrawList::Label label, Vec2 direction, double clearance);
+    /// Puts the label of \p wish beside its anchor, preferably towards its direction, else turned
+    /// away from that as little as needed, else beside its other anchor.
+    /// \return false if every place would cover what it must not: then the label is left out
+    bool placeBeside(const LabelWish &wish);
 
 private:
+    struct Disc {
+        QPointF centre; ///< px
+        double radius;  ///< px
+    };
+
     [[nodiscard]] bool coversText(const QRectF &rect) const;
+    [[nodiscard]] int discsUnder(const QRectF &rect) const;
     [[nodiscard]] double cost(const QRectF &rect) const;
 
     DrawList &m_list;
@@ -46,7 +52,7 @@ private:
     QFontMetricsF m_metrics;
     QFontMetricsF m_strongMetrics;
     std::vector<QRectF> m_taken;
-    std::vector<QRectF> m_discs;
+    std::vector<Disc> m_discs;
     std::vector<QLineF> m_shafts;
 };
 

@@ -3,12 +3,16 @@
 #include "views/task_pane/check_row.h"
 
 #include "views/icons.h"
+#include "views/task_pane/message_text.h"
 #include "views/theme.h"
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -38,6 +42,19 @@ private:
 
 } // namespace
 
+bool hasMoment(const CheckOutcome &outcome)
+{
+    return outcome.scene.has_value() && outcome.step > 0;
+}
+
+QPushButton *makeMomentLink()
+{
+    auto *link = new QPushButton(CheckRow::tr("Show the moment ▸"));
+    link->setAccessibleName(CheckRow::tr("Show the moment"));
+    setKind(link, "link");
+    return link;
+}
+
 CheckRow::CheckRow(const CheckOutcome &outcome, QWidget *parent)
     : QWidget(parent)
 {
@@ -48,7 +65,7 @@ CheckRow::CheckRow(const CheckOutcome &outcome, QWidget *parent)
     grid->setColumnStretch(1, 1);
     const QIcon glyph =
         outcome.passed ? icon(u"passed", IconTint::Success) : icon(u"failed", IconTint::Warning);
-    auto *title = new QLabel(outcome.title, this);
+    auto *title = new QLabel(withUnits(outcome.title), this);
     title->setWordWrap(true);
     title->setTextFormat(Qt::PlainText);
     title->setAccessibleName(
@@ -58,24 +75,55 @@ CheckRow::CheckRow(const CheckOutcome &outcome, QWidget *parent)
     if (outcome.passed)
         return;
     setKind(title, "warning");
-    auto *message = new QLabel(outcome.message, this);
+    addObserved(outcome);
+}
+
+/// What was observed, beneath the title, and the button that opens it.
+void CheckRow::addObserved(const CheckOutcome &outcome)
+{
+    auto *observed = new QWidget(this);
+    observed->hide();
+    auto *column = new QVBoxLayout(observed);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto *message = new QLabel(asSentence(outcome.message), observed);
     message->setWordWrap(true);
     message->setTextFormat(Qt::PlainText);
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    message->hide();
-    auto *expand = new QToolButton(this);
-    expand->setAutoRaise(true);
-    expand->setCheckable(true);
-    expand->setIcon(icon(u"next", IconTint::Muted));
-    expand->setToolTip(tr("Show what was observed"));
-    expand->setAccessibleName(tr("Show what was observed: %1").arg(outcome.title));
-    setKind(expand, "tiny");
-    connect(expand, &QToolButton::toggled, message, [message, expand](bool open) {
-        message->setVisible(open);
-        expand->setIcon(icon(open ? u"expanded" : u"next", IconTint::Muted));
+    column->addWidget(message);
+    if (hasMoment(outcome)) {
+        QPushButton *link = makeMomentLink();
+        column->addWidget(link, 0, Qt::AlignLeft);
+        connect(link, &QPushButton::clicked, this, [this, outcome] { emit showMoment(outcome); });
+    }
+    m_expand = new QToolButton(this);
+    m_expand->setAutoRaise(true);
+    m_expand->setCheckable(true);
+    m_expand->setIcon(icon(u"next", IconTint::Muted));
+    m_expand->setToolTip(tr("Show what was observed"));
+    m_expand->setAccessibleName(tr("Show what was observed: %1").arg(outcome.title));
+    setKind(m_expand, "tiny");
+    connect(m_expand, &QToolButton::toggled, observed, [this, observed](bool open) {
+        observed->setVisible(open);
+        m_expand->setIcon(icon(open ? u"expanded" : u"next", IconTint::Muted));
     });
-    grid->addWidget(expand, 0, 2, Qt::AlignTop);
-    grid->addWidget(message, 1, 1, 1, 2);
+    auto *grid = static_cast<QGridLayout *>(layout());
+    grid->addWidget(m_expand, 0, 2, Qt::AlignTop);
+    grid->addWidget(observed, 1, 1, 1, 2);
+    setCursor(Qt::PointingHandCursor);
+    observed->setCursor(Qt::ArrowCursor);
+    message->setCursor(Qt::IBeamCursor);
+}
+
+void CheckRow::mousePressEvent(QMouseEvent *event)
+{
+    event->setAccepted(m_expand && event->button() == Qt::LeftButton);
+}
+
+void CheckRow::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (m_expand && event->button() == Qt::LeftButton && rect().contains(event->pos()))
+        m_expand->toggle();
 }
 
 } // namespace cradle

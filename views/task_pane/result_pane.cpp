@@ -4,11 +4,13 @@
 
 #include "views/icons.h"
 #include "views/task_pane/check_row.h"
+#include "views/task_pane/message_text.h"
 #include "views/theme.h"
 
 #include <QClipboard>
 #include <QEvent>
 #include <QGraphicsOpacityEffect>
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
@@ -76,6 +78,15 @@ void ResultPane::setStale(bool stale)
     rebuild();
 }
 
+void ResultPane::setLast(bool last, const QStringList &stillOpen)
+{
+    if (last == m_last && stillOpen == m_stillOpen)
+        return;
+    m_last = last;
+    m_stillOpen = stillOpen;
+    rebuild();
+}
+
 void ResultPane::showChecking()
 {
     m_progress->setVisible(m_checking);
@@ -140,21 +151,27 @@ void ResultPane::addFailure(QVBoxLayout *column)
         auto *inner = new QVBoxLayout(card);
         inner->setContentsMargins(12, 8, 12, 8);
         inner->setSpacing(4);
-        addText(inner, failed->title, "warningTitle");
-        addText(inner, failed->message, "plain")
+        addText(inner, tr("Not yet: %1").arg(withUnits(failed->title)), "warningTitle");
+        addText(inner, asSentence(failed->message), "plain")
             ->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        if (failed->step >= 0) {
-            auto *link = new QPushButton(tr("Show the moment ▸"));
-            link->setAccessibleName(tr("Show the moment"));
-            setKind(link, "link");
+        if (hasMoment(*failed)) {
+            QPushButton *link = makeMomentLink();
             inner->addWidget(link, 0, Qt::AlignLeft);
             connect(link, &QPushButton::clicked, this,
                     [this, outcome = *failed] { emit showMoment(outcome); });
         }
         column->addWidget(card);
     }
-    for (const CheckOutcome &check : checks)
-        column->addWidget(new CheckRow(check));
+    addChecks(column);
+}
+
+void ResultPane::addChecks(QVBoxLayout *column)
+{
+    for (const CheckOutcome &check : m_report->checks) {
+        auto *row = new CheckRow(check);
+        column->addWidget(row);
+        connect(row, &CheckRow::showMoment, this, &ResultPane::showMoment);
+    }
 }
 
 void ResultPane::addSuccess(QVBoxLayout *column)
@@ -165,14 +182,26 @@ void ResultPane::addSuccess(QVBoxLayout *column)
             "successTitle");
     if (!m_report->commit.isEmpty())
         addCommit(column);
+    addWayOn(column);
+    addChecks(column);
+}
+
+/// To the next step, or what is left of the lab.
+void ResultPane::addWayOn(QVBoxLayout *column)
+{
+    if (m_last) {
+        addText(column, tr("That was the last step."), "plain");
+        if (!m_stillOpen.isEmpty())
+            addText(column, tr("Still open: %1").arg(m_stillOpen.join(QStringLiteral(", "))),
+                    "plain");
+        return;
+    }
     auto *next = new QPushButton(tr("Next step ▸"));
     next->setAccessibleName(tr("Next step"));
     next->setAutoDefault(true); // Return presses it when it has the focus
     setKind(next, "primary");
     column->addWidget(next, 0, Qt::AlignLeft);
     connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
-    for (const CheckOutcome &check : m_report->checks)
-        column->addWidget(new CheckRow(check));
 }
 
 /// The commit message, to take along.
@@ -180,9 +209,13 @@ void ResultPane::addCommit(QVBoxLayout *column)
 {
     auto *card = new QFrame;
     setKind(card, "card");
-    auto *row = new QHBoxLayout(card);
-    row->setContentsMargins(12, 8, 8, 8);
-    row->setSpacing(8);
+    auto *grid = new QGridLayout(card);
+    grid->setContentsMargins(12, 8, 8, 8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(0, 1);
+    auto *caption = new QLabel(tr("Commit message"));
+    setKind(caption, "muted");
     auto *message = new QLabel(m_report->commit);
     message->setWordWrap(true);
     message->setTextFormat(Qt::PlainText);
@@ -192,8 +225,9 @@ void ResultPane::addCommit(QVBoxLayout *column)
     copy->setToolTip(tr("Copy the commit message"));
     copy->setAccessibleName(tr("Copy the commit message"));
     setKind(copy, "small");
-    row->addWidget(message, 1);
-    row->addWidget(copy, 0, Qt::AlignTop);
+    grid->addWidget(caption, 0, 0);
+    grid->addWidget(message, 1, 0);
+    grid->addWidget(copy, 0, 1, 2, 1, Qt::AlignTop);
     column->addWidget(card);
     connect(copy, &QPushButton::clicked, this,
             [text = m_report->commit] { QGuiApplication::clipboard()->setText(text); });

@@ -23,6 +23,9 @@ public:
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done, int total);
     void setStale(bool stale); ///< the scene was changed since the check
+    /// \param last       whether no step follows the open one
+    /// \param stillOpen  numbers of the other steps that are not passed
+    void setLast(bool last, const QStringList &stillOpen);
 
 signals:
     void showMoment(const cradle::CheckOutcome &outcome);
@@ -37,6 +40,8 @@ private:
     void addFailure(QVBoxLayout *column);
     void addSuccess(QVBoxLayout *column);
     void addCommit(QVBoxLayout *column);
+    void addWayOn(QVBoxLayout *column);
+    void addChecks(QVBoxLayout *column);
     QLabel *addText(QVBoxLayout *column, const QString &text, const char *kind);
 
     QLabel *m_heading = nullptr;
@@ -47,6 +52,8 @@ private:
     int m_done = 0;
     int m_total = 0;
     bool m_stale = false;
+    bool m_last = false;
+    QStringList m_stillOpen;
 };
 
 } // namespace cradle

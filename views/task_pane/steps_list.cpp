@@ -142,10 +142,15 @@ void StepsList::retranslate()
     showProgress();
 }
 
-QSize StepsList::sizeHint() const
+int StepsList::heightOf(int rows) const
 {
     const int above = m_heading->sizeHint().height() + (m_errors.empty() ? 0 : 24);
-    return {320, above + rowsShown * StepDelegate::rowHeight + 4};
+    return above + rows * StepDelegate::rowHeight + 4;
+}
+
+QSize StepsList::sizeHint() const
+{
+    return {320, heightOf(rowsShown)};
 }
 
 void StepsList::changeEvent(QEvent *event)

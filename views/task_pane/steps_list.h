@@ -25,7 +25,8 @@ public:
     void setLab(const Lab &lab);
     void setProgress(const std::vector<bool> &passed, int current);
 
-    [[nodiscard]] QSize sizeHint() const override; ///< about five steps high
+    [[nodiscard]] int heightOf(int rows) const; ///< px, with so many steps in sight
+    [[nodiscard]] QSize sizeHint() const override;
 
 signals:
     void stepChosen(int step); ///< another step than the current one

@@ -9,13 +9,19 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
 
 constexpr int narrowest = 260;        ///< px
 constexpr int resultHeight = 240;     ///< px, with a report; the student may change it
+constexpr double resultShare = 0.35;  ///< of the pane, at most
 constexpr int emptyResultHeight = 64; ///< px, while there is none
+constexpr int lowPane = 640;          ///< px; a lower pane shows fewer steps
+constexpr int manySteps = 5;          ///< rows
+constexpr int fewSteps = 4;           ///< rows
 
 } // namespace
 
@@ -35,10 +41,10 @@ TaskPane::TaskPane(QWidget *parent)
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 0);
     m_splitter = splitter;
-    giveResult(emptyResultHeight);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(splitter);
+    connect(splitter, &QSplitter::splitterMoved, this, [this] { m_shared = true; });
     connect(m_steps, &StepsList::stepChosen, this, &TaskPane::stepChosen);
     connect(m_instructions, &InstructionsPane::stepRequested, this, &TaskPane::chooseById);
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
@@ -57,6 +63,12 @@ void TaskPane::setLab(const Lab &lab)
 void TaskPane::setProgress(const std::vector<bool> &passed, int current)
 {
     m_steps->setProgress(passed, current);
+    QStringList stillOpen;
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+        if (!passed[i] && static_cast<int>(i) != current)
+            stillOpen.append(QString::number(i + 1));
+    }
+    m_result->setLast(current >= 0 && current + 1 == static_cast<int>(passed.size()), stillOpen);
 }
 
 void TaskPane::showTask(const Task &task, int hintsOpened)
@@ -74,16 +86,25 @@ void TaskPane::setReport(const std::optional<CheckReport> &report)
     m_result->setReport(report);
     if (report.has_value() != m_hasReport) {
         m_hasReport = report.has_value();
-        giveResult(m_hasReport ? resultHeight : emptyResultHeight);
+        shareHeight();
     }
 }
 
 /// Room that the result does not need belongs to the instructions.
-void TaskPane::giveResult(int height)
+void TaskPane::shareHeight()
 {
-    const int steps = m_splitter->sizes().value(0);
-    m_splitter->setSizes({steps > 0 ? steps : m_steps->sizeHint().height(),
-                          std::max(1, m_splitter->height() - steps - height), height});
+    const int most = static_cast<int>(resultShare * height());
+    const int result = m_hasReport ? std::min(resultHeight, most) : emptyResultHeight;
+    const int steps = m_shared ? m_splitter->sizes().value(0)
+                               : m_steps->heightOf(height() < lowPane ? fewSteps : manySteps);
+    m_splitter->setSizes({steps, std::max(1, height() - steps - result), result});
+}
+
+void TaskPane::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (!m_shared)
+        shareHeight();
 }
 
 void TaskPane::setChecking(bool checking, int done, int total)

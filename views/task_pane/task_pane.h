@@ -40,15 +40,19 @@ signals:
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void chooseById(const QString &taskId);
-    void giveResult(int height);
+    void shareHeight();
 
     StepsList *m_steps = nullptr;
     InstructionsPane *m_instructions = nullptr;
     ResultPane *m_result = nullptr;
     QSplitter *m_splitter = nullptr;
     bool m_hasReport = false;
+    bool m_shared = false; ///< by the student's hand
     QStringList m_taskIds;
 };
 

@@ -102,7 +102,7 @@ void Timeline::addEndLabels(std::vector<Label> &labels) const
 
 void Timeline::addMarkLabels(std::vector<Label> &labels) const
 {
-    for (const Mark &mark : m_marks)
+    for (const Mark &mark : recordedMarks())
         addLabel(labels, xOf(mark.time), mark.label, theme().warning);
 }
 
@@ -159,7 +159,7 @@ void Timeline::drawMarks(QPainter &painter) const
 {
     painter.setPen(QPen(theme().panel, 1.0));
     painter.setBrush(theme().warning);
-    for (const Mark &mark : m_marks) {
+    for (const Mark &mark : recordedMarks()) {
         const QPointF tip(xOf(mark.time), bar().top() - 3.0);
         painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6.0, -10.0), tip + QPointF(6.0, -10.0)});
     }

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the controls of the bar stand in a row, and what they give up where it is narrow.
+#include "views/action_button.h"
+#include "views/theme.h"
+#include "views/transport_bar.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace cradle {
+
+void TransportBar::makeLayout()
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 8, 12, 8);
+    row->setSpacing(8);
+    row->setSizeConstraint(QLayout::SetNoConstraint);
+    const auto add = [this, row](QAction *action, const QString &iconName, IconTint tint) {
+        auto *button = new ActionButton(action, this);
+        button->setIconName(iconName, tint);
+        row->addWidget(button);
+        return button;
+    };
+    auto *restart = add(m_restart, QStringLiteral("restart"), IconTint::Text);
+    auto *stepBack = add(m_stepBack, QStringLiteral("step-back"), IconTint::Text);
+    m_runButton = add(m_run, QStringLiteral("run"), IconTint::OnAccent);
+    setKind(m_runButton, "primary");
+    auto *step = add(m_step, QStringLiteral("step"), IconTint::Text);
+    auto *nextHit = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
+    row->addSpacing(8);
+    addReadout(row);
+    row->addStretch(1);
+
+    m_modes = new QWidget(this);
+    m_modes->hide();
+    m_modeGroup = new QButtonGroup(this);
+    row->addWidget(m_modes);
+    connect(m_modeGroup, &QButtonGroup::idClicked, this, &TransportBar::modeChosen);
+
+    m_checkButton = add(m_check, QStringLiteral("check"), IconTint::OnAccent);
+    setKind(m_checkButton, "success");
+    m_progress = new QProgressBar(this); // placed by hand beneath the Check button
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_buttons = {restart, stepBack, step, nextHit, m_runButton, m_checkButton};
+}
+
+void TransportBar::setModes(const QStringList &titles, int current)
+{
+    qDeleteAll(m_modeGroup->buttons());
+    delete m_modes->layout();
+    auto *row = new QHBoxLayout(m_modes);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (qsizetype i = 0; i < titles.size(); ++i) {
+        auto *button = new QPushButton(titles[i], m_modes);
+        button->setCheckable(true);
+        button->setChecked(i == current);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAccessibleName(titles[i]);
+        setKind(button, "segment");
+        m_modeGroup->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+    }
+    m_modes->setVisible(titles.size() > 1);
+    collapse();
+}
+
+/// Takes the text from as many buttons as needed for the row to fit.
+void TransportBar::collapse()
+{
+    for (ActionButton *button : m_buttons)
+        button->setCollapsed(false);
+    m_speedCaption->show();
+    layout()->activate();
+    if (layout()->minimumSize().width() > width())
+        m_speedCaption->hide();
+    for (ActionButton *button : m_buttons) {
+        if (layout()->minimumSize().width() <= width())
+            break;
+        button->setCollapsed(true);
+        layout()->invalidate();
+    }
+    layout()->activate();
+    const QRect check = m_checkButton->geometry();
+    m_progress->setGeometry(check.left(), check.bottom() + 3, check.width(), 3);
+}
+
+QSize TransportBar::minimumSizeHint() const
+{
+    int width = layout()->minimumSize().width();
+    for (const ActionButton *button : m_buttons) {
+        if (!button->isCollapsed())
+            width -= button->fontMetrics().horizontalAdvance(button->text());
+    }
+    if (!m_speedCaption->isHidden())
+        width -= m_speedCaption->sizeHint().width();
+    return {width, layout()->minimumSize().height()};
+}
+
+} // namespace cradle
