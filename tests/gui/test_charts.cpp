@@ -1,71 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/chart_scenes.h"
 #include "views/charts/energy_chart.h"
-#include "views/charts/hits_model.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/number_text.h"
-#include "views/charts/values_model.h"
-#include "views/values_table.h"
 
 #include "model/measurements.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
-#include <QLabel>
+#include <QAction>
 #include <QLineSeries>
 #include <QSignalSpy>
-#include <QTabWidget>
-#include <QTableView>
 #include <QTest>
 #include <QValueAxis>
 
 using namespace cradle;
 
 namespace {
-
-/// Circle 1 runs into circle 2 at rest; after 1.8 s they part.
-Preset glancing()
-{
-    Preset preset;
-    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous};
-    preset.circles = {{QStringLiteral("circle 1"), {{-2.0, 2.3}, {2.0, 0.0}}},
-                      {QStringLiteral("circle 2"), {{2.0, 2.0}, {0.0, 0.0}}}};
-    return preset;
-}
-
-/// Two circles that fall alike, by Euler and by symplectic Euler.
-Preset euleredFall()
-{
-    Preset preset;
-    preset.gravity = {0.0, -9.81};
-    preset.laws.walls = WallLaw::Reflect;
-    const Circle body{.position = {-2.0, 2.0}, .velocity = {2.0, 0.0}};
-    preset.circles = {
-        {QStringLiteral("1"), body, QStringLiteral("#1e90ff"), Integrator::Euler},
-        {QStringLiteral("2"), body, QStringLiteral("#e03131"), Integrator::SymplecticEuler}};
-    return preset;
-}
-
-/// Balls that lose energy on the floor.
-Preset falling(int count)
-{
-    Preset preset;
-    preset.gravity = {0.0, -9.81};
-    preset.restitution = 0.8;
-    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous};
-    for (int i = 0; i < count; ++i) {
-        const Circle body{.position = {0.6 * i - 3.0, 0.1 * i}, .velocity = {0.3, 0.1 * i}};
-        preset.circles.push_back(
-            {QString::number(i + 1), body, QStringLiteral("#1e90ff"), Integrator::Verlet});
-    }
-    return preset;
-}
-
-void run(Simulation &simulation, int steps)
-{
-    for (int i = 0; i < steps; ++i)
-        simulation.stepForward();
-}
 
 bool overlapping(const std::vector<std::pair<QString, QRectF>> &labels)
 {
@@ -104,17 +54,7 @@ private slots:
     void niceStepsAre125();
     void numbersAreWritten_data();
     void numbersAreWritten();
-    void valuesAreThoseOfTheMoment();
-    void cellsTellAllDigits();
-    void sentenceTellsTheLastHit();
-    void momentumIsTold_data();
-    void momentumIsTold();
-    void sentenceLeavesTheTableFree();
-    void emptyHitsSayWhatToDo();
     void pastIsShownBeforeTheMoment();
-    void hitsAreBounded();
-    void hitSeeksToItsFrame();
-    void tableIsCopied();
 };
 
 void TestCharts::curvesFollowTheRecording()
@@ -434,100 +374,6 @@ void TestCharts::numbersAreWritten()
     QCOMPARE(written, wanted);
 }
 
-void TestCharts::valuesAreThoseOfTheMoment()
-{
-    Simulation simulation(glancing());
-    ValuesModel model(simulation);
-    run(simulation, 60);
-    model.refresh(0, 2);
-    QCOMPARE(model.rowCount(), 3); // two circles and their sum
-    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("0.0000"));
-    QCOMPARE(model.index(0, ValuesModel::VelocityX).data().toString(), QStringLiteral("2.0000"));
-    QCOMPARE(model.index(2, ValuesModel::MomentumX).data().toString(), QStringLiteral("522.7610"));
-    QCOMPARE(model.index(2, ValuesModel::X).data().toString(), QString());
-    simulation.seek(0);
-    QCOMPARE(model.index(0, ValuesModel::X).data().toString(), QStringLiteral("-2.0000"));
-}
-
-void TestCharts::cellsTellAllDigits()
-{
-    Preset preset = glancing();
-    preset.circles[0].body.position.x = -1.99731234567;
-    Simulation simulation(preset);
-    const ValuesModel model(simulation);
-    const QModelIndex x = model.index(0, ValuesModel::X);
-    QCOMPARE(x.data().toString(), QStringLiteral("-1.9973"));
-    QCOMPARE(x.data(Qt::ToolTipRole).toString(), QStringLiteral("−1.99731234567 m"));
-    QCOMPARE(model.index(0, ValuesModel::Mass).data().toString(), QStringLiteral("261.4"));
-    const QModelIndex mass = model.index(2, ValuesModel::Mass);
-    QVERIFY(mass.data(Qt::ToolTipRole).toString().startsWith(QStringLiteral("522.7610")));
-}
-
-void TestCharts::momentumIsTold_data()
-{
-    QTest::addColumn<Hit>("hit");
-    QTest::addColumn<QString>("wanted");
-    const Hit level{.time = 1.0, .b = 1, .beforeA = {-1.0, 0.0}, .afterB = {-1.0, 0.0}};
-    QTest::newRow("along x") << level
-                             << QStringLiteral("momentum before −261.4, after −261.4, "
-                                               "change 0 kg m/s.");
-    Hit slanting = level;
-    slanting.beforeA = slanting.afterB = {-1.0, 2.0};
-    QTest::newRow("kept") << slanting
-                          << QStringLiteral("momentum before (−261.4, 522.8), "
-                                            "after (−261.4, 522.8), change (0, 0) kg m/s.");
-    const Hit wall{.kind = Hit::Kind::Wall,
-                   .b = static_cast<int>(Wall::Right),
-                   .beforeA = {1.0, 0.0},
-                   .afterA = {-1.0, 0.0}};
-    QTest::newRow("wall") << wall
-                          << QStringLiteral("momentum before 261.4, after −261.4, "
-                                            "change −522.8 kg m/s.");
-}
-
-void TestCharts::momentumIsTold()
-{
-    QFETCH(Hit, hit);
-    QFETCH(QString, wanted);
-    const std::vector<Circle> circles(2, Circle{});
-    const QString sentence = describeHit(1, hit, circles);
-    QVERIFY2(sentence.endsWith(wanted), qPrintable(sentence));
-}
-
-void TestCharts::sentenceLeavesTheTableFree()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    run(simulation, 130);
-    auto *table = pane.tabs().widget(0)->findChild<QTableView *>();
-    auto *sentence = pane.tabs().widget(0)->findChild<QLabel *>();
-    for (const int height : {400, 260, 200, 160, 140}) {
-        pane.resize(356, height);
-        pane.show();
-        QTest::qWait(60); // longer than the views hold back
-        QVERIFY2(!sentence->geometry().intersects(table->geometry()),
-                 qPrintable(QString::number(height)));
-        const bool isWhole = sentence->text() == pane.hitSentence();
-        QCOMPARE(sentence->toolTip(), isWhole ? QString() : pane.hitSentence());
-        QVERIFY(isWhole || height < 400);
-        QVERIFY(!isWhole || height > 160);
-    }
-}
-
-void TestCharts::emptyHitsSayWhatToDo()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    pane.tabs().setCurrentIndex(1);
-    pane.show();
-    const auto *hint = pane.tabs().widget(1)->findChild<QLabel *>();
-    QVERIFY(hint);
-    QCOMPARE(hint->text(), QStringLiteral("No hits yet: press Run or Next hit"));
-    QTRY_VERIFY(hint->isVisible());
-    run(simulation, 130);
-    QTRY_VERIFY(!hint->isVisible());
-}
-
 void TestCharts::pastIsShownBeforeTheMoment()
 {
     Simulation simulation(falling(2));
@@ -546,77 +392,6 @@ void TestCharts::pastIsShownBeforeTheMoment()
         const double part = (simulation.time() - from) / ChartPane::lastSeconds;
         QVERIFY2(part > 0.3 && part < 0.81, qPrintable(QString::number(part)));
     }
-}
-
-void TestCharts::sentenceTellsTheLastHit()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    QCOMPARE(pane.hitSentence(), QStringLiteral("No hit so far."));
-    run(simulation, 120);
-    QCOMPARE(pane.hitSentence(), QStringLiteral("Hit 1 at 1.868 s: momentum before 522.8, "
-                                                "after 522.8, change 0 kg m/s."));
-}
-
-void TestCharts::hitsAreBounded()
-{
-    Preset preset;
-    preset.halfWidth = 0.3;
-    preset.laws.walls = WallLaw::Reflect;
-    preset.laws.timing = Timing::Continuous;
-    preset.circles = {{QStringLiteral("fast"), {{0.0, 0.0}, {60.0, 0.0}}}};
-    Simulation simulation(preset);
-    HitsModel model(simulation);
-    for (int i = 0; i < 40; ++i) {
-        run(simulation, 10);
-        model.update();
-        QVERIFY(model.rowCount() <= HitsModel::mostRows);
-        QCOMPARE(model.hitCount(), static_cast<qint64>(simulation.recording().hits().size()));
-    }
-    QCOMPARE(model.rowCount(), static_cast<int>(HitsModel::mostRows));
-    QCOMPARE(model.hit(model.rowCount() - 1), simulation.recording().hits().back());
-    simulation.restart();
-    QCOMPARE(model.rowCount(), 0);
-}
-
-void TestCharts::hitSeeksToItsFrame()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    pane.resize(340, 300);
-    pane.show();
-    run(simulation, 130);
-    pane.tabs().setCurrentIndex(1);
-    QTest::qWait(40); // longer than the views hold back
-    QCOMPARE(pane.tabs().tabText(1), QStringLiteral("Hits 1"));
-    auto *table = qobject_cast<QTableView *>(pane.tabs().currentWidget());
-    QSignalSpy asked(&pane, &ValuesPane::seekRequested);
-    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                      table->visualRect(table->model()->index(0, 0)).center());
-    QVERIFY(asked.count() >= 1);
-    const auto frame = asked.takeFirst().at(0).toLongLong();
-    QCOMPARE(simulation.recording().step(frame), simulation.recording().hits().front().step);
-}
-
-void TestCharts::tableIsCopied()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    pane.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&pane));
-    auto *table = pane.tabs().widget(0)->findChild<QTableView *>();
-    table->setFocus();
-    table->selectionModel()->select({table->model()->index(0, 0), table->model()->index(1, 1)},
-                                    QItemSelectionModel::ClearAndSelect);
-    pane.copySelection();
-    QCOMPARE(QGuiApplication::clipboard()->text(),
-             QStringLiteral("-2.0000\t2.3000\n2.0000\t2.0000\n"));
-    pane.copyAll();
-    const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
-    QCOMPARE(lines.size(), 5);
-    QVERIFY(lines[0].startsWith(QStringLiteral("number\tx (m)\ty (m)\tv_x (m/s)")));
-    QVERIFY(lines[1].startsWith(QStringLiteral("1\t-2.0000\t2.3000\t2.0000")));
-    QVERIFY(lines[3].startsWith(QStringLiteral("Σ\t")));
 }
 
 QTEST_MAIN(TestCharts)
