@@ -135,14 +135,24 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     parser.setApplicationDescription(
         QCoreApplication::translate("Main", "Learn how a physics engine works by writing one."));
-    parser.addHelpOption();
-    parser.addVersionOption();
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("LAB-DIR or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.language, options.theme, options.screenshot,
                        options.at, options.size});
-    parser.process(app);
+    if (!parser.parse(QApplication::arguments()))
+        return complain(QStringLiteral("cradle: ") + parser.errorText());
+    if (parser.isSet(help))
+        parser.showHelp();
+    if (parser.isSet(version))
+        parser.showVersion();
+    if (parser.positionalArguments().size() > 1) {
+        return complain(QCoreApplication::translate(
+                            "Main", "cradle: unexpected argument %1; one lab or scene is right")
+                            .arg(parser.positionalArguments().at(1)));
+    }
 
     const QString language = parser.isSet(options.language)
                                  ? parser.value(options.language)

@@ -49,8 +49,8 @@ int takeScreenshot(MainWindow &window, const QString &path, const QString &secon
     if (!size.isEmpty()) {
         const QStringList parts = size.split(QLatin1Char('x'));
         const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
-        if (wanted.width() < 320 || wanted.height() < 240 || wanted.width() > 8192
-            || wanted.height() > 8192)
+        if (parts.size() != 2 || wanted.width() < 320 || wanted.height() < 240
+            || wanted.width() > 8192 || wanted.height() > 8192)
             return complain(
                 QCoreApplication::translate("Main", "--size %1: a size like 1280x800 is right")
                     .arg(size));

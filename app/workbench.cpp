@@ -71,8 +71,9 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     Result<Lab> lab = readLab(folder, language);
     if (!lab)
         return lab.error();
-    if (const auto error = m_store.load())
-        emit failed(*error);
+    if (m_saveSoon.isActive())
+        save();
+    const std::optional<Error> brokenProgress = m_store.load();
     m_lab = std::move(*lab);
     m_current = -1;
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
@@ -80,6 +81,9 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     emit labChanged();
     if (!m_lab.tasks.empty())
         openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
+    // Last, so that no other notice covers it.
+    if (brokenProgress)
+        emit failed(*brokenProgress);
     return std::nullopt;
 }
 
@@ -157,7 +161,8 @@ void Workbench::check()
 {
     if (!task())
         return;
-    m_checker.start(m_lab, *task(), m_document.own(), QRandomGenerator::global()->bounded(1, 1000));
+    m_judged = m_document.own();
+    m_checker.start(m_lab, *task(), m_judged, QRandomGenerator::global()->bounded(1, 1000));
     emit checkStarted();
 }
 
@@ -180,6 +185,8 @@ void Workbench::finishCheck(const CheckReport &report)
     showFirstFailure();
     emit checkEnded();
     emit reportChanged();
+    if (m_judged != m_document.own())
+        emit reportStale();
 }
 
 /// Goes to where the student's own scene first went wrong, if it did there.

@@ -77,6 +77,7 @@ private:
     PresetDocument m_document;
     Checker m_checker;
     std::optional<CheckReport> m_report;
+    Preset m_judged; ///< what the last check was asked about
     QTimer m_saveSoon;
 };
 

@@ -8,7 +8,6 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThreadPool>
-#include <QThreadPool>
 
 using namespace cradle;
 

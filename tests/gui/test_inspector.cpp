@@ -217,8 +217,10 @@ void TestInspector::fitsItsPane()
             || (!qobject_cast<const QComboBox *>(each) && !qobject_cast<const QPushButton *>(each)))
             continue;
         QVERIFY(each->width() >= each->minimumSizeHint().width());
-        const int right = each->mapTo(&m_open->inspector, QPoint(each->width(), 0)).x();
-        QVERIFY2(right <= size.width(), qPrintable(each->accessibleName()));
+        const auto right = [&] {
+            return each->mapTo(&m_open->inspector, QPoint(each->width(), 0)).x();
+        };
+        QTRY_VERIFY2(right() <= size.width(), qPrintable(each->accessibleName()));
     }
 }
 

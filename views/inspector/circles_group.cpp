@@ -262,7 +262,7 @@ void CirclesGroup::resizeEvent(QResizeEvent *event)
 
 QSize CirclesGroup::minimumSizeHint() const
 {
-    constexpr int narrowest = 300; // px; the table scrolls
+    constexpr int narrowest = 280; // px; the table scrolls
     return {narrowest, QWidget::minimumSizeHint().height()};
 }
 

@@ -128,10 +128,13 @@ void Inspector::arrange()
 {
     const int laws = m_laws->sizeHint().width();
     const int oneRow = m_world->twoColumnWidth() + groupGap + laws + 2 * margin;
-    m_world->setColumns(oneRow <= width() ? 2 : 1);
+    m_world->arrange(oneRow <= width() ? WorldGroup::TwoColumns : WorldGroup::OneColumn);
     const bool sideBySide = m_world->sizeHint().width() + groupGap + laws + 2 * margin <= width();
+    if (!sideBySide)
+        m_world->arrange(WorldGroup::OwnRows);
     m_top->setDirection(sideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_top->setSpacing(sideBySide ? groupGap : 6);
+    m_top->setAlignment(m_laws, sideBySide ? Qt::Alignment() : Qt::AlignLeft);
     const bool beside = width() >= oneRow + groupGap + besideTable;
     m_groups->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_groups->setSpacing(beside ? groupGap : 6);

@@ -80,7 +80,7 @@ WorldGroup::WorldGroup(PresetDocument &document, QWidget *parent)
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(4);
-    setColumns(2);
+    arrange(TwoColumns);
     retranslate();
     reload();
     connect(&document.simulation(), &Simulation::presetChanged, this, &WorldGroup::reload);
@@ -91,22 +91,25 @@ NumberField *WorldGroup::at(Field field) const
     return m_fields[static_cast<std::size_t>(field)];
 }
 
-void WorldGroup::setColumns(int columns)
+void WorldGroup::arrange(Arrangement arrangement)
 {
-    if (columns == m_columns)
+    if (arrangement == m_arrangement)
         return;
-    m_columns = columns;
+    m_arrangement = arrangement;
     m_grid->addWidget(m_heading, 0, 0, 1, 5);
-    // In one column the short numbers at the end still share a row.
-    const std::array<std::array<int, 3>, 4> narrow{{{1, 0, 4}, {2, 0, 4}, {3, 0, 1}, {3, 3, 1}}};
-    const std::array<std::array<int, 3>, 4> wide{{{1, 0, 1}, {2, 0, 1}, {1, 3, 1}, {2, 3, 1}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto [row, column, span] = columns == 2 ? wide[i] : narrow[i];
+    // Row, column and span of each field.
+    using Places = std::array<std::array<int, 3>, 4>;
+    const Places rows{{{1, 0, 4}, {2, 0, 4}, {3, 0, 4}, {4, 0, 4}}};
+    const Places narrow{{{1, 0, 4}, {2, 0, 4}, {3, 0, 1}, {3, 3, 1}}};
+    const Places wide{{{1, 0, 1}, {2, 0, 1}, {1, 3, 1}, {2, 3, 1}}};
+    const Places &places = arrangement == OwnRows ? rows : arrangement == OneColumn ? narrow : wide;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto [row, column, span] = places[i];
         m_grid->addWidget(m_captions[i], row, column);
         m_grid->addWidget(m_cells[i], row, column + 1, 1, span);
     }
-    m_grid->setColumnMinimumWidth(2, columns == 2 ? columnGap - 8 : 0);
-    m_grid->setRowStretch(4, 1);
+    m_grid->setColumnMinimumWidth(2, arrangement == TwoColumns ? columnGap - 8 : 0);
+    m_grid->setRowStretch(4, arrangement == OwnRows ? 0 : 1);
 }
 
 int WorldGroup::twoColumnWidth() const

@@ -23,8 +23,13 @@ class WorldGroup final : public QWidget
 public:
     explicit WorldGroup(PresetDocument &document, QWidget *parent = nullptr);
 
-    /// Lays the fields out in one or in two columns.
-    void setColumns(int columns);
+    /// How the fields are laid out.
+    enum Arrangement {
+        OwnRows,   ///< one below the other
+        OneColumn, ///< but the short ones at the end share a row
+        TwoColumns
+    };
+    void arrange(Arrangement arrangement);
     /// Width that two columns need, px.
     [[nodiscard]] int twoColumnWidth() const;
 
@@ -50,7 +55,7 @@ private:
     std::array<QWidget *, 4> m_cells{};   ///< their fields
     QLabel *m_seconds = nullptr;          ///< the timestep in decimals
     QGridLayout *m_grid = nullptr;
-    int m_columns = 0;
+    int m_arrangement = -1;
 };
 
 } // namespace cradle

@@ -30,7 +30,7 @@ bool crosses(const Stretch &x, const Stretch &y)
 {
     const auto apart = [](const Stretch &line, const Stretch &other) {
         const Vec2 way = line.to - line.from;
-        return cross(way, other.from - line.from) * cross(way, other.to - line.from) > 0.0;
+        return cross(way, other.from - line.from) * cross(way, other.to - line.from) >= 0.0;
     };
     return !apart(x, y) && !apart(y, x);
 }

@@ -29,8 +29,9 @@ constexpr double normalHead = 8.0;   ///< px
 constexpr double normalGap = 6.0;    ///< px that arrows keep from the normal
 
 // Which labels find a place first; names come after all of them.
-constexpr int partRank = 0;
-constexpr int beforeRank = 1;
+constexpr int normalRank = 0;
+constexpr int partRank = 1;
+constexpr int beforeRank = 2;
 
 /// The frame at whose end \p hit shows, if it is kept.
 std::optional<qint64> frameOf(const SceneMoment &moment, const Hit &hit)
@@ -130,6 +131,8 @@ private:
                                   .elsewhere = 0.5 * (place.from + place.to),
                                   .rank = rank,
                                   .clearOfDiscs = true});
+        if (rank == beforeRank)
+            m_draft.wishes.back().mostCost = crampedCost;
     }
 
     SceneDraft &m_draft;
@@ -153,7 +156,7 @@ void addNormal(SceneDraft &draft, Vec2 from, Vec2 end, Vec2 normal, double opaci
                                       .colour = textColour(colour)},
                             .direction = normal,
                             .clearance = 4.0,
-                            .rank = partRank,
+                            .rank = normalRank,
                             .clearOfDiscs = true});
 }
 
@@ -213,7 +216,8 @@ void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &s
     const Circle &last = discs.back();
     const double reach = last.radius + normalReach * moment.preset.halfWidth;
     const Vec2 end = last.position + reach * hit.normal;
-    lanes.occupy({discs.front().position, end}, normalGap);
+    const Circle &first = discs.front();
+    lanes.occupy({first.position + first.radius * hit.normal, end}, normalGap);
     // If there is one part only, it lies on the velocity itself and says it all.
     const auto along = [&](const HitCircle &circle) {
         return dot(circle.before, hit.normal) * hit.normal;
@@ -237,7 +241,7 @@ void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &s
         if (matters(along(circle)))
             arrows.addPart(circle, along(circle), theme().along, HitText::tr("along %1"));
     }
-    addNormal(draft, discs.front().position, end, hit.normal, shown.opacity, pixelsPerMetre);
+    addNormal(draft, first.position, end, hit.normal, shown.opacity, pixelsPerMetre);
 }
 
 } // namespace cradle

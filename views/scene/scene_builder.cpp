@@ -272,6 +272,10 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
         if (options.velocities && (marked || !isCrowd(moment)) && !standsInHit(i))
             addVelocity(draft, moment, circles[at], colours[at], marked);
     }
+    for (LabelWish &wish : draft.wishes) {
+        if (!hits.empty() && wish.rank == nameRank)
+            wish.mostCost = crampedCost / 2;
+    }
     for (const int i : {look.hovered, look.selected}) {
         if (i >= 0 && i < static_cast<int>(circles.size()))
             addMarks(list, circles[static_cast<std::size_t>(i)], moment, look, i == look.selected);

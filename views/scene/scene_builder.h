@@ -22,7 +22,7 @@ struct SceneOptions {
     bool trails = true;     ///< the way of the last 1.5 s, fading
     bool grid = true;       ///< lines 1 m apart
     bool names = true;      ///< a number or a name at each circle
-    bool hitParts = true;   ///< at a hit: the normal, the parts along and across it
+    bool hitParts = true;   ///< at a hit: the normal, velocities before and after, the parts
 
     friend bool operator==(const SceneOptions &, const SceneOptions &) = default;
 };

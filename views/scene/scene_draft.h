@@ -4,12 +4,17 @@
 
 #include "views/scene/draw_list.h"
 
+#include <limits>
 #include <optional>
 
 namespace cradle {
 
 /// Names are the least important labels.
-inline constexpr int nameRank = 2;
+inline constexpr int nameRank = 3;
+
+/// What a place of a label costs that lies far off or on a shaft: the less important ones are
+/// left out then where a hit is shown.
+inline constexpr double crampedCost = 5.5;
 
 /// A label that still has to find its place.
 struct LabelWish {
@@ -20,6 +25,7 @@ struct LabelWish {
     std::optional<Vec2> elsewhere{}; ///< another anchor, m, where there is no room at the first
     int rank = nameRank;             ///< the smallest find their places first
     bool clearOfDiscs = false;       ///< rather left out than put over a disc
+    double mostCost = std::numeric_limits<double>::infinity(); ///< left out at worse places
 };
 
 /// A DrawList in the making: labels are placed when all that they avoid is known.

@@ -85,6 +85,10 @@ SceneLabels::SceneLabels(DrawList &list, const Camera &camera, const QFont &base
         const double r = disc.radius * camera.pixelsPerMetre();
         m_discs.push_back({camera.toPixels(disc.centre), r});
     }
+    for (const DrawList::Line &line : list.lines) {
+        if (line.dash != DrawList::Dash{})
+            m_shafts.emplace_back(camera.toPixels(line.from), camera.toPixels(line.to));
+    }
     for (const DrawList::Arrow &arrow : list.arrows)
         m_shafts.emplace_back(camera.toPixels(arrow.from), camera.toPixels(arrow.to));
 }
@@ -119,7 +123,7 @@ bool SceneLabels::placeBeside(const LabelWish &wish)
                 const QRectF rect = centred.translated(offset);
                 const double price =
                     handicap + cost(rect) + std::abs(turn) * turnCost + ring * distanceCost;
-                if (price >= bestCost || coversText(rect)
+                if (price >= bestCost || price > wish.mostCost || coversText(rect)
                     || (wish.clearOfDiscs && discsUnder(rect) > 0))
                     continue;
                 bestCost = price;
@@ -149,12 +153,13 @@ bool SceneLabels::coversText(const QRectF &rect) const
 
 int SceneLabels::discsUnder(const QRectF &rect) const
 {
-    return static_cast<int>(std::count_if(m_discs.begin(), m_discs.end(), [&](const Disc &disc) {
-        const QPointF nearest(std::clamp(disc.centre.x(), rect.left(), rect.right()),
-                              std::clamp(disc.centre.y(), rect.top(), rect.bottom()));
-        const QPointF apart = nearest - disc.centre;
-        return std::hypot(apart.x(), apart.y()) < disc.radius;
-    }));
+    return static_cast<int>(
+        std::count_if(m_discs.begin(), m_discs.end(), [&](const PixelDisc &disc) {
+            const QPointF nearest(std::clamp(disc.centre.x(), rect.left(), rect.right()),
+                                  std::clamp(disc.centre.y(), rect.top(), rect.bottom()));
+            const QPointF apart = nearest - disc.centre;
+            return std::hypot(apart.x(), apart.y()) < disc.radius;
+        }));
 }
 
 double SceneLabels::cost(const QRectF &rect) const

@@ -38,7 +38,7 @@ public:
     bool placeBeside(const LabelWish &wish);
 
 private:
-    struct Disc {
+    struct PixelDisc {
         QPointF centre; ///< px
         double radius;  ///< px
     };
@@ -52,7 +52,7 @@ private:
     QFontMetricsF m_metrics;
     QFontMetricsF m_strongMetrics;
     std::vector<QRectF> m_taken;
-    std::vector<Disc> m_discs;
+    std::vector<PixelDisc> m_discs;
     std::vector<QLineF> m_shafts;
 };
 
