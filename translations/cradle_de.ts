@@ -171,6 +171,14 @@
         <source>At step %1 circle %2 is at %3 m with %4 m/s and circle %5 at %6 m with %7 m/s; they should be in the same place with the same velocity</source>
         <translation>In Schritt %1 ist Kreis %2 bei %3 m mit %4 m/s und Kreis %5 bei %6 m mit %7 m/s; sie sollen am selben Ort sein und dieselbe Geschwindigkeit haben</translation>
     </message>
+    <message>
+        <source>A check runs at most %1 circles; there are %2</source>
+        <translation>Eine Prüfung rechnet mit höchstens %1 Kreisen; es sind %2</translation>
+    </message>
+    <message>
+        <source>The timestep %1 s is too short to be judged; %2 s or more is right</source>
+        <translation>Der Zeitschritt %1 s ist zu kurz, um geprüft zu werden; richtig sind %2 s oder mehr</translation>
+    </message>
 </context>
 <context>
     <name>CircleEdits</name>
@@ -371,12 +379,20 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <comment>the normal vector</comment>
         <translation>n</translation>
     </message>
+    <message>
+        <source>after %1</source>
+        <translation>danach %1</translation>
+    </message>
 </context>
 <context>
     <name>LabReader</name>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
         <translation>ein anderer Schritt hat schon die Kennung %1; richtig ist eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>the text is not in UTF-8, which would be right; some letters are lost</source>
+        <translation>der Text ist nicht in UTF-8, was richtig wäre; einige Buchstaben gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -436,6 +452,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>cradle: unexpected argument %1; one lab or scene is right</source>
+        <translation>cradle: unerwartetes Argument %1; richtig ist ein Lab oder eine Szene</translation>
     </message>
 </context>
 <context>
@@ -624,10 +644,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>circle %1</translation>
     </message>
     <message>
-        <source>%1 is out of range; a number from %2 to %3 %4 is right</source>
-        <translation>%1 liegt außerhalb des Bereichs; richtig ist eine Zahl von %2 bis %3 %4</translation>
-    </message>
-    <message>
         <source>the name is too long; at most %1 characters are right</source>
         <translation>der Name ist zu lang; richtig sind höchstens %1 Zeichen</translation>
     </message>
@@ -654,6 +670,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>at most %1 circles are right</source>
         <translation>richtig sind höchstens %1 Kreise</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; a number from %2 to %3 is right</source>
+        <translation>%1 liegt außerhalb des Bereichs; richtig ist eine Zahl von %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -1053,6 +1073,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>Show what was observed: %1</source>
         <translation>Zeigen, was beobachtet wurde: %1</translation>
     </message>
+    <message>
+        <source>Show the moment ▸</source>
+        <translation>Moment zeigen ▸</translation>
+    </message>
+    <message>
+        <source>Show the moment</source>
+        <translation>Moment zeigen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::CircleTableModel</name>
@@ -1262,6 +1290,26 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>dissipated</source>
         <translation>verloren</translation>
     </message>
+    <message>
+        <source>Total of e&amp;ach</source>
+        <translation>Gesamt &amp;je Kreis</translation>
+    </message>
+    <message>
+        <source>By the &amp;integrator</source>
+        <translation>Vom &amp;Integrator</translation>
+    </message>
+    <message>
+        <source>Energy made by the integrator, or lost if negative: total + dissipated in hits − total at the start. So start = total + dissipated − made by the integrator.</source>
+        <translation>Vom Integrator erzeugte Energie, negativ: verlorene: gesamt + in Stößen abgegeben − gesamt am Anfang. Also Anfang = gesamt + abgegeben − vom Integrator erzeugt.</translation>
+    </message>
+    <message>
+        <source>total %1</source>
+        <translation>gesamt %1</translation>
+    </message>
+    <message>
+        <source>by the integrator</source>
+        <translation>vom Integrator</translation>
+    </message>
 </context>
 <context>
     <name>cradle::FormulaRenderer</name>
@@ -1303,14 +1351,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Hit %1 at %2 s: momentum before %3, after %4, change %5.</source>
-        <translation>Stoß %1 bei %2 s: Impuls davor %3, danach %4, Änderung %5.</translation>
-    </message>
-    <message>
-        <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5.</source>
-        <translation>Stoß %1 bei %2 s, Kreis %6 – %7: Impuls davor %3, danach %4, Änderung %5.</translation>
-    </message>
-    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -1321,10 +1361,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>kg m/s</source>
         <translation>kg m/s</translation>
-    </message>
-    <message>
-        <source>Momentum (p_x, p_y) of the circles of the hit</source>
-        <translation>Impuls (p_x, p_y) der Kreise des Stoßes</translation>
     </message>
     <message>
         <source>time</source>
@@ -1349,6 +1385,18 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>change</source>
         <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s: momentum before %3, after %4, change %5 kg m/s.</source>
+        <translation>Stoß %1 bei %2 s: Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5 kg m/s.</source>
+        <translation>Stoß %1 bei %2 s, Kreis %6 an: %7; Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
+    </message>
+    <message>
+        <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
+        <translation>Impuls (p_x, p_y) der Kreise des Stoßes; p_x allein, wo es kein p_y gibt</translation>
     </message>
 </context>
 <context>
@@ -1584,6 +1632,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Values</source>
         <translation>Werte</translation>
     </message>
+    <message>
+        <source>Nothing hits anything within the next minute.</source>
+        <translation>In der nächsten Minute stößt nichts zusammen.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -1688,14 +1740,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Seit dieser Prüfung geändert</translation>
     </message>
     <message>
-        <source>Show the moment ▸</source>
-        <translation>Moment zeigen ▸</translation>
-    </message>
-    <message>
-        <source>Show the moment</source>
-        <translation>Moment zeigen</translation>
-    </message>
-    <message>
         <source>✓ Passed: the check</source>
         <translation>✓ Bestanden: die Prüfung</translation>
     </message>
@@ -1722,6 +1766,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Copy the commit message</source>
         <translation>Die Commit-Nachricht kopieren</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Noch nicht: %1</translation>
+    </message>
+    <message>
+        <source>That was the last step.</source>
+        <translation>Das war der letzte Schritt.</translation>
+    </message>
+    <message>
+        <source>Still open: %1</source>
+        <translation>Noch offen: %1</translation>
     </message>
 </context>
 <context>
@@ -2050,6 +2106,11 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>All circles together</source>
         <translation>Alle Kreise zusammen</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number unit</comment>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ValuesPane</name>
@@ -2096,6 +2157,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Copy all</source>
         <translation>Alles kopieren</translation>
+    </message>
+    <message>
+        <source>No hits yet: press Run or Next hit</source>
+        <translation>Noch keine Stöße: drücke Starten oder Nächster Stoß</translation>
     </message>
 </context>
 <context>
