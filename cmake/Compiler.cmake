@@ -26,7 +26,9 @@ endif()
 
 find_program(CRADLE_CCACHE ccache)
 if(CRADLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${CRADLE_CCACHE}")
+    # Paths count from the source folder, so that one clone's results serve the next.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CRADLE_CCACHE}")
 endif()
 find_program(CRADLE_MOLD mold)
 if(CRADLE_MOLD)
