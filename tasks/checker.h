@@ -4,6 +4,7 @@
 
 #include "tasks/check_report.h"
 #include "tasks/lab.h"
+#include "tasks/submission.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -20,11 +21,11 @@ struct JudgeHooks {
     std::function<bool()> cancelled{};                   ///< asked before every scene
 };
 
-/// Judges \p submission by all checks of \p task, in scenes drawn from \p seed. The result depends
-/// on nothing else.
+/// Judges \p submission by all checks of \p task, in scenes drawn from \p seed, and says which
+/// known mistake explains a failure. The result depends on nothing else.
 /// \return nullopt if it was cancelled
 [[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
-                                                   const Preset &submission, qint64 seed,
+                                                   const Submission &submission, qint64 seed,
                                                    const JudgeHooks &hooks = {});
 
 /// Judges off the GUI thread, one submission at a time.
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] bool isRunning() const { return m_running; }
 
     /// Begins; a judgement that still runs is cancelled first.
-    void start(const Lab &lab, const Task &task, const Preset &submission, qint64 seed);
+    void start(const Lab &lab, const Task &task, const Submission &submission, qint64 seed);
 
 public slots:
     void cancel(); ///< works at once; finished() does not follow

@@ -24,6 +24,23 @@ struct CheckSpec {
     friend bool operator==(const CheckSpec &, const CheckSpec &) = default;
 };
 
+/// A program that the lab knows, with what it says to the student who wrote the same.
+struct KnownScript {
+    QString name;
+    QString source;
+    QString message; ///< CommonMark: a headline, then what was observed and where to look
+};
+
+/// Work that passes and yet deserves a word.
+struct RemarkSpec {
+    enum class Compare { Velocities, Positions, Fields };
+
+    KnownScript script;
+    Compare compare = Compare::Velocities; ///< what gives it away
+    std::vector<int> circles{0};           ///< of the scene, from 0
+    QJsonObject scene{};                   ///< where it shows, see tasks/variant.h
+};
+
 /// One step of a lab; a plain value.
 struct Task {
     QString id;           ///< L42T1
@@ -34,6 +51,11 @@ struct Task {
     QStringList hints{};  ///< CommonMark, from a nudge to nearly the solution
     Preset preset{};      ///< the scene that the step starts with
     std::vector<CheckSpec> checks{};
+    QStringList codeHints{}; ///< the same for those who write a program
+    QString starter{};       ///< what a program starts from; the solution of the step before
+    QString solution{};      ///< the reference program; empty if there is none
+    std::vector<KnownScript> mistakes{};
+    std::vector<RemarkSpec> remarks{};
     bool extra = false; ///< not in the original lab
 };
 

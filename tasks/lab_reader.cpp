@@ -4,6 +4,7 @@
 
 #include "model/json_schema.h"
 #include "model/preset_json.h"
+#include "tasks/known_scripts.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -130,9 +131,14 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     const QStringList hints = stringsOf(words.value(QStringLiteral("hints")));
     if (hints.size() == task.hints.size())
         task.hints = hints;
+    task.codeHints = stringsOf(json->value(QStringLiteral("code_hints")));
+    const QStringList codeHints = stringsOf(words.value(QStringLiteral("code_hints")));
+    if (codeHints.size() == task.codeHints.size())
+        task.codeHints = codeHints;
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
+    readScripts(*json, words, task, lab);
     lab.tasks.push_back(task);
 }
 

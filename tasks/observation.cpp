@@ -3,6 +3,7 @@
 #include "tasks/observation.h"
 
 #include "model/stepper.h"
+#include "tasks/script/student_script.h"
 
 namespace cradle {
 
@@ -13,20 +14,38 @@ constexpr qint64 maxBytes = 512LL * 1024 * 1024;
 
 } // namespace
 
-Observation observe(const Variant &variant)
+Observation observe(const Variant &variant, const QString *script,
+                    const std::function<bool()> &stop)
 {
-    Observation observation{variant, Recording(maxBytes)};
-    Stepper stepper(variant.preset);
-    World world = initialWorld(variant.preset);
-    observation.states.append(world);
-    std::vector<Hit> hits;
-    const auto steps = static_cast<qint64>(std::ceil(variant.duration / variant.preset.timestep));
-    for (qint64 k = 0; k < steps; ++k) {
-        hits.clear();
-        stepper.advance(world, hits);
-        observation.states.append(world, hits);
+    Observation o{variant, Recording(maxBytes)};
+    std::optional<StudentScript> program;
+    if (script) {
+        program.emplace(*script, StudentScript::Options{.pinned = variant.pinned, .quiet = true});
+        o.error = program->begin(o.variant.preset);
     }
-    return observation;
+    World world = initialWorld(o.variant.preset);
+    o.states.append(world);
+    if (o.error)
+        return o;
+    Stepper stepper(o.variant.preset);
+    std::vector<Hit> hits;
+    const double dt = o.variant.preset.timestep;
+    const auto steps = static_cast<qint64>(std::ceil(variant.duration / dt));
+    for (qint64 k = 0; k < steps && !(stop && stop()); ++k) {
+        if (program && program->moves()) {
+            if ((o.error = program->advance(world, dt)))
+                break;
+            ++world.step;
+            world.time = static_cast<double>(world.step) * dt;
+        } else {
+            hits.clear();
+            stepper.advance(world, hits);
+        }
+        o.states.append(world);
+    }
+    if (program)
+        o.fields = program->ownFields();
+    return o;
 }
 
 } // namespace cradle

@@ -3,7 +3,12 @@
 #pragma once
 
 #include "model/recording.h"
+#include "tasks/script/circle_field.h"
 #include "tasks/variant.h"
+
+#include "model/program.h"
+
+#include <functional>
 
 namespace cradle {
 
@@ -12,6 +17,8 @@ namespace cradle {
 struct Observation {
     Variant variant;
     Recording states;
+    std::optional<ProgramError> error{}; ///< the program stopped; the states are those before
+    std::vector<CircleField> fields{};   ///< what the program keeps with the circles at the end
 
     [[nodiscard]] qint64 steps() const { return states.last(); }
     [[nodiscard]] const Circle &circle(int index, qint64 step) const
@@ -26,7 +33,10 @@ struct Observation {
     [[nodiscard]] int circleCount() const { return static_cast<int>(states.circleCount()); }
 };
 
-/// Runs the laws of \p variant for its duration.
-[[nodiscard]] Observation observe(const Variant &variant);
+/// Runs \p variant for its duration: \p script (a student's program) where it is not null, and
+/// where it moves nothing the laws. The observation's scene is what the program made of it.
+/// \param stop  asked before every step; if it answers true, the states end there
+[[nodiscard]] Observation observe(const Variant &variant, const QString *script = nullptr,
+                                  const std::function<bool()> &stop = {});
 
 } // namespace cradle

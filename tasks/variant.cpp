@@ -163,7 +163,7 @@ private:
         QStringList name{what, timestepText(preset.timestep)};
         if (m_spec.restitutions.size() > 1)
             name.append(QStringLiteral("e = %1").arg(preset.restitution));
-        m_variants.push_back({name.join(QStringLiteral(", ")), preset, m_spec.duration});
+        m_variants.push_back({name.join(QStringLiteral(", ")), preset, m_spec.duration, true});
     }
 
     void addFlight(int i)

@@ -11,6 +11,7 @@ struct Variant {
     QString name;          ///< "preset" for the student's own scene, else what is pinned
     Preset preset{};       ///< what runs
     double duration = 1.0; ///< s
+    bool pinned = false;   ///< a program cannot change what it starts with
 };
 
 /// The scenes that \p check runs of \p submission. Kinds of scene:

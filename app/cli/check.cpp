@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "model/json_schema.h"
 #include "model/preset_json.h"
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
 #include "tasks/report_json.h"
+#include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
@@ -26,16 +28,39 @@ QStringList idsOf(const Lab &lab)
     return ids;
 }
 
+Result<Submission> readSubmission(const Task &task, const QString &program, const QString &preset)
+{
+    Submission submission(task.preset);
+    if (!preset.isEmpty()) {
+        const Result<Preset> read = readPreset(preset);
+        if (!read)
+            return read.error();
+        submission.preset = *read;
+    }
+    if (!program.isEmpty()) {
+        const Result<QByteArray> text = readFile(program, limits::sourceBytes);
+        if (!text)
+            return text.error();
+        submission.script = QString::fromUtf8(*text);
+    }
+    return submission;
+}
+
 } // namespace
 
 ExitCode check(const QStringList &arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        CheckText::tr("Judges a preset for one step: the engine's laws, by what they do."));
+        CheckText::tr("Judges a program, or with --preset alone the engine's laws, for one step: by what they "
+                      "do."));
     parser.addPositionalArgument(QStringLiteral("TASK"), CheckText::tr("the step, like L42T5"));
-    const QCommandLineOption preset(QStringLiteral("preset"), CheckText::tr("the preset to judge"),
-                                    QStringLiteral("P.json"));
+    parser.addPositionalArgument(QStringLiteral("SCRIPT.lua"),
+                                 CheckText::tr("the program to judge"),
+                                 QStringLiteral("[SCRIPT.lua]"));
+    const QCommandLineOption preset(
+        QStringLiteral("preset"),
+        CheckText::tr("the scene; without it that of the step"), QStringLiteral("P.json"));
     const QCommandLineOption labDir(QStringLiteral("lab"),
                                     CheckText::tr("the lab's folder; without it the shipped lab"),
                                     QStringLiteral("DIR"));
@@ -50,10 +75,12 @@ ExitCode check(const QStringList &arguments)
     const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
                                       CheckText::tr("exit with 0 also if it did not pass"));
     parser.addOptions({preset, labDir, seed, format, output, exitZero});
-    if (const auto code = parse(parser, arguments, 1, 1))
+    if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
-    if (!parser.isSet(preset))
-        return complain(CheckText::tr("--preset P.json is missing: what is to be judged?"));
+    const QString program = parser.positionalArguments().value(1);
+    if (program.isEmpty() && !parser.isSet(preset))
+        return complain(CheckText::tr("SCRIPT.lua or --preset P.json is missing: what is to be "
+                                      "judged?"));
     const bool json = parser.value(format) == QLatin1String("json");
     if (!json && parser.value(format) != QLatin1String("text"))
         return complain(
@@ -74,12 +101,11 @@ ExitCode check(const QStringList &arguments)
     if (index < 0)
         return complain(CheckText::tr("the lab has no step %1; it has %2")
                             .arg(id, idsOf(*lab).join(QStringLiteral(", "))));
-    const Result<Preset> submission = readPreset(parser.value(preset));
+    const Task &task = lab->tasks[static_cast<std::size_t>(index)];
+    const Result<Submission> submission = readSubmission(task, program, parser.value(preset));
     if (!submission)
         return complain(submission.error());
-
-    const CheckReport report =
-        *judgeTask(*lab, lab->tasks[static_cast<std::size_t>(index)], *submission, seedValue);
+    const CheckReport report = *judgeTask(*lab, task, *submission, seedValue);
     const QByteArray text = json ? writeReport(report) : describeReport(report).toUtf8();
     if (const auto error = writeText(parser.value(output), text))
         return complain(*error);

@@ -20,8 +20,9 @@ struct Entry {
 };
 
 constexpr std::array subcommands{
-    Entry{"check", "judges a preset for one step of a lab", check},
+    Entry{"check", "judges a program or a preset for one step of a lab", check},
     Entry{"simulate", "runs a scene and writes what happens", simulate},
+    Entry{"verify", "judges a lab itself", verify},
 };
 
 void printUsage(FILE *where)

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/subcommand.h"
+
+#include "tasks/lab_reader.h"
+#include "tasks/lab_verifier.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QTextStream>
+
+namespace cradle::cli {
+
+namespace {
+
+struct VerifyText {
+    Q_DECLARE_TR_FUNCTIONS(Cli)
+};
+
+QString summary(const std::vector<VerifiedTask> &tasks, qint64 milliseconds)
+{
+    std::size_t mistakes = 0;
+    qsizetype problems = 0;
+    for (const VerifiedTask &task : tasks) {
+        problems += task.problems.size();
+        for (const VerifiedProgram &program : task.programs)
+            mistakes += program.role == VerifiedProgram::Role::Mistake ? 1 : 0;
+    }
+    return VerifyText::tr("%1 steps, %2 mistakes, %3 problems, %4 s\n")
+        .arg(tasks.size())
+        .arg(mistakes)
+        .arg(problems)
+        .arg(static_cast<double>(milliseconds) / 1000.0, 0, 'f', 1);
+}
+
+} // namespace
+
+ExitCode verify(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(VerifyText::tr(
+        "Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails "
+        "and is recognised, and every check is failed by a mistake. Prints which mistake (row) "
+        "fails which check (column, x) and what it is taken for."));
+    parser.addPositionalArgument(QStringLiteral("LAB-DIR"), VerifyText::tr("the lab's folder"));
+    const QCommandLineOption only(QStringLiteral("task"), VerifyText::tr("this step alone"),
+                                  QStringLiteral("L42T5"));
+    parser.addOption(only);
+    if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    QElapsedTimer timer;
+    timer.start();
+    const Result<Lab> lab = readLab(parser.positionalArguments().first());
+    if (!lab)
+        return complain(lab.error());
+    for (const Error &finding : lab->findings)
+        QTextStream(stderr) << finding.toString() << Qt::endl;
+    if (parser.isSet(only) && lab->indexOf(parser.value(only)) < 0)
+        return complain(VerifyText::tr("the lab has no step %1").arg(parser.value(only)));
+    const std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only));
+    bool sound = lab->findings.empty();
+    QString text;
+    for (const VerifiedTask &task : tasks) {
+        text += describeVerified(task) + QLatin1Char('\n');
+        sound = sound && task.problems.isEmpty();
+    }
+    if (const auto error = writeText({}, (text + summary(tasks, timer.elapsed())).toUtf8()))
+        return complain(*error);
+    return sound ? Done : NotPassed;
+}
+
+} // namespace cradle::cli

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/inferred_hits.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// A change of velocity below this (relative, and in m/s) is rounding.
+constexpr double noise = 1e-9;
+/// More circles than this are not looked at in pairs; students' programs move a handful.
+constexpr std::size_t mostInPairs = 300;
+
+/// What one circle did in the step.
+struct Change {
+    Vec2 kick{};          ///< change of velocity besides gravity's, m/s
+    double reach = 0.0;   ///< the furthest it comes in the step, m
+    bool kicked = false;
+    bool explained = false; ///< by a hit that was found
+};
+
+std::vector<Change> changesOf(const Preset &scene, std::span<const Circle> before,
+                              std::span<const Circle> after, double dt)
+{
+    std::vector<Change> changes(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        Change &c = changes[i];
+        const double speed = std::max(length(before[i].velocity), length(after[i].velocity));
+        c.kick = after[i].velocity - before[i].velocity - dt * scene.gravity;
+        c.reach = (speed + length(scene.gravity) * dt) * dt;
+        // Whether the program lets gravity act in the step of a hit or not.
+        c.kicked = length(c.kick) > noise * (1.0 + speed)
+                   && length(c.kick + dt * scene.gravity) > noise * (1.0 + speed);
+    }
+    return changes;
+}
+
+double kineticLoss(const Circle &before, Vec2 after)
+{
+    return 0.5 * mass(before) * (lengthSquared(before.velocity) - lengthSquared(after));
+}
+
+std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Circle> after,
+                             std::size_t a, std::size_t b, const std::vector<Change> &changes)
+{
+    const Vec2 apart = before[b].position - before[a].position;
+    const double gap = length(apart) - before[a].radius - before[b].radius;
+    if (gap > changes[a].reach + changes[b].reach)
+        return std::nullopt;
+    const Vec2 n = normalized(apart);
+    if (n == Vec2{})
+        return std::nullopt;
+    Hit hit{.kind = Hit::Kind::Circle,
+            .a = static_cast<int>(a),
+            .b = static_cast<int>(b),
+            .normal = n};
+    hit.impulse = mass(before[b]) * dot(changes[b].kick, n);
+    if (hit.impulse == 0.0)
+        hit.impulse = -mass(before[a]) * dot(changes[a].kick, n);
+    hit.beforeA = before[a].velocity;
+    hit.afterA = after[a].velocity;
+    hit.beforeB = before[b].velocity;
+    hit.afterB = after[b].velocity;
+    hit.loss = kineticLoss(before[a], hit.afterA) + kineticLoss(before[b], hit.afterB);
+    return hit;
+}
+
+std::optional<Hit> hitAtWall(const Preset &scene, const Circle &before, const Circle &after,
+                             std::size_t i, Wall wall, const Change &change)
+{
+    const Vec2 n = outwardNormal(wall);
+    const double gap = scene.halfWidth - before.radius - dot(before.position, n);
+    const double push = dot(change.kick, n);
+    if (gap > change.reach || push > -noise * (1.0 + length(before.velocity)))
+        return std::nullopt;
+    Hit hit{.kind = Hit::Kind::Wall,
+            .a = static_cast<int>(i),
+            .b = static_cast<int>(wall),
+            .normal = n};
+    hit.impulse = -mass(before) * push;
+    hit.beforeA = before.velocity;
+    hit.afterA = after.velocity;
+    hit.loss = kineticLoss(before, after.velocity);
+    return hit;
+}
+
+} // namespace
+
+void inferHits(const Preset &scene, std::span<const Circle> before, std::span<const Circle> after,
+               double dt, qint64 step, double time, std::vector<Hit> &hits)
+{
+    std::vector<Change> changes = changesOf(scene, before, after, dt);
+    const auto add = [&](Hit hit) {
+        hit.step = step;
+        hit.time = time;
+        hits.push_back(hit);
+    };
+    if (before.size() <= mostInPairs) {
+        for (std::size_t a = 0; a < before.size(); ++a) {
+            for (std::size_t b = a + 1; b < before.size(); ++b) {
+                if (!changes[a].kicked && !changes[b].kicked)
+                    continue;
+                if (const auto hit = hitOfPair(before, after, a, b, changes)) {
+                    add(*hit);
+                    changes[a].explained = changes[b].explained = true;
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!changes[i].kicked || changes[i].explained)
+            continue;
+        for (const Wall wall : allWalls) {
+            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i]))
+                add(*hit);
+        }
+    }
+}
+
+} // namespace cradle

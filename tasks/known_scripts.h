@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/lab.h"
+
+namespace cradle {
+
+/// The comment block that a program begins with, without the dashes: CommonMark.
+[[nodiscard]] QString firstCommentBlock(const QString &source);
+
+/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/ and
+/// remarks/. What cannot be read is named in Lab::findings.
+/// \param json   the step's task.json
+/// \param words  its texts in another language, where it has them
+void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, Lab &lab);
+
+} // namespace cradle

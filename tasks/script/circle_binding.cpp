@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/circle_binding.h"
+
+#include "tasks/script/nearest_name.h"
+#include "tasks/script/script_host.h"
+#include "tasks/script/world_binding.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace cradle {
+
+namespace {
+
+struct CircleText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+constexpr lua_Integer metatableKey = 102;
+constexpr lua_Integer listKey = 103; ///< the table of all circle objects
+
+enum class Field { Position, Velocity, Radius, Density, Index, Own };
+
+/// The engine's fields by their first letters; all others are the program's own.
+Field fieldOf(const char *key)
+{
+    switch (*key) {
+    case 'p':
+        return std::strcmp(key, "position") == 0 ? Field::Position : Field::Own;
+    case 'v':
+        return std::strcmp(key, "velocity") == 0 ? Field::Velocity : Field::Own;
+    case 'r':
+        return std::strcmp(key, "radius") == 0 ? Field::Radius : Field::Own;
+    case 'd':
+        return std::strcmp(key, "density") == 0 ? Field::Density : Field::Own;
+    case 'i':
+        return std::strcmp(key, "index") == 0 ? Field::Index : Field::Own;
+    default:
+        return Field::Own;
+    }
+}
+
+const QStringList &engineFields()
+{
+    static const QStringList names{QStringLiteral("position"), QStringLiteral("velocity"),
+                                   QStringLiteral("radius"), QStringLiteral("density"),
+                                   QStringLiteral("index")};
+    return names;
+}
+
+QString nameOf(int circle)
+{
+    return QStringLiteral("circle%1").arg(circle + 1);
+}
+
+const char *keyAt(lua_State *L, int index, int circle)
+{
+    if (lua_type(L, index) == LUA_TSTRING)
+        return lua_tostring(L, index);
+    raise(L, CircleText::tr("%1 has no field %2; a field has a name")
+                 .arg(nameOf(circle), nameValue(L, index)));
+}
+
+/// A field of the program's own, or an error that names the nearest.
+int pushOwnField(lua_State *L, int circle, const char *key)
+{
+    lua_getiuservalue(L, 1, 1);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL)
+        return 1;
+    lua_pop(L, 1);
+    QStringList known = engineFields();
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        if (lua_type(L, -2) == LUA_TSTRING)
+            known.append(QString::fromUtf8(lua_tostring(L, -2)));
+        lua_pop(L, 1);
+    }
+    const QString name = QString::fromUtf8(key);
+    const QString near = nearestName(name, known);
+    if (!near.isEmpty())
+        raise(L, CircleText::tr("%1 has no field `%2`: did you mean `%3`?")
+                     .arg(nameOf(circle), name, near));
+    raise(L, CircleText::tr("%1 has no field `%2`; it has %3. A field of your own must be set "
+                            "before it is read: %1.%2 = …")
+                 .arg(nameOf(circle), name, engineFields().join(QStringLiteral(", "))));
+}
+
+int index(lua_State *L)
+{
+    const int circle = circleAt(L, 1);
+    const char *key = keyAt(L, 2, circle);
+    const Circle &c = ScriptHost::of(L).circles[static_cast<std::size_t>(circle)];
+    switch (fieldOf(key)) {
+    case Field::Position:
+        pushVector(L, c.position);
+        return 1;
+    case Field::Velocity:
+        pushVector(L, c.velocity);
+        return 1;
+    case Field::Radius:
+        lua_pushnumber(L, c.radius);
+        return 1;
+    case Field::Density:
+        lua_pushnumber(L, c.density);
+        return 1;
+    case Field::Index:
+        lua_pushinteger(L, circle + 1);
+        return 1;
+    case Field::Own:
+        break;
+    }
+    return pushOwnField(L, circle, key);
+}
+
+Vec2 newVector(lua_State *L, int circle, const char *key)
+{
+    const QString name = nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
+    const Vec2 *v = vectorAt(L, 3);
+    if (!v)
+        raise(L, CircleText::tr("%1 must be a vector, not %2; write vec(x, y)")
+                     .arg(name, nameValue(L, 3)));
+    if (!isFinite(*v))
+        raise(L, CircleText::tr("%1 would be %2; every number of a circle must be finite. Look "
+                                "for a division by zero, or for a value that grows in every step")
+                     .arg(name, describeValue(L, 3)));
+    return *v;
+}
+
+double newNumber(lua_State *L, int circle, const char *key)
+{
+    const QString name = nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
+    if (lua_type(L, 3) != LUA_TNUMBER)
+        raise(L, CircleText::tr("%1 must be a number, not %2").arg(name, nameValue(L, 3)));
+    const double value = lua_tonumber(L, 3);
+    if (!std::isfinite(value) || value <= 0.0)
+        raise(L, CircleText::tr("%1 would be %2; it must be finite and above 0")
+                     .arg(name, describeValue(L, 3)));
+    return value;
+}
+
+/// "velocty" is not a field of the program's own; "velocity2" and "old_position" are.
+void refuseSlip(lua_State *L, int circle, const char *key)
+{
+    const QString name = QString::fromUtf8(key);
+    for (const QString &known : engineFields()) {
+        if (name.size() >= 5 && !name.startsWith(known) && editDistance(name, known) <= 2)
+            raise(L, CircleText::tr("%1 has no field `%2`: did you mean `%3`?")
+                         .arg(nameOf(circle), name, known));
+    }
+}
+
+void note(lua_State *L, ScriptHost &host, int circle)
+{
+    if (host.tracing)
+        host.assignments.push_back({circle, currentLine(L)});
+}
+
+int setField(lua_State *L)
+{
+    const int circle = circleAt(L, 1);
+    const char *key = keyAt(L, 2, circle);
+    ScriptHost &host = ScriptHost::of(L);
+    Circle &c = host.circles[static_cast<std::size_t>(circle)];
+    const bool startPinned = host.pinned && host.loading;
+    switch (fieldOf(key)) {
+    case Field::Position:
+    case Field::Velocity: {
+        const Vec2 value = newVector(L, circle, key);
+        note(L, host, circle);
+        if (!startPinned)
+            (*key == 'p' ? c.position : c.velocity) = value;
+        return 0;
+    }
+    case Field::Radius:
+    case Field::Density: {
+        const double value = newNumber(L, circle, key);
+        if (!host.pinned)
+            (*key == 'r' ? c.radius : c.density) = value;
+        return 0;
+    }
+    case Field::Index:
+        raise(L, CircleText::tr("%1.index is given and cannot be changed").arg(nameOf(circle)));
+    case Field::Own:
+        break;
+    }
+    lua_getiuservalue(L, 1, 1);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) == LUA_TNIL)
+        refuseSlip(L, circle, key);
+    lua_pop(L, 1);
+    lua_pushvalue(L, 2);
+    lua_pushvalue(L, 3);
+    lua_rawset(L, -3);
+    return 0;
+}
+
+int toText(lua_State *L)
+{
+    lua_pushstring(L, nameOf(circleAt(L, 1)).toUtf8().constData());
+    return 1;
+}
+
+/// circles[i]; nil beyond the last, as ipairs wants it.
+int listIndex(lua_State *L)
+{
+    if (lua_type(L, 2) != LUA_TNUMBER)
+        raise(L, CircleText::tr("circles[i] takes a number from 1 to %1, not %2")
+                     .arg(ScriptHost::of(L).circles.size())
+                     .arg(nameValue(L, 2)));
+    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
+    lua_pushvalue(L, 2);
+    lua_rawget(L, -2);
+    return 1;
+}
+
+int listLength(lua_State *L)
+{
+    lua_pushinteger(L, static_cast<lua_Integer>(ScriptHost::of(L).circles.size()));
+    return 1;
+}
+
+int refuseListChange(lua_State *L)
+{
+    raise(L, CircleText::tr("circles cannot be added or removed by a program; set the position "
+                            "and velocity of those that are there"));
+}
+
+int listNext(lua_State *L)
+{
+    const lua_Integer next = luaL_optinteger(L, 2, 0) + 1;
+    lua_pushinteger(L, next);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
+    lua_rawgeti(L, -1, next);
+    if (lua_isnil(L, -1))
+        return 1;
+    lua_replace(L, -2);
+    return 2;
+}
+
+int listPairs(lua_State *L)
+{
+    lua_pushcfunction(L, listNext);
+    lua_pushvalue(L, 1);
+    lua_pushnil(L);
+    return 3;
+}
+
+void setFunction(lua_State *L, const char *name, lua_CFunction function)
+{
+    lua_pushcfunction(L, function);
+    lua_setfield(L, -2, name);
+}
+
+} // namespace
+
+int circleAt(lua_State *L, int index)
+{
+    if (lua_type(L, index) != LUA_TUSERDATA)
+        return -1;
+    const auto *object = static_cast<const CircleObject *>(lua_touserdata(L, index));
+    return object->kind == ObjectKind::Circle ? object->index : -1;
+}
+
+void pushCircle(lua_State *L, int index)
+{
+    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
+    lua_rawgeti(L, -1, index + 1);
+    lua_remove(L, -2);
+}
+
+void pushCircles(lua_State *L)
+{
+    lua_newtable(L);
+    setFunction(L, "__index", index);
+    setFunction(L, "__newindex", setField);
+    setFunction(L, "__tostring", toText);
+    lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);
+
+    const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
+    lua_createtable(L, count, 0);
+    for (int i = 0; i < count; ++i) {
+        new (lua_newuserdatauv(L, sizeof(CircleObject), 1)) CircleObject{ObjectKind::Circle, i};
+        lua_newtable(L);
+        lua_setiuservalue(L, -2, 1);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, metatableKey);
+        lua_setmetatable(L, -2);
+        lua_rawseti(L, -2, i + 1);
+    }
+    lua_rawseti(L, LUA_REGISTRYINDEX, listKey);
+
+    new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Circles};
+    lua_newtable(L);
+    setFunction(L, "__index", listIndex);
+    setFunction(L, "__len", listLength);
+    setFunction(L, "__newindex", refuseListChange);
+    setFunction(L, "__pairs", listPairs);
+    lua_setmetatable(L, -2);
+}
+
+std::vector<CircleField> ownFields(lua_State *L)
+{
+    std::vector<CircleField> fields;
+    const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
+    for (int i = 0; i < count; ++i) {
+        pushCircle(L, i);
+        lua_getiuservalue(L, -1, 1);
+        lua_pushnil(L);
+        while (lua_next(L, -2) != 0) {
+            if (lua_type(L, -2) == LUA_TSTRING && lua_type(L, -1) == LUA_TNUMBER)
+                fields.push_back(
+                    {i, QString::fromUtf8(lua_tostring(L, -2)), lua_tonumber(L, -1)});
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 2);
+    }
+    std::sort(fields.begin(), fields.end(), [](const CircleField &a, const CircleField &b) {
+        return a.circle != b.circle ? a.circle < b.circle : a.name < b.name;
+    });
+    return fields;
+}
+
+} // namespace cradle

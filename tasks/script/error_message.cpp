@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/error_message.h"
+
+#include "tasks/script/script_limits.h"
+#include "tasks/script/vector_binding.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+namespace cradle {
+
+namespace {
+
+struct MessageText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+/// "local 'x'", "field 'x'", "global 'x'" of Lua's messages: the name.
+QString nameIn(const QString &message)
+{
+    static const QRegularExpression pattern(
+        QStringLiteral("\\((?:local|field|global|upvalue|method|constant) '([^']*)'\\)"));
+    return pattern.match(message).captured(1);
+}
+
+QString typeIn(const QString &message, const QString &verb)
+{
+    const QRegularExpression pattern(verb + QStringLiteral(" (?:a |an )?(\\w+) value"));
+    return pattern.match(message).captured(1);
+}
+
+/// Lua's own message in plainer words; unchanged if it is not one of the usual ones.
+QString plain(const QString &message)
+{
+    const QString name = nameIn(message);
+    const QString what = name.isEmpty() ? MessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
+    if (const QString type = typeIn(message, QStringLiteral("attempt to index")); !type.isEmpty())
+        return MessageText::tr("%1 is %2, so it has no fields").arg(what, type);
+    if (const QString type = typeIn(message, QStringLiteral("attempt to call")); !type.isEmpty())
+        return MessageText::tr("%1 is %2, not a function that can be called").arg(what, type);
+    if (const QString type = typeIn(message, QStringLiteral("attempt to perform arithmetic on"));
+        !type.isEmpty())
+        return MessageText::tr("%1 is %2, not a number to calculate with").arg(what, type);
+    if (message.startsWith(QLatin1String("attempt to compare")))
+        return MessageText::tr("%1; only numbers compare with numbers (the length of a vector is "
+                               "v:length())")
+            .arg(message);
+    if (message.contains(QLatin1String("stack overflow")))
+        return MessageText::tr("a function calls itself without end (stack overflow)");
+    return message;
+}
+
+} // namespace
+
+ProgramError errorAtTop(lua_State *L, int status)
+{
+    ProgramError error;
+    if (status == LUA_ERRMEM) {
+        error.kind = ProgramError::Kind::Memory;
+        error.message = MessageText::tr("the program needs more than %1 MiB of memory; is there a "
+                                        "table or a text that grows without end?")
+                            .arg(limits::scriptBytes / (1024 * 1024));
+        return error;
+    }
+    error.kind = status == LUA_ERRSYNTAX ? ProgramError::Kind::Syntax : ProgramError::Kind::Runtime;
+    if (lua_type(L, -1) != LUA_TSTRING) {
+        error.message =
+            MessageText::tr("the program called error with %1").arg(nameValue(L, -1));
+        return error;
+    }
+    QString message = QString::fromUtf8(lua_tostring(L, -1)).left(1000);
+    static const QRegularExpression place(QStringLiteral("^lab\\.lua:(\\d+): "));
+    if (const auto match = place.match(message); match.hasMatch()) {
+        error.line = match.captured(1).toInt();
+        message = message.mid(match.capturedLength());
+    }
+    error.message = status == LUA_ERRSYNTAX ? message : plain(message);
+    return error;
+}
+
+} // namespace cradle

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/program.h"
+#include "tasks/script/circle_field.h"
+#include "tasks/script/lua_state.h"
+
+#include <chrono>
+
+namespace cradle {
+
+/// What the functions that a program calls work on: the world of the moment, what was shown, and
+/// how much was used. One per Lua state; every function finds it by of().
+struct ScriptHost {
+    explicit ScriptHost(std::size_t mostMemory)
+        : memory(mostMemory)
+    {
+    }
+
+    [[nodiscard]] static ScriptHost &of(lua_State *L)
+    {
+        return **static_cast<ScriptHost **>(lua_getextraspace(L));
+    }
+
+    // The world.
+    std::vector<Circle> circles{};
+    Vec2 gravity{};
+    double restitution = 1.0;
+    double halfWidth = 4.0; ///< m
+    double time = 0.0;      ///< s, at the start of the step
+    qint64 step = 0;        ///< steps made
+    bool loading = true;    ///< the file or on_load runs
+    /// The scene keeps its values: what on_load assigns is ignored, and so are gravity,
+    /// restitution, radii and densities ever after.
+    bool pinned = false;
+
+    // What was shown.
+    bool quiet = false; ///< nobody looks: count it and drop it
+    ProgramOutput output{};
+    qint64 outputBytes = 0; ///< of this step
+
+    // What was used; see script_limits.h.
+    qint64 instructions = 0;
+    std::chrono::steady_clock::time_point deadline{};
+    LuaMemory memory;
+    /// Set once a limit is passed; no pcall of the program stops that.
+    std::optional<ProgramError::Kind> aborted{};
+
+    // Where it is.
+    QString source{};
+    bool tracing = false; ///< assignments are written down
+    std::vector<Assignment> assignments{};
+    ProgramError caught{}; ///< the line and the locals of the last error
+};
+
+/// Raises an error of the program at its current line. Never returns.
+[[noreturn]] void raise(lua_State *L, const QString &message);
+
+/// Raises it so that no pcall stops it: a limit was passed.
+[[noreturn]] void abortRun(lua_State *L, ProgramError::Kind kind, const QString &message);
+
+/// The line of the program that runs now; 0 if none does.
+[[nodiscard]] int currentLine(lua_State *L);
+
+} // namespace cradle

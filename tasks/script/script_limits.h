@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtGlobal>
+
+#include <chrono>
+#include <cstddef>
+
+/// What a student's program may use; past a limit the run stops. "A step" is one on_update, or
+/// loading the program with on_load.
+namespace cradle::limits {
+
+inline constexpr qint64 instructionsPerStep = 5'000'000; ///< of the Lua machine
+inline constexpr std::size_t scriptBytes = 64u * 1024 * 1024;
+inline constexpr std::chrono::seconds wallTimePerStep{2};
+inline constexpr qint64 outputBytesPerStep = 64 * 1024;
+inline constexpr qsizetype sourceBytes = 1024 * 1024; ///< far above what a lab needs
+
+} // namespace cradle::limits

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/student_script.h"
+
+#include "tasks/script/error_message.h"
+#include "tasks/script/sandbox.h"
+#include "tasks/script/script_host.h"
+#include "tasks/script/script_limits.h"
+#include "tasks/script/show_binding.h"
+#include "tasks/script/vector_binding.h"
+#include "tasks/script/world_binding.h"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+struct StudentText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+constexpr lua_Integer threadKey = 104; ///< in the registry: an update that runs line by line
+
+/// Names that a program leaves to us, read without the errors of unknown globals.
+int rawGlobal(lua_State *L, const char *name)
+{
+    lua_pushglobaltable(L);
+    lua_pushstring(L, name);
+    const int type = lua_rawget(L, -2);
+    lua_remove(L, -2);
+    return type;
+}
+
+int setUp(lua_State *L)
+{
+    addLibraries(L);
+    addVectors(L);
+    addShowing(L);
+    addWorld(L);
+    return 0;
+}
+
+int parse(lua_State *L, const QString &source)
+{
+    const QByteArray text = source.toUtf8();
+    return luaL_loadbufferx(L, text.constData(), static_cast<std::size_t>(text.size()), "=lab.lua",
+                            "t");
+}
+
+std::optional<ProgramError> tooLong(const QString &source)
+{
+    if (source.size() <= limits::sourceBytes)
+        return std::nullopt;
+    return ProgramError{.message = StudentText::tr("the program has %1 letters; at most %2 are "
+                                                   "right")
+                                       .arg(source.size())
+                                       .arg(limits::sourceBytes),
+                        .kind = ProgramError::Kind::Memory};
+}
+
+ProgramError noMemory()
+{
+    return {.message = StudentText::tr("there is no memory to run a program"),
+            .kind = ProgramError::Kind::Memory};
+}
+
+} // namespace
+
+struct StudentScript::Engine {
+    ScriptHost host{limits::scriptBytes};
+    LuaState state{};
+    lua_State *thread = nullptr; ///< of an update that runs line by line
+};
+
+StudentScript::StudentScript(QString source, Options options)
+    : m_source(std::move(source))
+    , m_options(options)
+{
+}
+
+StudentScript::~StudentScript() = default;
+
+std::optional<ProgramError> StudentScript::begin(Preset &scene)
+{
+    m_moves = false;
+    if (auto error = tooLong(m_source))
+        return error;
+    m_engine = std::make_unique<Engine>();
+    ScriptHost &host = m_engine->host;
+    host.source = m_source;
+    host.pinned = m_options.pinned;
+    host.quiet = m_options.quiet;
+    host.gravity = scene.gravity;
+    host.restitution = scene.restitution;
+    host.halfWidth = scene.halfWidth;
+    host.circles = initialWorld(scene).circles;
+    m_engine->state = newLuaState(host.memory);
+    lua_State *L = m_engine->state.get();
+    if (!L)
+        return noMemory();
+    *static_cast<ScriptHost **>(lua_getextraspace(L)) = &host;
+    lua_pushcfunction(L, setUp);
+    if (lua_pcall(L, 0, 0, 0) != LUA_OK)
+        return noMemory();
+    if (auto error = load(L))
+        return error;
+    scene.gravity = host.gravity;
+    scene.restitution = host.restitution;
+    for (std::size_t i = 0; i < host.circles.size(); ++i)
+        scene.circles[i].body = host.circles[i];
+    m_moves = rawGlobal(L, "on_update") == LUA_TFUNCTION;
+    lua_settop(L, 0);
+    host.loading = false;
+    return checkScene(scene);
+}
+
+std::optional<ProgramError> StudentScript::load(lua_State *L)
+{
+    lua_pushcfunction(L, catchError);
+    if (const int status = parse(L, m_source); status != LUA_OK)
+        return errorOf(L, status);
+    watch(L, false);
+    if (auto error = call(0))
+        return error;
+    if (rawGlobal(L, "on_load") == LUA_TFUNCTION)
+        return call(0);
+    lua_settop(L, 1);
+    return std::nullopt;
+}
+
+/// Calls the function below the arguments; the message handler lies at the bottom of the stack.
+std::optional<ProgramError> StudentScript::call(int arguments)
+{
+    lua_State *L = m_engine->state.get();
+    beginCount(L);
+    m_engine->host.caught = {};
+    if (const int status = lua_pcall(L, arguments, 0, 1); status != LUA_OK)
+        return errorOf(L, status);
+    return std::nullopt;
+}
+
+/// Where the laws move the circles, they need a scene that can be run.
+std::optional<ProgramError> StudentScript::checkScene(const Preset &scene) const
+{
+    if (m_moves)
+        return std::nullopt;
+    const std::optional<Error> fault = findFault(scene);
+    if (!fault)
+        return std::nullopt;
+    return ProgramError{.message = StudentText::tr("after on_load the scene cannot be run: %1")
+                                       .arg(fault->toString())};
+}
+
+ProgramError StudentScript::errorOf(lua_State *L, int status)
+{
+    ScriptHost &host = m_engine->host;
+    ProgramError error = errorAtTop(L, status);
+    if (host.aborted)
+        error.kind = *host.aborted;
+    if (host.caught.line > 0)
+        error.line = host.caught.line;
+    error.locals = std::exchange(host.caught, {}).locals;
+    error.step = host.loading ? 0 : host.step + 1;
+    error.time = host.time;
+    lua_settop(L, 0);
+    return error;
+}
+
+void StudentScript::place(const World &world)
+{
+    ScriptHost &host = m_engine->host;
+    host.circles = world.circles;
+    host.time = world.time;
+    host.step = world.step;
+}
+
+std::optional<ProgramError> StudentScript::advance(World &world, double dt)
+{
+    Q_ASSERT(m_moves);
+    lua_State *L = m_engine->state.get();
+    place(world);
+    lua_settop(L, 0);
+    lua_pushcfunction(L, catchError);
+    rawGlobal(L, "on_update");
+    lua_pushnumber(L, dt);
+    if (auto error = call(1))
+        return error;
+    world.circles = m_engine->host.circles;
+    return std::nullopt;
+}
+
+ProgramOutput StudentScript::takeOutput()
+{
+    return m_engine ? std::exchange(m_engine->host.output, {}) : ProgramOutput{};
+}
+
+StudentScript::Pause StudentScript::beginLines(const World &world, double dt)
+{
+    Q_ASSERT(m_moves);
+    dropLines();
+    lua_State *L = m_engine->state.get();
+    place(world);
+    lua_State *thread = lua_newthread(L);
+    lua_rawseti(L, LUA_REGISTRYINDEX, threadKey);
+    m_engine->thread = thread;
+    watch(thread, true);
+    rawGlobal(thread, "on_update");
+    lua_pushnumber(thread, dt);
+    beginCount(thread);
+    int results = 0;
+    return pauseOf(lua_resume(thread, nullptr, 1, &results));
+}
+
+StudentScript::Pause StudentScript::nextLine()
+{
+    if (!m_engine || !m_engine->thread)
+        return {};
+    beginCount(m_engine->thread);
+    int results = 0;
+    return pauseOf(lua_resume(m_engine->thread, nullptr, 0, &results));
+}
+
+StudentScript::Pause StudentScript::pauseOf(int status)
+{
+    lua_State *thread = m_engine->thread;
+    ScriptHost &host = m_engine->host;
+    Pause pause;
+    pause.circles = host.circles;
+    if (status == LUA_YIELD) {
+        noteError(thread);
+        pause.line = host.caught.line;
+        pause.locals = std::exchange(host.caught, {}).locals;
+        return pause;
+    }
+    if (status != LUA_OK) {
+        noteError(thread);
+        pause.error = errorOf(thread, status);
+        pause.line = pause.error->line;
+    }
+    dropLines();
+    return pause;
+}
+
+void StudentScript::dropLines()
+{
+    if (!m_engine || !m_engine->thread)
+        return;
+    lua_pushnil(m_engine->state.get());
+    lua_rawseti(m_engine->state.get(), LUA_REGISTRYINDEX, threadKey);
+    m_engine->thread = nullptr;
+}
+
+void StudentScript::setRestitution(double restitution)
+{
+    m_engine->host.restitution = restitution;
+}
+
+std::vector<CircleField> StudentScript::ownFields() const
+{
+    return m_engine ? cradle::ownFields(m_engine->state.get()) : std::vector<CircleField>{};
+}
+
+std::vector<Assignment> StudentScript::trace(World world, double dt)
+{
+    ScriptHost &host = m_engine->host;
+    host.tracing = true;
+    host.assignments.clear();
+    // A step that fails has set what it has set.
+    (void)advance(world, dt);
+    host.tracing = false;
+    return std::exchange(host.assignments, {});
+}
+
+std::optional<ProgramError> findSyntaxError(const QString &source)
+{
+    if (auto error = tooLong(source))
+        return error;
+    LuaMemory memory(limits::scriptBytes);
+    const LuaState state = newLuaState(memory);
+    if (!state)
+        return noMemory();
+    if (const int status = parse(state.get(), source); status != LUA_OK)
+        return errorAtTop(state.get(), status);
+    return std::nullopt;
+}
+
+} // namespace cradle

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/program.h"
+#include "tasks/script/circle_field.h"
+
+#include <memory>
+
+struct lua_State;
+
+namespace cradle {
+
+
+/// A student's Lua program: on_load and on_update, run in a sandbox of its own. What it may do and
+/// use is in sandbox.h and script_limits.h; past a limit it stops.
+class StudentScript final : public Program
+{
+public:
+    struct Options {
+        bool pinned = false; ///< the scene keeps its values whatever on_load sets
+        bool quiet = false;  ///< nobody looks at what it prints, plots and draws
+    };
+
+    explicit StudentScript(QString source, Options options);
+    explicit StudentScript(QString source)
+        : StudentScript(std::move(source), Options{})
+    {
+    }
+    ~StudentScript() override;
+
+    [[nodiscard]] const QString &source() const { return m_source; }
+    void setPinned(bool pinned) { m_options.pinned = pinned; }
+    /// As if on_load had set it; after begin().
+    void setRestitution(double restitution);
+
+    std::optional<ProgramError> begin(Preset &scene) override;
+    [[nodiscard]] bool moves() const override { return m_moves; }
+    std::optional<ProgramError> advance(World &world, double dt) override;
+    [[nodiscard]] ProgramOutput takeOutput() override;
+
+    /// Where a run through the lines of one update stands.
+    struct Pause {
+        int line = 0;                         ///< that runs next; 0: the update is done
+        std::vector<ProgramValue> locals{};   ///< at that line
+        std::vector<Circle> circles{};        ///< as they are now
+        std::optional<ProgramError> error{};  ///< it stopped here
+    };
+    /// Begins an update of \p world line by line; nothing has run yet.
+    Pause beginLines(const World &world, double dt);
+    /// Runs to the next line of the update.
+    Pause nextLine();
+    /// Leaves an update that was begun, without its end.
+    void dropLines();
+
+    /// The numbers that the program keeps with the circles, such as their masses.
+    [[nodiscard]] std::vector<CircleField> ownFields() const;
+    /// The lines that set position or velocity of a circle in one update of \p world.
+    [[nodiscard]] std::vector<Assignment> trace(World world, double dt);
+
+private:
+    struct Engine;
+
+    std::optional<ProgramError> load(lua_State *L);
+    std::optional<ProgramError> call(int arguments);
+    std::optional<ProgramError> checkScene(const Preset &scene) const;
+    ProgramError errorOf(lua_State *L, int status);
+    void place(const World &world);
+    Pause pauseOf(int status);
+
+    QString m_source;
+    Options m_options;
+    std::unique_ptr<Engine> m_engine; ///< of the run; none before begin()
+    bool m_moves = false;
+};
+
+/// What is wrong with the grammar of \p source, without running it.
+[[nodiscard]] std::optional<ProgramError> findSyntaxError(const QString &source);
+
+} // namespace cradle

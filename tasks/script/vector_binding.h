@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/vec2.h"
+#include "tasks/script/lua_state.h"
+
+#include <QString>
+
+namespace cradle {
+
+/// The only kinds of objects of ours that a program can hold; every userdata begins with one.
+enum class ObjectKind { Vector, Circle, Circles, Square };
+
+struct VectorObject {
+    ObjectKind kind = ObjectKind::Vector;
+    Vec2 value{};
+};
+
+/// Adds vec, dot and what vectors can do; vectors never change once made.
+void addVectors(lua_State *L);
+
+/// The vector at \p index, or null if something else is there.
+[[nodiscard]] const Vec2 *vectorAt(lua_State *L, int index);
+
+/// Pushes a new vector.
+void pushVector(lua_State *L, Vec2 value);
+
+/// The vector that an argument must be; raises an error that names \p what if it is not.
+[[nodiscard]] Vec2 vectorArgument(lua_State *L, int index, const QString &what);
+
+/// "(2, 0)", "3", "\"text\"", "circle 1", "nil": a value for the reader.
+[[nodiscard]] QString describeValue(lua_State *L, int index);
+/// "a vector (2, 0)", "the number 3", "nil": for sentences.
+[[nodiscard]] QString nameValue(lua_State *L, int index);
+
+} // namespace cradle

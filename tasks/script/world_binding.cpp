@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/world_binding.h"
+
+#include "tasks/script/circle_binding.h"
+#include "tasks/script/nearest_name.h"
+#include "tasks/script/script_host.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace cradle {
+
+namespace {
+
+struct WorldText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+/// So many circles get a name of their own; all are in circles[i].
+constexpr std::size_t mostNamed = 100;
+
+/// What a program is likely to look for, and why it is not there.
+QString whyAbsent(const QString &name)
+{
+    static const QStringList forbidden{
+        QStringLiteral("os"),           QStringLiteral("io"),       QStringLiteral("debug"),
+        QStringLiteral("require"),      QStringLiteral("load"),     QStringLiteral("loadstring"),
+        QStringLiteral("dofile"),       QStringLiteral("loadfile"), QStringLiteral("package"),
+        QStringLiteral("coroutine"),    QStringLiteral("utf8"),     QStringLiteral("setmetatable"),
+        QStringLiteral("getmetatable"), QStringLiteral("rawset"),   QStringLiteral("rawget"),
+        QStringLiteral("rawequal"),     QStringLiteral("rawlen"),   QStringLiteral("next"),
+        QStringLiteral("collectgarbage"), QStringLiteral("xpcall"), QStringLiteral("_G"),
+        QStringLiteral("_ENV"),         QStringLiteral("warn")};
+    if (forbidden.contains(name))
+        return WorldText::tr("`%1` is not part of the lab's Lua; see the API page (F1) for what is")
+            .arg(name);
+    return {};
+}
+
+QStringList globalNames(lua_State *L)
+{
+    QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
+                      QStringLiteral("time"), QStringLiteral("step")};
+    lua_pushglobaltable(L);
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+        if (lua_type(L, -2) == LUA_TSTRING)
+            names.append(QString::fromUtf8(lua_tostring(L, -2)));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    names.sort();
+    return names;
+}
+
+[[noreturn]] void refuseUnknown(lua_State *L, const QString &name)
+{
+    if (const QString why = whyAbsent(name); !why.isEmpty())
+        raise(L, why);
+    const auto count = ScriptHost::of(L).circles.size();
+    if (name.startsWith(QLatin1String("circle")) && name.mid(6).toUInt() > count)
+        raise(L, WorldText::tr("there is no %1: the scene has %2 circles").arg(name).arg(count));
+    const QString near = nearestName(name, globalNames(L));
+    if (!near.isEmpty())
+        raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, near));
+    raise(L, WorldText::tr("`%1` is not known: nothing of that name was given a value before")
+                 .arg(name));
+}
+
+/// A global that the program has not set itself.
+int readGlobal(lua_State *L)
+{
+    const ScriptHost &host = ScriptHost::of(L);
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (std::strcmp(key, "gravity") == 0)
+        pushVector(L, host.gravity);
+    else if (std::strcmp(key, "restitution") == 0)
+        lua_pushnumber(L, host.restitution);
+    else if (std::strcmp(key, "time") == 0)
+        lua_pushnumber(L, host.time);
+    else if (std::strcmp(key, "step") == 0)
+        lua_pushinteger(L, host.step);
+    else if (std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0)
+        lua_pushnil(L);
+    else
+        refuseUnknown(L, QString::fromUtf8(key));
+    return 1;
+}
+
+void refuseWhileRunning(lua_State *L, const char *key)
+{
+    if (!ScriptHost::of(L).loading)
+        raise(L, WorldText::tr("`%1` is set once, in on_load; in on_update it can only be read")
+                     .arg(QLatin1String(key)));
+}
+
+void setGravity(lua_State *L)
+{
+    refuseWhileRunning(L, "gravity");
+    ScriptHost &host = ScriptHost::of(L);
+    const Vec2 *v = vectorAt(L, 3);
+    if (!v)
+        raise(L, WorldText::tr("gravity must be a vector in m/s², not %1; write gravity = "
+                               "vec(0, -9.81)")
+                     .arg(nameValue(L, 3)));
+    if (!isFinite(*v) || length(*v) > limits::maxAcceleration)
+        raise(L, WorldText::tr("gravity would be %1 m/s²; at most %2 is right")
+                     .arg(describeValue(L, 3))
+                     .arg(limits::maxAcceleration));
+    if (!host.pinned)
+        host.gravity = *v;
+}
+
+void setRestitution(lua_State *L)
+{
+    refuseWhileRunning(L, "restitution");
+    ScriptHost &host = ScriptHost::of(L);
+    const double value = lua_type(L, 3) == LUA_TNUMBER ? lua_tonumber(L, 3) : std::nan("");
+    if (!(value >= 0.0 && value <= 1.0))
+        raise(L, WorldText::tr("restitution must be a number from 0 to 1, not %1")
+                     .arg(nameValue(L, 3)));
+    if (!host.pinned)
+        host.restitution = value;
+}
+
+/// "on_updat" is hardly a name of the program's own.
+void refuseSlip(lua_State *L, const QString &name)
+{
+    for (const char *known : {"on_load", "on_update", "gravity", "restitution"}) {
+        const QString right = QLatin1String(known);
+        if (!name.startsWith(right) && editDistance(name.toLower(), right) <= 2)
+            raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, right));
+    }
+}
+
+int writeGlobal(lua_State *L)
+{
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (std::strcmp(key, "gravity") == 0) {
+        setGravity(L);
+        return 0;
+    }
+    if (std::strcmp(key, "restitution") == 0) {
+        setRestitution(L);
+        return 0;
+    }
+    if (std::strcmp(key, "time") == 0 || std::strcmp(key, "step") == 0)
+        raise(L, WorldText::tr("`%1` can only be read; choose another name for a variable of "
+                               "your own")
+                     .arg(QLatin1String(key)));
+    const bool given = std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0;
+    if (!given)
+        refuseSlip(L, QString::fromUtf8(key));
+    lua_rawset(L, 1);
+    return 0;
+}
+
+int readSquare(lua_State *L)
+{
+    const double half = ScriptHost::of(L).halfWidth;
+    static const QStringList names{QStringLiteral("half_width"), QStringLiteral("left"),
+                                   QStringLiteral("right"), QStringLiteral("bottom"),
+                                   QStringLiteral("top")};
+    const QString key = lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2))
+                                                      : describeValue(L, 2);
+    const auto which = names.indexOf(key);
+    if (which < 0) {
+        const QString near = nearestName(key, names);
+        raise(L, near.isEmpty() ? WorldText::tr("square has no `%1`; it has %2")
+                                      .arg(key, names.join(QStringLiteral(", ")))
+                                : WorldText::tr("square has no `%1`: did you mean `%2`?")
+                                      .arg(key, near));
+    }
+    lua_pushnumber(L, which == 1 || which == 3 ? -half : half);
+    return 1;
+}
+
+int refuseSquareChange(lua_State *L)
+{
+    raise(L, WorldText::tr("the square can only be read"));
+}
+
+void addSquare(lua_State *L)
+{
+    new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Square};
+    lua_newtable(L);
+    lua_pushcfunction(L, readSquare);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, refuseSquareChange);
+    lua_setfield(L, -2, "__newindex");
+    lua_setmetatable(L, -2);
+    lua_setglobal(L, "square");
+}
+
+} // namespace
+
+void addWorld(lua_State *L)
+{
+    pushCircles(L);
+    lua_setglobal(L, "circles");
+    const std::size_t named = std::min(ScriptHost::of(L).circles.size(), mostNamed);
+    for (std::size_t i = 0; i < named; ++i) {
+        pushCircle(L, static_cast<int>(i));
+        lua_setglobal(L, QByteArray("circle" + QByteArray::number(i + 1)).constData());
+    }
+    addSquare(L);
+    lua_pushglobaltable(L);
+    lua_newtable(L);
+    lua_pushcfunction(L, readGlobal);
+    lua_setfield(L, -2, "__index");
+    lua_pushcfunction(L, writeGlobal);
+    lua_setfield(L, -2, "__newindex");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
+} // namespace cradle

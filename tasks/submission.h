@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/preset.h"
+
+#include <optional>
+#include <utility>
+
+namespace cradle {
+
+/// What a student hands in for a step: a scene with its laws, and in code mode a program.
+struct Submission {
+    Submission(Preset scene = {}, std::optional<QString> program = std::nullopt)
+        : preset(std::move(scene))
+        , script(std::move(program))
+    {
+    }
+
+    /// The program, or null where the laws of the scene are judged.
+    [[nodiscard]] const QString *program() const { return script ? &*script : nullptr; }
+
+    Preset preset;
+    std::optional<QString> script;
+
+    friend bool operator==(const Submission &, const Submission &) = default;
+};
+
+} // namespace cradle
