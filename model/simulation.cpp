@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/simulation.h"
 
+#include "model/inferred_hits.h"
+
 #include <algorithm>
 
 namespace cradle {
@@ -16,6 +18,7 @@ constexpr double longestSearch = 60.0;
 Simulation::Simulation(const Preset &preset, QObject *parent)
     : QObject(parent)
     , m_preset(preset)
+    , m_scene(preset)
     , m_stepper(preset)
     , m_clock(preset.timestep)
 {
@@ -26,28 +29,62 @@ Simulation::Simulation(const Preset &preset, QObject *parent)
 
 void Simulation::setPreset(const Preset &preset)
 {
+    setRun(preset, m_program);
+}
+
+void Simulation::setProgram(Program *program)
+{
+    setRun(m_preset, program);
+}
+
+void Simulation::setRun(const Preset &preset, Program *program)
+{
     Q_ASSERT(!findFault(preset));
     m_preset = preset;
-    m_stepper = Stepper(preset);
+    m_program = program;
     m_clock.setStep(preset.timestep);
     begin();
     emit presetChanged();
     emit restarted();
     emit frameReady();
+    if (m_error)
+        fail(*m_error);
 }
 
 void Simulation::begin()
 {
-    m_world = initialWorld(m_preset);
+    m_scene = m_preset;
+    m_error.reset();
+    m_notes.clear();
+    if (m_program) {
+        m_error = m_program->begin(m_scene);
+        m_notes.add(0, 0.0, m_program->takeOutput());
+        // What a program did before it stopped is no scene to show.
+        if (m_error)
+            m_scene = m_preset;
+    }
+    m_stepper = Stepper(m_scene);
+    m_world = initialWorld(m_scene);
     m_recording.clear();
     m_recording.append(m_world);
     m_current = 0;
+}
+
+/// The state before the step that could not be made is the newest; there the run rests.
+void Simulation::fail(const ProgramError &error)
+{
+    pause();
+    emit programFailed(error);
 }
 
 void Simulation::start()
 {
     if (isRunning())
         return;
+    if (m_error && m_current == m_recording.last()) {
+        emit programFailed(*m_error);
+        return;
+    }
     m_clock.start();
     emit runningChanged(true);
 }
@@ -72,8 +109,12 @@ void Simulation::restart()
 {
     pause();
     begin();
+    if (m_program) // it may set other values this time
+        emit presetChanged();
     emit restarted();
     emit frameReady();
+    if (m_error)
+        fail(*m_error);
 }
 
 void Simulation::stepForward()
@@ -104,7 +145,7 @@ void Simulation::goTo(qint64 step)
     }
     pause();
     m_current = m_recording.last();
-    for (qint64 k = 0; k < ahead; ++k)
+    for (qint64 k = 0; k < ahead && !m_error; ++k)
         advance(m_preset.timestep);
     emit frameReady();
 }
@@ -122,7 +163,7 @@ void Simulation::seekNextHit()
     const double end = time() + longestSearch;
     do {
         advance(m_preset.timestep);
-    } while (!hitShown() && time() < end);
+    } while (!hitShown() && time() < end && !m_error);
     if (!hitShown()) {
         m_current = std::max(begin, m_recording.first());
         emit noHitFound();
@@ -144,19 +185,45 @@ void Simulation::setFrameTime(bool on)
 void Simulation::advance(double dt)
 {
     // In the past, go along the recording: what has happened happens again.
-    if (m_current == m_recording.last())
-        appendStep(dt);
+    if (m_current == m_recording.last() && !appendStep(dt))
+        return;
     m_current = std::max(m_current + 1, m_recording.first());
 }
 
-void Simulation::appendStep(double dt)
+/// \return false if the program cannot go on
+bool Simulation::appendStep(double dt)
 {
     m_hits.clear();
+    if (m_error) {
+        fail(*m_error);
+        return false;
+    }
+    if (m_program && m_program->moves())
+        return appendProgramStep(dt);
     if (dt == m_preset.timestep && !m_frameTime)
         m_stepper.advance(m_world, m_hits);
     else
         m_stepper.advanceBy(m_world, dt, m_hits);
     m_recording.append(m_world, m_hits);
+    return true;
+}
+
+bool Simulation::appendProgramStep(double dt)
+{
+    World next = m_world;
+    m_error = m_program->advance(next, dt);
+    ++next.step;
+    next.time = m_frameTime ? m_world.time + dt
+                            : static_cast<double>(next.step) * m_preset.timestep;
+    m_notes.add(next.step, next.time, m_program->takeOutput());
+    if (m_error) {
+        fail(*m_error);
+        return false;
+    }
+    inferHits(m_scene, m_world.circles, next.circles, dt, next.step, next.time, m_hits);
+    m_world = std::move(next);
+    m_recording.append(m_world, m_hits);
+    return true;
 }
 
 } // namespace cradle

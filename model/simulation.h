@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/program_notes.h"
 #include "model/recording.h"
 #include "model/simulation_clock.h"
 #include "model/stepper.h"
@@ -10,8 +11,9 @@
 
 namespace cradle {
 
-/// A run of a preset: advances it as the clock asks, records every step, and shows any moment of
-/// the recording. The one place that the views read from.
+/// A run of a preset, under its laws or by a student's program: advances it as the clock asks,
+/// records every step, and shows any moment of the recording. The one place that the views read
+/// from.
 class Simulation final : public QObject
 {
     Q_OBJECT
@@ -21,7 +23,14 @@ public:
 
     explicit Simulation(const Preset &preset, QObject *parent = nullptr);
 
-    [[nodiscard]] const Preset &preset() const { return m_preset; }
+    /// The scene that runs: the preset, with what the program set when it was loaded.
+    [[nodiscard]] const Preset &preset() const { return m_scene; }
+    /// The preset as it was set.
+    [[nodiscard]] const Preset &basePreset() const { return m_preset; }
+    /// Why the program cannot go on from the newest step, if it cannot.
+    [[nodiscard]] const std::optional<ProgramError> &programError() const { return m_error; }
+    [[nodiscard]] const ProgramNotes &notes() const { return m_notes; }
+    [[nodiscard]] bool hasProgram() const { return m_program != nullptr; }
     [[nodiscard]] const Recording &recording() const { return m_recording; }
     /// The moment that is shown: an index into the recording.
     [[nodiscard]] qint64 current() const { return m_current; }
@@ -33,6 +42,11 @@ public:
 
     /// Starts again from \p preset, which must have no fault; runs on if it was running.
     void setPreset(const Preset &preset);
+    /// Lets \p program move the circles, or the laws if it is null, and starts again. It is
+    /// borrowed, and must outlive the run.
+    void setProgram(Program *program);
+    /// Both at once.
+    void setRun(const Preset &preset, Program *program);
 
 public slots:
     void start();
@@ -52,14 +66,22 @@ signals:
     void frameReady();    ///< the moment shown or the recording changed: repaint once
     void restarted();     ///< the recording was begun anew; frameReady follows
     void presetChanged(); ///< restarted and frameReady follow
+    /// The program cannot go on; the run is paused on the state before. After restarted.
+    void programFailed(const cradle::ProgramError &error);
     void runningChanged(bool running);
 
 private:
     void advance(double dt);
-    void appendStep(double dt);
+    bool appendStep(double dt);
+    bool appendProgramStep(double dt);
     void begin();
+    void fail(const ProgramError &error);
 
     Preset m_preset;
+    Preset m_scene; ///< as the program left it when it was loaded
+    Program *m_program = nullptr;
+    std::optional<ProgramError> m_error;
+    ProgramNotes m_notes;
     Stepper m_stepper;
     World m_world; ///< the newest state
     Recording m_recording;

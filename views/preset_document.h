@@ -16,7 +16,7 @@ class PresetDocument final : public QObject
 public:
     explicit PresetDocument(Simulation &simulation, QObject *parent = nullptr);
 
-    [[nodiscard]] const Preset &preset() const { return m_simulation.preset(); }
+    [[nodiscard]] const Preset &preset() const { return m_simulation.basePreset(); }
     [[nodiscard]] Simulation &simulation() const { return m_simulation; }
     [[nodiscard]] QUndoStack &undoStack() { return m_undoStack; }
     [[nodiscard]] bool isOriginal() const { return preset() == m_original; }
