@@ -55,6 +55,14 @@ struct Options {
     QCommandLineOption theme{QStringLiteral("theme"),
                              QCoreApplication::translate("Main", "system, light or dark"),
                              QStringLiteral("NAME")};
+    QCommandLineOption mode{
+        QStringLiteral("mode"),
+        QCoreApplication::translate("Main", "work on steps by this: explore or code"),
+        QStringLiteral("NAME")};
+    QCommandLineOption script{
+        QStringLiteral("script"),
+        QCoreApplication::translate("Main", "take this program as your own of the step"),
+        QStringLiteral("F.lua")};
     QCommandLineOption screenshot{
         QStringLiteral("screenshot"),
         QCoreApplication::translate("Main", "draw the window into this file and quit"),
@@ -75,6 +83,13 @@ std::optional<ThemeChoice> themeFrom(const QString &name)
     if (name == QLatin1String("dark"))
         return ThemeChoice::Dark;
     return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
+}
+
+std::optional<Mode> modeFrom(const QString &name)
+{
+    if (name == QLatin1String("explore"))
+        return Mode::Explore;
+    return name == QLatin1String("code") ? std::optional(Mode::Code) : std::nullopt;
 }
 
 /// What is wrong with the name of a step; asked before anything of the student's is touched.
@@ -140,8 +155,8 @@ int main(int argc, char **argv)
     parser.addPositionalArgument(
         QStringLiteral("LAB-DIR or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
-    parser.addOptions({options.step, options.language, options.theme, options.screenshot,
-                       options.at, options.size});
+    parser.addOptions({options.step, options.language, options.theme, options.mode,
+                       options.script, options.screenshot, options.at, options.size});
     if (!parser.parse(QApplication::arguments()))
         return complain(QStringLiteral("cradle: ") + parser.errorText());
     if (parser.isSet(help))
@@ -170,6 +185,13 @@ int main(int argc, char **argv)
         return complain(QCoreApplication::translate(
                             "Main", "cradle: --theme %1: system, light or dark is right")
                             .arg(parser.value(options.theme)));
+    const auto mode = parser.isSet(options.mode)
+                          ? modeFrom(parser.value(options.mode))
+                          : static_cast<Mode>(settings.value(QStringLiteral("mode"), 1).toInt());
+    if (!mode)
+        return complain(
+            QCoreApplication::translate("Main", "cradle: --mode %1: explore or code is right")
+                .arg(parser.value(options.mode)));
     applyTheme(*theme);
     guardShortcuts();
 
@@ -180,10 +202,15 @@ int main(int argc, char **argv)
                 : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                       + QStringLiteral("/progress.json");
     Workbench bench(progressFile);
+    bench.setMode(*mode);
     MainWindow window(bench, settings, *theme);
     if (const auto error =
             openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step)))
         return complain(QStringLiteral("cradle: ") + error->toString());
+    if (parser.isSet(options.script)) {
+        if (const auto error = bench.takeScript(parser.value(options.script)))
+            return complain(QStringLiteral("cradle: ") + error->toString());
+    }
     if (picture)
         return takeScreenshot(window, parser.value(options.screenshot), parser.value(options.at),
                               parser.value(options.size));

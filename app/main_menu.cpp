@@ -123,6 +123,7 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
     addOption(MenuText::tr("&Trails"), &SceneOptions::trails);
     addOption(MenuText::tr("&Parts of a hit"), &SceneOptions::hitParts);
+    addOption(MenuText::tr("&Drawings of the program"), &SceneOptions::programDrawings);
     addOption(MenuText::tr("&Names"), &SceneOptions::names);
     addOption(MenuText::tr("&Grid"), &SceneOptions::grid);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/code_desk.h"
 #include "app/language.h"
 #include "app/main_menu.h"
 #include "app/notice_bar.h"
 #include "model/preset_json.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
+#include "views/charts/plots_chart.h"
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+#include "views/console_view.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
 #include "views/task_pane/task_pane.h"
@@ -30,7 +35,7 @@ namespace cradle {
 namespace {
 
 /// Raised when the panes change so that a kept layout no longer fits.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 constexpr QSize firstSize{1440, 900}; ///< px
 
 QToolBar *fixedBar(QMainWindow *window, Qt::ToolBarArea area, QWidget *content, const QString &name)
@@ -92,16 +97,25 @@ void MainWindow::makePanes()
 
     m_taskPane = new TaskPane(this);
     m_inspector = new Inspector(document, this);
+    m_code = new CodePane(this);
+    m_desk = new CodeDesk(m_workbench, *m_code, m_settings, this);
     m_values = new ValuesPane(simulation, this);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addPane(m_taskPane, QStringLiteral("task"), Qt::LeftDockWidgetArea);
+    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    addPane(m_code, QStringLiteral("code"), Qt::BottomDockWidgetArea);
     addPane(m_inspector, QStringLiteral("inspector"), Qt::BottomDockWidgetArea);
     addPane(new MomentumChart(simulation, m_curves, this), QStringLiteral("momentum"),
             Qt::RightDockWidgetArea);
     addPane(new EnergyChart(simulation, m_curves, this), QStringLiteral("energy"),
             Qt::RightDockWidgetArea);
     addPane(m_values, QStringLiteral("values"), Qt::RightDockWidgetArea);
+    m_console = new ConsoleView(simulation, this);
+    m_values->addTab(m_console, m_console->windowTitle());
+    auto *plots = new PlotsChart(simulation, m_curves, this);
+    m_plots = plots;
+    m_values->addTab(plots, plots->windowTitle());
     unlockPanes(false);
 }
 
@@ -125,12 +139,14 @@ void MainWindow::arrangePanes()
         pane->show();
     }
     addDockWidget(Qt::LeftDockWidgetArea, dock("task"));
-    addDockWidget(Qt::BottomDockWidgetArea, dock("inspector"));
+    addDockWidget(Qt::BottomDockWidgetArea, dock("code"));
+    tabifyDockWidget(dock("code"), dock("inspector"));
     for (const char *name : {"momentum", "energy", "values"})
         addDockWidget(Qt::RightDockWidgetArea, dock(name));
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
-    resizeDocks({dock("inspector")}, {264}, Qt::Vertical);
+    resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
     resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {246, 246, 276}, Qt::Vertical);
+    showMode();
 }
 
 void MainWindow::wireWorkbench()
@@ -155,6 +171,10 @@ void MainWindow::wireWorkbench()
         m_taskPane->setReport(m_workbench.report());
     });
     connect(bench, &Workbench::failed, this, &MainWindow::report);
+    connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
+    connect(bench, &Workbench::ghostChanged, this,
+            [this] { m_scene->setGhost(m_workbench.ghost(), tr("reference")); });
+    connect(m_transport, &TransportBar::modeChosen, this, &MainWindow::chooseMode);
     connect(m_transport, &TransportBar::checkRequested, bench, &Workbench::check);
     connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
     connect(m_taskPane, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
@@ -177,6 +197,12 @@ void MainWindow::wireViews()
         });
     }
     connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
+    connect(m_console, &ConsoleView::seekRequested, simulation, &Simulation::seek);
+    connect(m_console, &ConsoleView::lineActivated, this, [this](int line) {
+        findChild<QDockWidget *>(QStringLiteral("code"))->raise();
+        m_code->editor().goToLine(line);
+    });
+    connect(m_console, &ConsoleView::errorShown, this, &MainWindow::titleTabs);
     connect(simulation, &Simulation::noHitFound, this,
             [this] { m_notice->showNotice(tr("Nothing hits anything within the next minute.")); });
 }
@@ -187,7 +213,7 @@ void MainWindow::showTask()
     m_transport->checkAction()->setEnabled(task != nullptr);
     m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
     if (task) {
-        m_taskPane->showTask(*task, m_workbench.hintsOpened());
+        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
     } else {
         Task scene;
         scene.title = m_workbench.document().preset().name;
@@ -198,20 +224,54 @@ void MainWindow::showTask()
         m_taskPane->showTask(scene, 0);
     }
     m_notice->hide();
-    if (m_workbench.isFirstStart() && m_workbench.current() == 0)
-        m_notice->showNotice(tr("Read the step on the left, set the values below the scene, press "
-                                "Run to watch, and Check when you are done."));
+    if (m_workbench.isFirstStart() && m_workbench.current() == 0) {
+        m_notice->showNotice(
+            m_workbench.mode() == Mode::Code
+                ? tr("Read the step on the left, write your program below the scene, press Run to "
+                     "watch, and Check when you are done.")
+                : tr("Read the step on the left, set the values below the scene, press Run to "
+                     "watch, and Check when you are done."));
+    }
     retranslate();
+}
+
+/// The pane that the student works with comes to the front; the texts follow.
+void MainWindow::showMode()
+{
+    const bool code = m_workbench.mode() == Mode::Code;
+    auto *codeDock = findChild<QDockWidget *>(QStringLiteral("code"));
+    auto *inspectorDock = findChild<QDockWidget *>(QStringLiteral("inspector"));
+    const bool hasStep = m_workbench.task() != nullptr;
+    m_transport->setModes(hasStep ? QStringList{tr("Explore"), tr("Code")} : QStringList(),
+                          code ? 1 : 0);
+    codeDock->setVisible(code);
+    (code ? codeDock : inspectorDock)->raise();
+    if (const Task *task = m_workbench.task())
+        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+}
+
+void MainWindow::chooseMode(int index)
+{
+    const Mode mode = index == 1 ? Mode::Code : Mode::Explore;
+    m_settings.setValue(QStringLiteral("mode"), index);
+    m_workbench.setMode(mode);
+}
+
+void MainWindow::titleTabs()
+{
+    m_values->setTabTitle(m_console, m_console->windowTitle());
+    m_values->setTabTitle(m_plots, m_plots->windowTitle());
 }
 
 void MainWindow::showReport()
 {
     m_taskPane->setReport(m_workbench.report());
+    m_desk->showReport();
     std::vector<Timeline::Mark> marks;
     const Preset &own = m_workbench.document().own();
     if (m_workbench.report()) {
         for (const CheckOutcome &check : m_workbench.report()->checks) {
-            if (!check.passed && check.scene == own)
+            if (!check.passed && check.scene == own && !check.pinned)
                 marks.push_back(
                     {.time = static_cast<double>(check.step) * own.timestep, .label = check.title});
         }
@@ -333,12 +393,14 @@ void MainWindow::retranslate()
         m_workbench.task() ? m_workbench.lab().title : m_workbench.document().preset().name;
     setWindowTitle(scene);
     const std::pair<const char *, QString> titles[] = {{"task", tr("Step")},
+                                                       {"code", tr("lab.lua")},
                                                        {"inspector", tr("Inspector")},
                                                        {"momentum", tr("Momentum")},
                                                        {"energy", tr("Energy")},
                                                        {"values", tr("Values")}};
     for (const auto &[name, title] : titles)
         findChild<QDockWidget *>(QLatin1String(name))->setWindowTitle(title);
+    titleTabs();
     fillMenuBar(*this);
 }
 

@@ -12,6 +12,9 @@ class QSettings;
 
 namespace cradle {
 
+class CodeDesk;
+class CodePane;
+class ConsoleView;
 class Inspector;
 class NoticeBar;
 class SceneView;
@@ -36,6 +39,8 @@ public:
     [[nodiscard]] TaskPane &taskPane() { return *m_taskPane; }
     [[nodiscard]] SceneView &scene() { return *m_scene; }
     [[nodiscard]] Inspector &inspector() { return *m_inspector; }
+    [[nodiscard]] CodePane &codePane() { return *m_code; }
+    [[nodiscard]] CodeDesk &codeDesk() { return *m_desk; }
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
@@ -67,6 +72,9 @@ private:
     void showTask();
     void showReport();
     void showVisit(bool visiting);
+    void showMode();
+    void chooseMode(int index);
+    void titleTabs();
     void report(const Error &error);
 
     Workbench &m_workbench;
@@ -76,6 +84,10 @@ private:
     TaskPane *m_taskPane = nullptr;
     SceneView *m_scene = nullptr;
     Inspector *m_inspector = nullptr;
+    CodePane *m_code = nullptr;
+    CodeDesk *m_desk = nullptr;
+    ConsoleView *m_console = nullptr;
+    QWidget *m_plots = nullptr;
     NoticeBar *m_notice = nullptr;
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;

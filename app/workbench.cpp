@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
+#include "model/json_schema.h"
 #include "model/preset_json.h"
 #include "tasks/lab_reader.h"
+#include "tasks/observation.h"
+#include "tasks/script/script_limits.h"
 
+#include <QFileInfo>
 #include <QRandomGenerator>
 
 #include <algorithm>
@@ -18,6 +22,8 @@ using namespace std::chrono_literals;
 
 /// After the last edit; a drag makes many.
 constexpr auto saveDelay = 300ms;
+/// How far the reference's run reaches beyond the moment shown, s of the scene.
+constexpr double ghostSeconds = 10.0;
 
 } // namespace
 
@@ -26,11 +32,23 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
     , m_store(progressFile)
     , m_simulation(Preset{})
     , m_document(m_simulation)
+    , m_code(m_simulation)
+    , m_programs(progressFile.isEmpty() ? QString()
+                                        : QFileInfo(progressFile).path()
+                                              + QStringLiteral("/programs"))
 {
     m_saveSoon.setSingleShot(true);
     m_saveSoon.setInterval(saveDelay);
     connect(&m_saveSoon, &QTimer::timeout, this, &Workbench::save);
     connect(&m_document, &PresetDocument::edited, this, &Workbench::keepEdited);
+    connect(&m_document, &PresetDocument::visitingChanged, this, [this](bool visiting) {
+        if (!visiting) {
+            m_code.setPinned(false);
+            setGhost(nullptr);
+        }
+    });
+    connect(&m_code, &CodeSession::edited, this, &Workbench::markStale);
+    connect(&m_code, &CodeSession::failed, this, &Workbench::failed);
     connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
     connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
     connect(&m_checker, &Checker::cancelled, this, &Workbench::checkEnded);
@@ -76,6 +94,9 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     const std::optional<Error> brokenProgress = m_store.load();
     m_lab = std::move(*lab);
     m_current = -1;
+    m_code.close();
+    m_code.setWorkspace(Workspace(m_programs.isEmpty() ? QString()
+                                                       : m_programs + QLatin1Char('/') + m_lab.id));
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
     m_firstStart = progressOfLab.tasks.empty();
     emit labChanged();
@@ -108,8 +129,11 @@ std::optional<Error> Workbench::openPreset(const QString &path)
     cancelCheck();
     m_current = -1;
     m_report.reset();
+    m_code.close();
+    setGhost(nullptr);
     m_document.open(*preset);
     emit taskChanged();
+    emit modeChanged();
     emit reportChanged();
     return std::nullopt;
 }
@@ -131,6 +155,55 @@ std::optional<Error> Workbench::takePreset(const QString &path)
     return std::nullopt;
 }
 
+std::optional<Error> Workbench::takeScript(const QString &path)
+{
+    const Result<QByteArray> text = readFile(path, limits::sourceBytes);
+    if (!text)
+        return text.error();
+    m_code.replace(QString::fromUtf8(*text));
+    return std::nullopt;
+}
+
+void Workbench::setMode(Mode mode)
+{
+    m_wantedMode = mode;
+    if (mode == this->mode())
+        return;
+    cancelCheck();
+    m_document.leave();
+    m_code.setActive(mode == Mode::Code);
+    m_report.reset();
+    setGhost(nullptr);
+    emit modeChanged();
+    emit reportChanged();
+}
+
+bool Workbench::mayShowSolution()
+{
+    if (!task() || task()->solution.isEmpty())
+        return false;
+    return progress().passed || hintsOpened() >= taskFor(mode(), *task()).hints.size();
+}
+
+void Workbench::startAfresh()
+{
+    if (task())
+        m_code.replace(m_code.workspace().startOf(m_lab, m_current));
+}
+
+Submission Workbench::submission() const
+{
+    return {m_document.own(), mode() == Mode::Code ? std::optional(m_code.text()) : std::nullopt};
+}
+
+void Workbench::setGhost(std::shared_ptr<const Recording> ghost)
+{
+    if (ghost == m_ghost)
+        return;
+    m_ghost = std::move(ghost);
+    emit ghostChanged();
+}
+
 void Workbench::openTaskAt(int index)
 {
     if (index < 0 || index >= static_cast<int>(m_lab.tasks.size()))
@@ -140,8 +213,13 @@ void Workbench::openTaskAt(int index)
     m_current = index;
     m_report.reset();
     m_store.lab(m_lab.id).currentTask = task()->id;
+    setGhost(nullptr);
+    m_code.setActive(false); // the old program does not meet the new scene
     m_document.open(task()->preset, progress().edited);
+    m_code.open(m_lab, index);
+    m_code.setActive(m_wantedMode == Mode::Code);
     m_saveSoon.start();
+    emit modeChanged();
     emit taskChanged();
     emit reportChanged();
     emit progressChanged();
@@ -161,7 +239,9 @@ void Workbench::check()
 {
     if (!task())
         return;
-    m_judged = m_document.own();
+    // What was typed a moment ago is judged, not what still runs.
+    m_code.apply();
+    m_judged = submission();
     m_checker.start(m_lab, *task(), m_judged, QRandomGenerator::global()->bounded(1, 1000));
     emit checkStarted();
 }
@@ -185,7 +265,7 @@ void Workbench::finishCheck(const CheckReport &report)
     showFirstFailure();
     emit checkEnded();
     emit reportChanged();
-    if (m_judged != m_document.own())
+    if (m_judged != submission())
         emit reportStale();
 }
 
@@ -205,22 +285,45 @@ void Workbench::setHintsOpened(int count)
         return;
     progress().hintsOpened = count;
     m_saveSoon.start();
+    emit hintsChanged();
 }
 
 void Workbench::showMoment(const CheckOutcome &outcome)
 {
     if (!outcome.scene)
         return;
-    if (*outcome.scene == m_document.own())
+    const qint64 step = std::max<qint64>(0, outcome.step);
+    if (*outcome.scene == m_document.own() && !outcome.pinned) {
         m_document.leave();
-    else
+    } else {
+        m_code.setPinned(outcome.pinned);
         m_document.visit(*outcome.scene);
-    m_simulation.goTo(std::max<qint64>(0, outcome.step));
+    }
+    m_simulation.goTo(step);
+    showReference(outcome, step);
+}
+
+/// Runs the reference in the same scene, to be seen beside the student's work.
+void Workbench::showReference(const CheckOutcome &outcome, qint64 step)
+{
+    if (!task() || task()->solution.isEmpty())
+        return;
+    const double seconds = static_cast<double>(step) * outcome.scene->timestep + ghostSeconds;
+    const Variant variant{outcome.variant, *outcome.scene, seconds, outcome.pinned};
+    Observation reference = observe(variant, &task()->solution);
+    if (!reference.error && reference.circleCount() == static_cast<int>(outcome.scene->circles.size()))
+        setGhost(std::make_shared<const Recording>(std::move(reference.states)));
+}
+
+void Workbench::markStale()
+{
+    setGhost(nullptr);
+    emit reportStale();
 }
 
 void Workbench::keepEdited()
 {
-    emit reportStale();
+    markStale();
     if (!task())
         return;
     const bool original = m_document.isOriginal();
@@ -231,6 +334,7 @@ void Workbench::keepEdited()
 void Workbench::save()
 {
     m_saveSoon.stop();
+    m_code.save();
     if (const auto error = m_store.save())
         emit failed(*error);
 }

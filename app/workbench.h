@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/code_session.h"
 #include "tasks/checker.h"
+#include "tasks/mode.h"
 #include "tasks/progress.h"
 #include "views/preset_document.h"
 
@@ -10,13 +12,13 @@
 
 namespace cradle {
 
-/// What the student works on, without any window: the lab and its step, the scene, the check, and
-/// the progress that is kept between starts.
+/// What the student works on, without any window: the lab and its step, the scene, the program,
+/// the check, and the progress that is kept between starts.
 class Workbench final : public QObject
 {
     Q_OBJECT
 public:
-    /// \param progressFile  where the progress is kept
+    /// \param progressFile  where the progress is kept; the programs lie in "programs" beside it
     explicit Workbench(const QString &progressFile, QObject *parent = nullptr);
     ~Workbench() override;
 
@@ -25,6 +27,13 @@ public:
     [[nodiscard]] const Task *task() const;                 ///< nullptr for a scene without a step
     [[nodiscard]] Simulation &simulation() { return m_simulation; }
     [[nodiscard]] PresetDocument &document() { return m_document; }
+    [[nodiscard]] CodeSession &code() { return m_code; }
+    /// How the student works; a scene without a step can only be explored.
+    [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
+    /// The run of the reference in the scene shown, after showMoment(); null if there is none.
+    [[nodiscard]] const std::shared_ptr<const Recording> &ghost() const { return m_ghost; }
+    /// Whether the reference program may be seen: after passing, or after all hints.
+    [[nodiscard]] bool mayShowSolution();
     [[nodiscard]] const std::optional<CheckReport> &report() const { return m_report; }
     [[nodiscard]] bool isChecking() const { return m_checker.isRunning(); }
     [[nodiscard]] std::vector<bool> passed() const; ///< one for each step
@@ -41,14 +50,18 @@ public:
     bool openTask(const QString &id);
     /// Takes a scene as the student's own of the current step; it can be undone.
     std::optional<Error> takePreset(const QString &path);
+    /// Takes a file as the student's program of the current step.
+    std::optional<Error> takeScript(const QString &path);
 
 public slots:
+    void setMode(cradle::Mode mode);
     void openTaskAt(int index);
     void openNextTask();
     void openPreviousTask();
     void check(); ///< judges the student's own scene
     void cancelCheck();
     void setHintsOpened(int count);
+    void startAfresh(); ///< the program of this step, from what the step before ended with
     void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
     void save();                                          ///< the progress, now
 
@@ -58,6 +71,9 @@ signals:
     void progressChanged();
     void checkStarted();
     void checkProgressed(int done, int total);
+    void modeChanged();
+    void ghostChanged();
+    void hintsChanged();
     void checkEnded(); ///< with a report or cancelled
     void reportChanged();
     void reportStale();                      ///< the scene was edited since the report
@@ -67,6 +83,10 @@ private:
     void keepEdited();
     void finishCheck(const CheckReport &report);
     void showFirstFailure();
+    void markStale();
+    void showReference(const CheckOutcome &outcome, qint64 step);
+    void setGhost(std::shared_ptr<const Recording> ghost);
+    [[nodiscard]] Submission submission() const;
     TaskProgress &progress();
 
     ProgressStore m_store;
@@ -75,9 +95,13 @@ private:
     bool m_firstStart = false;
     Simulation m_simulation;
     PresetDocument m_document;
+    CodeSession m_code;
+    QString m_programs; ///< folder of the students' programs; empty: nowhere
+    Mode m_wantedMode = Mode::Explore;
     Checker m_checker;
     std::optional<CheckReport> m_report;
-    Preset m_judged; ///< what the last check was asked about
+    Submission m_judged; ///< what the last check was asked about
+    std::shared_ptr<const Recording> m_ghost;
     QTimer m_saveSoon;
 };
 

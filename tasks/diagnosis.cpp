@@ -203,6 +203,15 @@ const KnownScript *explain(const Task &task, const FailedCheck &failed, OneStep:
     return bestFit(task, evidence, places);
 }
 
+/// Whether another integrator than the reference's would be a mistake.
+bool asksForIntegrator(const Task &task)
+{
+    return std::any_of(task.checks.begin(), task.checks.end(), [](const CheckSpec &check) {
+        return check.kind == QLatin1String("closed_form")
+               || check.parameters.contains(QStringLiteral("integrators"));
+    });
+}
+
 Diagnosis diagnosisOf(const KnownScript &mistake, const FailedCheck &failed)
 {
     return {.mistake = mistake.name, .message = mistake.message, .check = failed.check->id};
@@ -248,7 +257,11 @@ std::optional<Diagnosis> diagnose(const Task &task, const std::vector<FailedChec
         if (const KnownScript *mistake = sameWrongStart(task, check))
             return diagnosisOf(*mistake, check);
     }
-    for (const auto places : {OneStep::Places::Exact, OneStep::Places::Free}) {
+    std::vector<OneStep::Places> passes{OneStep::Places::Exact};
+    const bool free = !asksForIntegrator(task);
+    if (free)
+        passes.push_back(OneStep::Places::Free);
+    for (const auto places : passes) {
         for (const FailedCheck &check : failed) {
             if (const KnownScript *mistake =
                     explain(task, check, places, Restitution::Reference))
@@ -256,6 +269,8 @@ std::optional<Diagnosis> diagnose(const Task &task, const std::vector<FailedChec
         }
     }
     for (const FailedCheck &check : failed) {
+        if (!free)
+            break;
         // Any restitution below 1 is right where the student chooses it.
         if (const KnownScript *mistake =
                 explain(task, check, OneStep::Places::Free, Restitution::Student))

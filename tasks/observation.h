@@ -25,11 +25,8 @@ struct Observation {
     {
         return states.circles(step)[static_cast<std::size_t>(index)];
     }
-    /// Length of the step that follows \p step, s.
-    [[nodiscard]] double timestep(qint64 step) const
-    {
-        return states.time(step + 1) - states.time(step);
-    }
+    /// Length of every step, s, to the last bit: the difference of two times is not.
+    [[nodiscard]] double timestep() const { return variant.preset.timestep; }
     [[nodiscard]] int circleCount() const { return static_cast<int>(states.circleCount()); }
 };
 

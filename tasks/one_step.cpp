@@ -56,7 +56,7 @@ std::optional<OneStep::Circles> OneStep::update(const World &world, double dt)
 
 bool OneStep::agrees(const Observation &o, qint64 k, Places places)
 {
-    const auto made = update(o.states.world(k), o.timestep(k));
+    const auto made = update(o.states.world(k), o.timestep());
     if (!made || made->size() != static_cast<std::size_t>(o.circleCount()))
         return false;
     bool all = true;
@@ -71,7 +71,7 @@ bool OneStep::agreesFreely(const Observation &o, qint64 k, const Circles &made, 
 {
     const Circle &before = o.circle(static_cast<int>(i), k);
     const Circle &after = o.circle(static_cast<int>(i), k + 1);
-    const double dt = o.timestep(k);
+    const double dt = o.timestep();
     const Vec2 turned = after.velocity - before.velocity;
     if (places != Places::Only) {
         if (!isNear(made[i].velocity, after.velocity, same))
@@ -95,7 +95,7 @@ bool OneStep::agreesAtSomeNormal(const Observation &o, qint64 k)
     const Vec2 gravity = o.variant.preset.gravity;
     if (!motion::isKicked(o, 0, k, gravity) && !motion::isKicked(o, 1, k, gravity))
         return false;
-    const double dt = o.timestep(k);
+    const double dt = o.timestep();
     const World world = o.states.world(k);
     const double gap = length(world.circles[1].position - world.circles[0].position)
                        - world.circles[0].radius - world.circles[1].radius;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/report_json.h"
 
-#include <QCoreApplication>
+#include "tasks/report_text.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -11,28 +12,9 @@ namespace cradle {
 
 namespace {
 
-struct ReportText {
-    Q_DECLARE_TR_FUNCTIONS(Report)
-};
-
 QJsonValue numberOrNull(const std::optional<double> &value)
 {
     return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
-}
-
-QString kindName(ProgramError::Kind kind)
-{
-    switch (kind) {
-    case ProgramError::Kind::Syntax:
-        return QStringLiteral("syntax");
-    case ProgramError::Kind::Time:
-        return QStringLiteral("time");
-    case ProgramError::Kind::Memory:
-        return QStringLiteral("memory");
-    case ProgramError::Kind::Runtime:
-        break;
-    }
-    return QStringLiteral("runtime");
 }
 
 QJsonObject jsonOf(const CheckOutcome &check)
@@ -80,12 +62,6 @@ QJsonValue jsonOf(const std::optional<ProgramError> &error)
 
 } // namespace
 
-static QString indented(const QString &text)
-{
-    return QStringLiteral("  ") + QString(text).replace(QLatin1Char('\n'), QLatin1String("\n  "))
-           + QLatin1Char('\n');
-}
-
 QByteArray writeReport(const CheckReport &report)
 {
     QJsonArray checks;
@@ -104,30 +80,6 @@ QByteArray writeReport(const CheckReport &report)
                            {QStringLiteral("error"), jsonOf(report.error)},
                            {QStringLiteral("elapsed_ms"), report.elapsedMs}};
     return QJsonDocument(json).toJson();
-}
-
-QString describeReport(const CheckReport &report)
-{
-    QString text;
-    if (report.error)
-        text += ReportText::tr("  line %1: %2\n").arg(report.error->line).arg(report.error->message);
-    if (report.diagnosis)
-        text += indented(report.diagnosis->message);
-    for (const CheckOutcome &check : report.checks) {
-        text += (check.passed ? QStringLiteral("  ok    ") : QStringLiteral("  FAIL  "))
-                + check.title + QLatin1Char('\n');
-        if (!check.passed) {
-            text += QStringLiteral("        ") + check.message + QLatin1Char('\n');
-            if (!check.variant.isEmpty() && check.variant != QLatin1String("preset"))
-                text += QStringLiteral("        ")
-                        + ReportText::tr("in the scene: %1").arg(check.variant) + QLatin1Char('\n');
-        }
-    }
-    for (const Remark &remark : report.remarks)
-        text += indented(remark.message);
-    text += report.passed ? ReportText::tr("%1 passed").arg(report.taskId)
-                          : ReportText::tr("%1 did not pass").arg(report.taskId);
-    return text + QLatin1Char('\n');
 }
 
 } // namespace cradle

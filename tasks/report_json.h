@@ -11,7 +11,4 @@ namespace cradle {
 /// The report as JSON for graders (format 1): numbers with the fewest digits that read back.
 QByteArray writeReport(const CheckReport &report);
 
-/// The report as lines for a terminal.
-QString describeReport(const CheckReport &report);
-
 } // namespace cradle

@@ -78,7 +78,7 @@ const WrongScene wrongScenes[] = {
     {"L42T3", "gravity twice", "euler", [](Preset &p) { p.gravity = {0, -19.62}; }},
     {"L42T3", "gravity sideways", "euler", [](Preset &p) { p.gravity = {-9.81, 0}; }},
     {"L42T3", "walls lost", "walls", [](Preset &p) { p.laws.walls = WallLaw::None; }},
-    {"L42T4", "one circle", "two-circles", [](Preset &p) { p.circles.resize(1); }},
+    {"L42T4", "second left where it was", "start-2", [](Preset &p) { body(p, 1).position = {2, 2}; body(p, 1).velocity = {}; }},
     {"L42T4", "other place", "together", [](Preset &p) { body(p, 1).position.x += 0.1; }},
     {"L42T4", "other velocity", "together", [](Preset &p) { body(p, 1).velocity.x = 2.001; }},
     {"L42T4", "second symplectic", "euler", [](Preset &p) { p.circles[1].integrator = Integrator::SymplecticEuler; }},

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
-#include "model/json_schema.h"
+#include "app/cli/program_file.h"
 #include "model/preset_json.h"
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
-#include "tasks/report_json.h"
-#include "tasks/script/script_limits.h"
+#include "tasks/report_formats.h"
+#include "tasks/report_text.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
+
+#include <cstdio>
+#include <unistd.h>
 
 namespace cradle::cli {
 
@@ -38,12 +41,18 @@ Result<Submission> readSubmission(const Task &task, const QString &program, cons
         submission.preset = *read;
     }
     if (!program.isEmpty()) {
-        const Result<QByteArray> text = readFile(program, limits::sourceBytes);
+        const Result<QString> text = readProgram(program);
         if (!text)
             return text.error();
-        submission.script = QString::fromUtf8(*text);
+        submission.script = *text;
     }
     return submission;
+}
+
+/// Whether who reads the report reads its errors there.
+bool isShown(ReportFormat format, const QString &output)
+{
+    return format == ReportFormat::Text && output.isEmpty() && isatty(fileno(stdout)) == 1;
 }
 
 } // namespace
@@ -51,40 +60,43 @@ Result<Submission> readSubmission(const Task &task, const QString &program, cons
 ExitCode check(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        CheckText::tr("Judges a program, or with --preset alone the engine's laws, for one step: by what they "
-                      "do."));
+    parser.setApplicationDescription(CheckText::tr(
+        "Judges a program, or with --preset alone the engine's laws, for one step: by what "
+        "they do. A program that does not load or that stops does not pass; why is also "
+        "on standard error, as FILE:LINE: message."));
     parser.addPositionalArgument(QStringLiteral("TASK"), CheckText::tr("the step, like L42T5"));
     parser.addPositionalArgument(QStringLiteral("SCRIPT.lua"),
                                  CheckText::tr("the program to judge"),
                                  QStringLiteral("[SCRIPT.lua]"));
-    const QCommandLineOption preset(
-        QStringLiteral("preset"),
-        CheckText::tr("the scene; without it that of the step"), QStringLiteral("P.json"));
+    const QCommandLineOption preset(QStringLiteral("preset"),
+                                    CheckText::tr("the scene; without it that of the step"),
+                                    QStringLiteral("P.json"));
     const QCommandLineOption labDir(QStringLiteral("lab"),
                                     CheckText::tr("the lab's folder; without it the shipped lab"),
                                     QStringLiteral("DIR"));
     const QCommandLineOption seed(QStringLiteral("seed"),
                                   CheckText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
                                   QStringLiteral("1"));
-    const QCommandLineOption format(QStringLiteral("format"), CheckText::tr("text or json"),
-                                    QStringLiteral("NAME"), QStringLiteral("text"));
+    const QString formatNames = reportFormatNames().join(QStringLiteral(", "));
+    const QCommandLineOption formatName(
+        QStringLiteral("format"), CheckText::tr("one of %1; text without it").arg(formatNames),
+        QStringLiteral("NAME"), QStringLiteral("text"));
     const QCommandLineOption output(QStringLiteral("output"),
                                     CheckText::tr("where to write; without it the terminal"),
                                     QStringLiteral("FILE"));
     const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
                                       CheckText::tr("exit with 0 also if it did not pass"));
-    parser.addOptions({preset, labDir, seed, format, output, exitZero});
+    parser.addOptions({preset, labDir, seed, formatName, output, exitZero});
     if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
     const QString program = parser.positionalArguments().value(1);
     if (program.isEmpty() && !parser.isSet(preset))
         return complain(CheckText::tr("SCRIPT.lua or --preset P.json is missing: what is to be "
                                       "judged?"));
-    const bool json = parser.value(format) == QLatin1String("json");
-    if (!json && parser.value(format) != QLatin1String("text"))
-        return complain(
-            CheckText::tr("unknown format %1; text or json is right").arg(parser.value(format)));
+    const auto format = reportFormatFromName(parser.value(formatName));
+    if (!format)
+        return complain(CheckText::tr("unknown format %1; one of %2 is right")
+                            .arg(parser.value(formatName), formatNames));
     bool isNumber = false;
     const qint64 seedValue = parser.value(seed).toLongLong(&isNumber);
     if (!isNumber)
@@ -106,7 +118,9 @@ ExitCode check(const QStringList &arguments)
     if (!submission)
         return complain(submission.error());
     const CheckReport report = *judgeTask(*lab, task, *submission, seedValue);
-    const QByteArray text = json ? writeReport(report) : describeReport(report).toUtf8();
+    if (report.error && !isShown(*format, parser.value(output)))
+        QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
+    const QByteArray text = writeReport(report, *format, program);
     if (const auto error = writeText(parser.value(output), text))
         return complain(*error);
     return report.passed || parser.isSet(exitZero) ? Done : NotPassed;

@@ -18,6 +18,9 @@ struct BounceText {
 /// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
 /// then a program may well keep it there.
 constexpr double restingSteps = 3.0;
+/// Steps within which a circle at a wall must be turned: one may show it beyond the wall, and the
+/// next answer.
+constexpr int patience = 3;
 
 /// One look at a circle that changed its velocity by more than gravity.
 struct Turn {
@@ -56,7 +59,7 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         if (motion::wallGap(o, before, wall) <= reach)
             return faultAt(wall);
     }
-    const double kept = dot(before.velocity + o.timestep(step) * gravity, axis);
+    const double kept = dot(before.velocity + o.timestep() * gravity, axis);
     const double after = kept + change;
     const Wall nearest =
         motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
@@ -80,7 +83,7 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
 std::optional<Fault> Turn::faultAt(Wall wall) const
 {
     const Vec2 n = outwardNormal(wall);
-    const double dt = o.timestep(step);
+    const double dt = o.timestep();
     const double into = dot(o.circle(circle, step).velocity, n);
     const double after = dot(o.circle(circle, step + 1).velocity, n);
     const double pull = dot(gravity, n) * dt;
@@ -136,6 +139,35 @@ std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
     return std::nullopt;
 }
 
+/// A circle that is held at a wall into which it still moves.
+std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
+{
+    for (const Wall wall : allWalls) {
+        const Vec2 n = outwardNormal(wall);
+        int held = 0;
+        for (qint64 k = 0; k < o.steps(); ++k) {
+            const Circle &c = o.circle(i, k);
+            const double into = dot(c.velocity, n);
+            const double resting = restingSteps * length(gravity) * o.timestep();
+            const bool passes = motion::wallGap(o, c, wall) < into * o.timestep();
+            held = passes && into > resting && !motion::isKicked(o, i, k, gravity) ? held + 1 : 0;
+            if (held < patience)
+                continue;
+            return Fault{.message = BounceText::tr("At step %1 circle %2 is still moving into the "
+                                                   "%3 with %4 m/s, since step %5; the wall should "
+                                                   "turn it round at once")
+                                        .arg(QString::number(k + 1), QString::number(i + 1),
+                                             motion::wallName(wall), motion::figure(into),
+                                             QString::number(k + 2 - patience)),
+                         .expected = -into,
+                         .observed = into,
+                         .unit = QStringLiteral("m/s"),
+                         .step = k + 2 - patience};
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
 {
     if (auto fault = staysInside(check, o))
@@ -145,6 +177,8 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
     const double restitution = check.parameters.value(QStringLiteral("restitution"))
                                    .toDouble(o.variant.preset.restitution);
     for (const int i : check.circles) {
+        if (auto fault = stuck(o, i, gravity))
+            return fault;
         for (qint64 k = 0; k < o.steps(); ++k) {
             if (!motion::isKicked(o, i, k, gravity)
                 || (collisions && motion::isNearCircle(o, i, k, gravity)))

@@ -181,7 +181,7 @@ Fault tooFew(std::size_t observed, int wanted)
 /// What gravity moves circles with different integrators apart in a step, m.
 double slackOf(const Observation &o, Vec2 gravity)
 {
-    const double dt = o.timestep(0);
+    const double dt = o.timestep();
     return length(gravity) * dt * dt;
 }
 

@@ -25,7 +25,7 @@ constexpr Integrator allIntegrators[] = {Integrator::Euler, Integrator::Symplect
 bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     const Circle &now = o.circle(i, k);
-    const Motion next = advance(integrator, {now.position, now.velocity}, gravity, o.timestep(k));
+    const Motion next = advance(integrator, {now.position, now.velocity}, gravity, o.timestep());
     const double error = length(o.circle(i, k + 1).position - next.position);
     return error <= motion::samePosition * (1.0 + length(now.position));
 }
@@ -55,7 +55,7 @@ std::vector<Integrator> wantedIntegrators(const CheckSpec &check)
 Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     const Vec2 change = o.circle(i, k + 1).velocity - o.circle(i, k).velocity;
-    const Vec2 observed = change / o.timestep(k);
+    const Vec2 observed = change / o.timestep();
     const bool x = std::abs(observed.x - gravity.x) > std::abs(observed.y - gravity.y);
     return {.message =
                 IntegratorText::tr("At step %1 the velocity of circle %2 changed by %3 m/s, "
@@ -72,7 +72,7 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
 {
     const Circle &now = o.circle(i, k);
     const Vec2 right =
-        advance(wanted, {now.position, now.velocity}, gravity, o.timestep(k)).position
+        advance(wanted, {now.position, now.velocity}, gravity, o.timestep()).position
         - now.position;
     const Vec2 observed = o.circle(i, k + 1).position - now.position;
     const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);

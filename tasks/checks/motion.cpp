@@ -43,7 +43,7 @@ Vec2 gravityOf(const CheckSpec &check, const Observation &o)
 
 Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
-    return o.circle(i, k + 1).velocity - o.circle(i, k).velocity - o.timestep(k) * gravity;
+    return o.circle(i, k + 1).velocity - o.circle(i, k).velocity - o.timestep() * gravity;
 }
 
 bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity)
@@ -53,7 +53,7 @@ bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity)
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
-    const double dt = o.timestep(k);
+    const double dt = o.timestep();
     return (length(o.circle(i, k).velocity) + length(gravity) * dt) * dt + samePosition;
 }
 
@@ -98,7 +98,7 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
             continue;
         const Circle &ca = o.circle(a, k);
         const Circle &cb = o.circle(b, k);
-        const double dt = o.timestep(k);
+        const double dt = o.timestep();
         const double sum = ca.radius + cb.radius;
         Contact contact{.step = k};
         contact.nearest = nearestCentres(ca, cb, dt) - sum;

@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -200,12 +201,6 @@ int setField(lua_State *L)
     return 0;
 }
 
-int toText(lua_State *L)
-{
-    lua_pushstring(L, nameOf(circleAt(L, 1)).toUtf8().constData());
-    return 1;
-}
-
 /// circles[i]; nil beyond the last, as ipairs wants it.
 int listIndex(lua_State *L)
 {
@@ -233,12 +228,13 @@ int refuseListChange(lua_State *L)
 
 int listNext(lua_State *L)
 {
-    const lua_Integer next = luaL_optinteger(L, 2, 0) + 1;
+    const lua_Integer last = luaL_optinteger(L, 2, 0);
+    const lua_Integer next = last < 0 || last > INT_MAX ? 0 : last + 1;
     lua_pushinteger(L, next);
     lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
     lua_rawgeti(L, -1, next);
     if (lua_isnil(L, -1))
-        return 1;
+        return 1; // nil ends the loop
     lua_replace(L, -2);
     return 2;
 }
@@ -279,7 +275,9 @@ void pushCircles(lua_State *L)
     lua_newtable(L);
     setFunction(L, "__index", index);
     setFunction(L, "__newindex", setField);
-    setFunction(L, "__tostring", toText);
+    setFunction(L, "__tostring", describeObject);
+    lua_pushliteral(L, "circle");
+    lua_setfield(L, -2, "__name");
     lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);
 
     const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
@@ -300,6 +298,9 @@ void pushCircles(lua_State *L)
     setFunction(L, "__len", listLength);
     setFunction(L, "__newindex", refuseListChange);
     setFunction(L, "__pairs", listPairs);
+    setFunction(L, "__tostring", describeObject);
+    lua_pushliteral(L, "list of circles");
+    lua_setfield(L, -2, "__name");
     lua_setmetatable(L, -2);
 }
 
@@ -313,8 +314,7 @@ std::vector<CircleField> ownFields(lua_State *L)
         lua_pushnil(L);
         while (lua_next(L, -2) != 0) {
             if (lua_type(L, -2) == LUA_TSTRING && lua_type(L, -1) == LUA_TNUMBER)
-                fields.push_back(
-                    {i, QString::fromUtf8(lua_tostring(L, -2)), lua_tonumber(L, -1)});
+                fields.push_back({i, QString::fromUtf8(lua_tostring(L, -2)), lua_tonumber(L, -1)});
             lua_pop(L, 1);
         }
         lua_pop(L, 2);

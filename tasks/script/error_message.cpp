@@ -16,12 +16,15 @@ struct MessageText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
+constexpr std::size_t longestMessage = 2000; ///< bytes of an error that are shown
+
 /// "local 'x'", "field 'x'", "global 'x'" of Lua's messages: the name.
 QString nameIn(const QString &message)
 {
     static const QRegularExpression pattern(
         QStringLiteral("\\((?:local|field|global|upvalue|method|constant) '([^']*)'\\)"));
-    return pattern.match(message).captured(1);
+    const QString name = pattern.match(message).captured(1);
+    return name == QLatin1String("?") ? QString() : name;
 }
 
 QString typeIn(const QString &message, const QString &verb)
@@ -34,7 +37,8 @@ QString typeIn(const QString &message, const QString &verb)
 QString plain(const QString &message)
 {
     const QString name = nameIn(message);
-    const QString what = name.isEmpty() ? MessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
+    const QString what =
+        name.isEmpty() ? MessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
     if (const QString type = typeIn(message, QStringLiteral("attempt to index")); !type.isEmpty())
         return MessageText::tr("%1 is %2, so it has no fields").arg(what, type);
     if (const QString type = typeIn(message, QStringLiteral("attempt to call")); !type.isEmpty())
@@ -65,14 +69,17 @@ ProgramError errorAtTop(lua_State *L, int status)
     }
     error.kind = status == LUA_ERRSYNTAX ? ProgramError::Kind::Syntax : ProgramError::Kind::Runtime;
     if (lua_type(L, -1) != LUA_TSTRING) {
-        error.message =
-            MessageText::tr("the program called error with %1").arg(nameValue(L, -1));
+        error.message = MessageText::tr("the program called error with %1").arg(nameValue(L, -1));
         return error;
     }
-    QString message = QString::fromUtf8(lua_tostring(L, -1)).left(1000);
-    static const QRegularExpression place(QStringLiteral("^lab\\.lua:(\\d+): "));
+    std::size_t size = 0;
+    const char *text = lua_tolstring(L, -1, &size);
+    QString message = QString::fromUtf8(
+        text, static_cast<qsizetype>(std::min<std::size_t>(size, longestMessage)));
+    static const QRegularExpression place(QStringLiteral("^(lab\\.lua|table\\.sort):(\\d+): "));
     if (const auto match = place.match(message); match.hasMatch()) {
-        error.line = match.captured(1).toInt();
+        if (match.captured(1) == QLatin1String("lab.lua"))
+            error.line = match.captured(2).toInt();
         message = message.mid(match.capturedLength());
     }
     error.message = status == LUA_ERRSYNTAX ? message : plain(message);

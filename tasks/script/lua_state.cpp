@@ -2,9 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/lua_state.h"
 
+#include "tasks/script/script_host.h"
+
 #include <cstdlib>
 
 namespace cradle {
+
+void LuaMemory::hold(lua_State *L, std::chrono::steady_clock::time_point deadline)
+{
+    m_running = L;
+    m_deadline = deadline;
+    m_exhausted = false;
+    m_refusedLine = 0;
+}
+
+bool LuaMemory::refuses(std::size_t more)
+{
+    if (!m_running || (!m_exhausted && m_used + more <= m_most))
+        return false;
+    // Lua tells no line of this error; the stack can be read here without memory.
+    m_refusedLine = currentLine(m_running);
+    m_exhausted = m_exhausted || std::chrono::steady_clock::now() > m_deadline;
+    return true;
+}
 
 void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize)
 {
@@ -16,10 +36,8 @@ void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::s
         self.m_used -= old;
         return nullptr;
     }
-    if (newSize > old && self.m_used + (newSize - old) > self.m_most) {
-        self.m_refused = true;
+    if (newSize > old && self.refuses(newSize - old))
         return nullptr;
-    }
     void *moved = std::realloc(block, newSize);
     if (moved)
         self.m_used = self.m_used - old + newSize;

@@ -4,13 +4,14 @@
 
 #include <lua.hpp>
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 
 namespace cradle {
 
-/// Memory of one Lua state, capped: past the cap an allocation fails, which Lua turns into an
-/// error of the program.
+/// Memory of one Lua state, capped while a program runs: past the cap an allocation fails, which
+/// Lua turns into an error of the program. What we do to the state between runs never fails.
 class LuaMemory
 {
 public:
@@ -20,9 +21,14 @@ public:
     }
 
     [[nodiscard]] std::size_t used() const { return m_used; }
-    /// Whether an allocation was refused since clear().
-    [[nodiscard]] bool wasRefused() const { return m_refused; }
-    void clear() { m_refused = false; }
+
+    /// The cap holds from now on, for what runs in \p L. Past \p deadline what was refused once
+    /// is refused for good: else Lua would collect garbage anew for every allocation.
+    void hold(lua_State *L, std::chrono::steady_clock::time_point deadline);
+    /// The cap holds no more.
+    void release() { m_running = nullptr; }
+    /// The line of the program that was last refused memory; 0 if none was.
+    [[nodiscard]] int refusedLine() const { return m_refusedLine; }
 
     /// A lua_Alloc; \p memory is a LuaMemory.
     static void *allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize);
@@ -30,7 +36,12 @@ public:
 private:
     std::size_t m_most;
     std::size_t m_used = 0;
-    bool m_refused = false;
+    lua_State *m_running = nullptr; ///< null while the cap does not hold
+    std::chrono::steady_clock::time_point m_deadline{};
+    bool m_exhausted = false; ///< nothing more is given
+    int m_refusedLine = 0;
+
+    [[nodiscard]] bool refuses(std::size_t more);
 };
 
 struct LuaCloser {

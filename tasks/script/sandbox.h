@@ -4,19 +4,27 @@
 
 #include "tasks/script/lua_state.h"
 
+#include <QtGlobal>
+
 namespace cradle {
 
-/// Adds the part of Lua's libraries that a program may use, and nothing else: no files, no
-/// processes, no loading of code, no metatables, no coroutines, no string patterns. Random numbers
-/// begin alike in every run. Its pcall lets no limit pass.
-void addLibraries(lua_State *L);
+/// pcall for programs: as Lua's own, but it lets no limit pass.
+int protectedCall(lua_State *L);
 
 /// From now on instructions and time are counted and limited; \p lines also yields at every new
 /// line where that is possible.
 void watch(lua_State *L, bool lines);
 
-/// Begins a new count for a step.
+/// Begins a new count for a step that runs in \p L.
 void beginCount(lua_State *L);
+/// That step has come to an end or pauses.
+void endCount(lua_State *L);
+
+/// Ends a step that takes too long.
+void checkTime(lua_State *L);
+
+/// Counts work that a library function does as so many instructions.
+void charge(lua_State *L, qint64 instructions);
 
 /// A message handler for lua_pcall: keeps line and locals of the error in ScriptHost::caught.
 int catchError(lua_State *L);

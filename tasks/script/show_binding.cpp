@@ -117,9 +117,12 @@ int drawArrow(lua_State *L)
 {
     const QString what = QStringLiteral("draw.arrow(from, vector, colour, label)");
     const Vec2 from = placeArgument(L, 1, what);
+    const Vec2 to = from + placeArgument(L, 2, what);
+    if (!isFinite(to))
+        raise(L, ShowText::tr("%1 would end beyond all numbers").arg(what));
     return keep(L, {.kind = Drawing::Kind::Arrow,
                     .from = from,
-                    .to = from + placeArgument(L, 2, what),
+                    .to = to,
                     .colour = optionalText(L, 3, ShowText::tr("a colour")),
                     .text = optionalText(L, 4, ShowText::tr("a label"))});
 }

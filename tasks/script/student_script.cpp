@@ -3,6 +3,7 @@
 #include "tasks/script/student_script.h"
 
 #include "tasks/script/error_message.h"
+#include "tasks/script/lua_library.h"
 #include "tasks/script/sandbox.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/script_limits.h"
@@ -73,6 +74,7 @@ struct StudentScript::Engine {
     ScriptHost host{limits::scriptBytes};
     LuaState state{};
     lua_State *thread = nullptr; ///< of an update that runs line by line
+    bool linesDone = false;      ///< that update has come to its end; advance() takes it over
 };
 
 StudentScript::StudentScript(QString source, Options options)
@@ -111,8 +113,11 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     scene.restitution = host.restitution;
     for (std::size_t i = 0; i < host.circles.size(); ++i)
         scene.circles[i].body = host.circles[i];
-    m_moves = rawGlobal(L, "on_update") == LUA_TFUNCTION;
+    const int type = rawGlobal(L, "on_update");
     lua_settop(L, 0);
+    if (type != LUA_TFUNCTION && type != LUA_TNIL)
+        return lostUpdate();
+    m_moves = type == LUA_TFUNCTION;
     host.loading = false;
     return checkScene(scene);
 }
@@ -120,7 +125,10 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
 std::optional<ProgramError> StudentScript::load(lua_State *L)
 {
     lua_pushcfunction(L, catchError);
-    if (const int status = parse(L, m_source); status != LUA_OK)
+    beginCount(L);
+    const int status = parse(L, m_source);
+    endCount(L);
+    if (status != LUA_OK)
         return errorOf(L, status);
     watch(L, false);
     if (auto error = call(0))
@@ -137,7 +145,9 @@ std::optional<ProgramError> StudentScript::call(int arguments)
     lua_State *L = m_engine->state.get();
     beginCount(L);
     m_engine->host.caught = {};
-    if (const int status = lua_pcall(L, arguments, 0, 1); status != LUA_OK)
+    const int status = lua_pcall(L, arguments, 0, 1);
+    endCount(L);
+    if (status != LUA_OK)
         return errorOf(L, status);
     return std::nullopt;
 }
@@ -150,17 +160,21 @@ std::optional<ProgramError> StudentScript::checkScene(const Preset &scene) const
     const std::optional<Error> fault = findFault(scene);
     if (!fault)
         return std::nullopt;
-    return ProgramError{.message = StudentText::tr("after on_load the scene cannot be run: %1")
-                                       .arg(fault->toString())};
+    return ProgramError{
+        .message =
+            StudentText::tr("after on_load the scene cannot be run: %1").arg(fault->toString())};
 }
 
 ProgramError StudentScript::errorOf(lua_State *L, int status)
 {
     ScriptHost &host = m_engine->host;
-    ProgramError error = errorAtTop(L, status);
+    ProgramError error =
+        errorAtTop(L, host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status);
     if (host.aborted)
         error.kind = *host.aborted;
-    if (host.caught.line > 0)
+    if (error.kind == ProgramError::Kind::Memory)
+        error.line = host.memory.refusedLine();
+    else if (host.caught.line > 0)
         error.line = host.caught.line;
     error.locals = std::exchange(host.caught, {}).locals;
     error.step = host.loading ? 0 : host.step + 1;
@@ -180,16 +194,29 @@ void StudentScript::place(const World &world)
 std::optional<ProgramError> StudentScript::advance(World &world, double dt)
 {
     Q_ASSERT(m_moves);
+    if (m_engine->thread || m_engine->linesDone)
+        return endLines(world);
     lua_State *L = m_engine->state.get();
     place(world);
     lua_settop(L, 0);
     lua_pushcfunction(L, catchError);
-    rawGlobal(L, "on_update");
+    if (rawGlobal(L, "on_update") != LUA_TFUNCTION)
+        return lostUpdate();
     lua_pushnumber(L, dt);
     if (auto error = call(1))
         return error;
     world.circles = m_engine->host.circles;
     return std::nullopt;
+}
+
+/// The program put something else in the place of its update.
+ProgramError StudentScript::lostUpdate() const
+{
+    const ScriptHost &host = m_engine->host;
+    return {.message = StudentText::tr("`on_update` is no function any more; it is given once: "
+                                       "function on_update(timestep) … end"),
+            .step = host.loading ? 0 : host.step + 1,
+            .time = host.time};
 }
 
 ProgramOutput StudentScript::takeOutput()
@@ -207,25 +234,31 @@ StudentScript::Pause StudentScript::beginLines(const World &world, double dt)
     lua_rawseti(L, LUA_REGISTRYINDEX, threadKey);
     m_engine->thread = thread;
     watch(thread, true);
-    rawGlobal(thread, "on_update");
+    if (rawGlobal(thread, "on_update") != LUA_TFUNCTION) {
+        dropLines();
+        Pause pause;
+        pause.circles = m_engine->host.circles;
+        pause.error = lostUpdate();
+        return pause;
+    }
     lua_pushnumber(thread, dt);
-    beginCount(thread);
-    int results = 0;
-    return pauseOf(lua_resume(thread, nullptr, 1, &results));
+    return resume(1);
 }
 
 StudentScript::Pause StudentScript::nextLine()
 {
     if (!m_engine || !m_engine->thread)
         return {};
-    beginCount(m_engine->thread);
-    int results = 0;
-    return pauseOf(lua_resume(m_engine->thread, nullptr, 0, &results));
+    return resume(0);
 }
 
-StudentScript::Pause StudentScript::pauseOf(int status)
+StudentScript::Pause StudentScript::resume(int arguments)
 {
     lua_State *thread = m_engine->thread;
+    beginCount(thread);
+    int results = 0;
+    const int status = lua_resume(thread, nullptr, arguments, &results);
+    endCount(thread);
     ScriptHost &host = m_engine->host;
     Pause pause;
     pause.circles = host.circles;
@@ -241,12 +274,29 @@ StudentScript::Pause StudentScript::pauseOf(int status)
         pause.line = pause.error->line;
     }
     dropLines();
+    m_engine->linesDone = !pause.error;
     return pause;
+}
+
+/// The rest of an update that was begun line by line.
+std::optional<ProgramError> StudentScript::endLines(World &world)
+{
+    if (m_engine->thread) {
+        watch(m_engine->thread, false);
+        if (const Pause end = nextLine(); end.error)
+            return end.error;
+    }
+    m_engine->linesDone = false;
+    world.circles = m_engine->host.circles;
+    return std::nullopt;
 }
 
 void StudentScript::dropLines()
 {
-    if (!m_engine || !m_engine->thread)
+    if (!m_engine)
+        return;
+    m_engine->linesDone = false;
+    if (!m_engine->thread)
         return;
     lua_pushnil(m_engine->state.get());
     lua_rawseti(m_engine->state.get(), LUA_REGISTRYINDEX, threadKey);
@@ -282,9 +332,10 @@ std::optional<ProgramError> findSyntaxError(const QString &source)
     const LuaState state = newLuaState(memory);
     if (!state)
         return noMemory();
-    if (const int status = parse(state.get(), source); status != LUA_OK)
-        return errorAtTop(state.get(), status);
-    return std::nullopt;
+    memory.hold(state.get(), std::chrono::steady_clock::now() + limits::wallTimePerStep);
+    const int status = parse(state.get(), source);
+    memory.release();
+    return status == LUA_OK ? std::nullopt : std::optional(errorAtTop(state.get(), status));
 }
 
 } // namespace cradle

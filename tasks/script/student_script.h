@@ -11,7 +11,6 @@ struct lua_State;
 
 namespace cradle {
 
-
 /// A student's Lua program: on_load and on_update, run in a sandbox of its own. What it may do and
 /// use is in sandbox.h and script_limits.h; past a limit it stops.
 class StudentScript final : public Program
@@ -41,12 +40,13 @@ public:
 
     /// Where a run through the lines of one update stands.
     struct Pause {
-        int line = 0;                         ///< that runs next; 0: the update is done
-        std::vector<ProgramValue> locals{};   ///< at that line
-        std::vector<Circle> circles{};        ///< as they are now
-        std::optional<ProgramError> error{};  ///< it stopped here
+        int line = 0;                        ///< that runs next; 0: the update is done
+        std::vector<ProgramValue> locals{};  ///< at that line
+        std::vector<Circle> circles{};       ///< as they are now
+        std::optional<ProgramError> error{}; ///< it stopped here
     };
-    /// Begins an update of \p world line by line; nothing has run yet.
+    /// Begins an update of \p world line by line; nothing has run yet. The next advance() of
+    /// that world takes over what was done and does the rest.
     Pause beginLines(const World &world, double dt);
     /// Runs to the next line of the update.
     Pause nextLine();
@@ -66,7 +66,9 @@ private:
     std::optional<ProgramError> checkScene(const Preset &scene) const;
     ProgramError errorOf(lua_State *L, int status);
     void place(const World &world);
-    Pause pauseOf(int status);
+    Pause resume(int arguments);
+    [[nodiscard]] ProgramError lostUpdate() const;
+    std::optional<ProgramError> endLines(World &world);
 
     QString m_source;
     Options m_options;

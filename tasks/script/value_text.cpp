@@ -23,8 +23,8 @@ QString figure(double value)
 
 QString shortened(const char *text, std::size_t size)
 {
-    const QString all = QString::fromUtf8(text, static_cast<qsizetype>(std::min<std::size_t>(
-                                                    size, longestText * 4)));
+    const QString all = QString::fromUtf8(
+        text, static_cast<qsizetype>(std::min<std::size_t>(size, longestText * 4)));
     return all.size() > longestText ? all.left(longestText) + QStringLiteral("…") : all;
 }
 
@@ -54,6 +54,12 @@ QString describeValue(lua_State *L, int index)
     default:
         return QString::fromLatin1(luaL_typename(L, index));
     }
+}
+
+int describeObject(lua_State *L)
+{
+    lua_pushstring(L, describeValue(L, 1).toUtf8().constData());
+    return 1;
 }
 
 QString nameValue(lua_State *L, int index)

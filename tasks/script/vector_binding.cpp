@@ -105,12 +105,6 @@ int equals(lua_State *L)
     return 1;
 }
 
-int toText(lua_State *L)
-{
-    lua_pushstring(L, describeValue(L, 1).toUtf8().constData());
-    return 1;
-}
-
 int concatenate(lua_State *L)
 {
     luaL_tolstring(L, 1, nullptr);
@@ -132,10 +126,13 @@ int index(lua_State *L)
     lua_pushvalue(L, 2);
     if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL)
         return 1;
-    static const QStringList names{
-        QStringLiteral("x"),          QStringLiteral("y"),   QStringLiteral("length"),
-        QStringLiteral("length_squared"), QStringLiteral("normalized"), QStringLiteral("dot"),
-        QStringLiteral("perpendicular")};
+    static const QStringList names{QStringLiteral("x"),
+                                   QStringLiteral("y"),
+                                   QStringLiteral("length"),
+                                   QStringLiteral("length_squared"),
+                                   QStringLiteral("normalized"),
+                                   QStringLiteral("dot"),
+                                   QStringLiteral("perpendicular")};
     const QString name = describeValue(L, 2).remove(QLatin1Char('"'));
     const QString near = nearestName(name, names);
     raise(L, near.isEmpty()
@@ -150,10 +147,11 @@ int refuseChange(lua_State *L)
     const ScriptHost &host = ScriptHost::of(L);
     const QString line =
         host.source.section(QLatin1Char('\n'), currentLine(L) - 1, currentLine(L) - 1);
-    static const QRegularExpression assignment(
-        QStringLiteral("([A-Za-z_][A-Za-z_0-9.\\[\\]]*)\\.([xy])\\s*=\\s*([^=;]+?)\\s*(?:;|--|end\\b|$)"));
+    static const QRegularExpression assignment(QStringLiteral(
+        "([A-Za-z_][A-Za-z_0-9.\\[\\]]*)\\.([xy])\\s*=\\s*([^=;]+?)\\s*(?:;|--|end\\b|$)"));
     const QRegularExpressionMatch match = assignment.match(line);
-    const QString vector = match.hasMatch() ? match.captured(1) : QStringLiteral("circle1.position");
+    const QString vector =
+        match.hasMatch() ? match.captured(1) : QStringLiteral("circle1.position");
     const QString value = match.hasMatch() ? match.captured(3) : QStringLiteral("…");
     const bool x = !match.hasMatch() || match.captured(2) == QLatin1String("x");
     raise(L, VectorText::tr("a vector cannot be changed; build a new one: %1 = %2")
@@ -249,7 +247,7 @@ void addVectors(lua_State *L)
                                                  {"__div", divide},
                                                  {"__unm", negate},
                                                  {"__eq", equals},
-                                                 {"__tostring", toText},
+                                                 {"__tostring", describeObject},
                                                  {"__concat", concatenate},
                                                  {"__newindex", refuseChange}}};
     constexpr std::array<luaL_Reg, 5> methods{{{"length", lengthOf},
@@ -269,6 +267,8 @@ void addVectors(lua_State *L)
     }
     lua_pushcclosure(L, index, 1);
     lua_setfield(L, -2, "__index");
+    lua_pushliteral(L, "vector");
+    lua_setfield(L, -2, "__name");
     lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);
     lua_register(L, "vec", makeVector);
     lua_register(L, "dot", dotOf);

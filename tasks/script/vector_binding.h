@@ -31,6 +31,8 @@ void pushVector(lua_State *L, Vec2 value);
 
 /// "(2, 0)", "3", "\"text\"", "circle 1", "nil": a value for the reader.
 [[nodiscard]] QString describeValue(lua_State *L, int index);
+/// The same as a function of Lua, for __tostring.
+int describeObject(lua_State *L);
 /// "a vector (2, 0)", "the number 3", "nil": for sentences.
 [[nodiscard]] QString nameValue(lua_State *L, int index);
 

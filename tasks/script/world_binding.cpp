@@ -26,15 +26,29 @@ constexpr std::size_t mostNamed = 100;
 /// What a program is likely to look for, and why it is not there.
 QString whyAbsent(const QString &name)
 {
-    static const QStringList forbidden{
-        QStringLiteral("os"),           QStringLiteral("io"),       QStringLiteral("debug"),
-        QStringLiteral("require"),      QStringLiteral("load"),     QStringLiteral("loadstring"),
-        QStringLiteral("dofile"),       QStringLiteral("loadfile"), QStringLiteral("package"),
-        QStringLiteral("coroutine"),    QStringLiteral("utf8"),     QStringLiteral("setmetatable"),
-        QStringLiteral("getmetatable"), QStringLiteral("rawset"),   QStringLiteral("rawget"),
-        QStringLiteral("rawequal"),     QStringLiteral("rawlen"),   QStringLiteral("next"),
-        QStringLiteral("collectgarbage"), QStringLiteral("xpcall"), QStringLiteral("_G"),
-        QStringLiteral("_ENV"),         QStringLiteral("warn")};
+    static const QStringList forbidden{QStringLiteral("os"),
+                                       QStringLiteral("io"),
+                                       QStringLiteral("debug"),
+                                       QStringLiteral("require"),
+                                       QStringLiteral("load"),
+                                       QStringLiteral("loadstring"),
+                                       QStringLiteral("dofile"),
+                                       QStringLiteral("loadfile"),
+                                       QStringLiteral("package"),
+                                       QStringLiteral("coroutine"),
+                                       QStringLiteral("utf8"),
+                                       QStringLiteral("setmetatable"),
+                                       QStringLiteral("getmetatable"),
+                                       QStringLiteral("rawset"),
+                                       QStringLiteral("rawget"),
+                                       QStringLiteral("rawequal"),
+                                       QStringLiteral("rawlen"),
+                                       QStringLiteral("next"),
+                                       QStringLiteral("collectgarbage"),
+                                       QStringLiteral("xpcall"),
+                                       QStringLiteral("_G"),
+                                       QStringLiteral("_ENV"),
+                                       QStringLiteral("warn")};
     if (forbidden.contains(name))
         return WorldText::tr("`%1` is not part of the lab's Lua; see the API page (F1) for what is")
             .arg(name);
@@ -121,8 +135,9 @@ void setRestitution(lua_State *L)
     ScriptHost &host = ScriptHost::of(L);
     const double value = lua_type(L, 3) == LUA_TNUMBER ? lua_tonumber(L, 3) : std::nan("");
     if (!(value >= 0.0 && value <= 1.0))
-        raise(L, WorldText::tr("restitution must be a number from 0 to 1, not %1")
-                     .arg(nameValue(L, 3)));
+        raise(
+            L,
+            WorldText::tr("restitution must be a number from 0 to 1, not %1").arg(nameValue(L, 3)));
     if (!host.pinned)
         host.restitution = value;
 }
@@ -155,6 +170,9 @@ int writeGlobal(lua_State *L)
     const bool given = std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0;
     if (!given)
         refuseSlip(L, QString::fromUtf8(key));
+    else if (lua_type(L, 3) != LUA_TFUNCTION && lua_type(L, 3) != LUA_TNIL)
+        raise(L, WorldText::tr("`%1` must be a function, not %2")
+                     .arg(QLatin1String(key), nameValue(L, 3)));
     lua_rawset(L, 1);
     return 0;
 }
@@ -165,15 +183,15 @@ int readSquare(lua_State *L)
     static const QStringList names{QStringLiteral("half_width"), QStringLiteral("left"),
                                    QStringLiteral("right"), QStringLiteral("bottom"),
                                    QStringLiteral("top")};
-    const QString key = lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2))
-                                                      : describeValue(L, 2);
+    const QString key =
+        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : describeValue(L, 2);
     const auto which = names.indexOf(key);
     if (which < 0) {
         const QString near = nearestName(key, names);
-        raise(L, near.isEmpty() ? WorldText::tr("square has no `%1`; it has %2")
-                                      .arg(key, names.join(QStringLiteral(", ")))
-                                : WorldText::tr("square has no `%1`: did you mean `%2`?")
-                                      .arg(key, near));
+        raise(L, near.isEmpty()
+                     ? WorldText::tr("square has no `%1`; it has %2")
+                           .arg(key, names.join(QStringLiteral(", ")))
+                     : WorldText::tr("square has no `%1`: did you mean `%2`?").arg(key, near));
     }
     lua_pushnumber(L, which == 1 || which == 3 ? -half : half);
     return 1;
@@ -192,6 +210,10 @@ void addSquare(lua_State *L)
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, refuseSquareChange);
     lua_setfield(L, -2, "__newindex");
+    lua_pushliteral(L, "square");
+    lua_setfield(L, -2, "__name");
+    lua_pushcfunction(L, describeObject);
+    lua_setfield(L, -2, "__tostring");
     lua_setmetatable(L, -2);
     lua_setglobal(L, "square");
 }

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/simulate_request.h"
+
+#include "app/cli/program_file.h"
+#include "model/preset_json.h"
+#include "model/shortest_number.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace cradle::cli {
+
+namespace {
+
+struct SimulateText {
+    Q_DECLARE_TR_FUNCTIONS(Cli)
+};
+
+/// Steps of one run: a day of the scene at a fine timestep.
+constexpr double mostSteps = 1e8;
+
+struct SimulateOptions {
+    QCommandLineOption duration = option("duration", SimulateText::tr("how long, s"), "S");
+    QCommandLineOption timestep =
+        option("timestep", SimulateText::tr("instead of the preset's, s"), "S");
+    QCommandLineOption timing =
+        option("timing", SimulateText::tr("discrete, continuous or exact"), "NAME");
+    QCommandLineOption script = option(
+        "script",
+        SimulateText::tr("a program that moves the circles; what it prints goes to standard error, "
+                         "what it plots and draws is dropped, its hits are inferred"),
+        "F.lua");
+    QCommandLineOption every = option("every", SimulateText::tr("write every N-th step only"), "N");
+    QCommandLineOption states =
+        option("states", SimulateText::tr("table of the circles' states"), "F.csv");
+    QCommandLineOption totals =
+        option("totals", SimulateText::tr("table of momentum and energy"), "F.csv");
+    QCommandLineOption events = option("events", SimulateText::tr("table of the hits"), "F.csv");
+
+    static QCommandLineOption option(const char *name, const QString &what, const char *value)
+    {
+        return {QString::fromLatin1(name), what, QString::fromLatin1(value)};
+    }
+};
+
+Error wrong(const QCommandLineOption &option, const QString &text, const QString &right)
+{
+    return {.message = SimulateText::tr("--%1 %2 is not right; %3 is right")
+                           .arg(option.names().first(), text, right)};
+}
+
+/// The number of an option, in (0, most].
+Result<double> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option,
+                        double most)
+{
+    bool ok = false;
+    const QString text = parser.value(option);
+    const double value = text.toDouble(&ok);
+    if (ok && value > 0.0 && value <= most)
+        return value;
+    return wrong(option, text,
+                 SimulateText::tr("a number above 0 and at most %1").arg(shortestNumber(most)));
+}
+
+} // namespace
+
+void addSimulateOptions(QCommandLineParser &parser)
+{
+    const SimulateOptions options;
+    parser.addOptions({options.duration, options.timestep, options.timing, options.script,
+                       options.every, options.states, options.totals, options.events});
+}
+
+Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
+{
+    const SimulateOptions options;
+    if (!parser.isSet(options.duration))
+        return Error{.message = SimulateText::tr("--duration S is missing: how long, in s?")};
+    const Result<double> seconds = numberOf(parser, options.duration, 1e9);
+    if (!seconds)
+        return seconds.error();
+    Result<Preset> preset = readPreset(parser.positionalArguments().first());
+    if (!preset)
+        return preset.error();
+    SimulateRequest request{.preset = std::move(*preset)};
+    if (parser.isSet(options.timestep)) {
+        const Result<double> timestep = numberOf(parser, options.timestep, limits::maxTimestep);
+        if (!timestep)
+            return timestep.error();
+        request.preset.timestep = *timestep;
+    }
+    if (parser.isSet(options.timing)) {
+        const auto timing = timingFromName(parser.value(options.timing));
+        if (!timing)
+            return wrong(options.timing, parser.value(options.timing),
+                         SimulateText::tr("discrete, continuous or exact"));
+        request.preset.laws.timing = *timing;
+    }
+    if (parser.isSet(options.every)) {
+        bool ok = false;
+        request.every = parser.value(options.every).toLongLong(&ok);
+        if (!ok || request.every < 1)
+            return wrong(options.every, parser.value(options.every),
+                         SimulateText::tr("a whole number from 1"));
+    }
+    // A part of a step at the end is a step: the run lasts at least as long as asked.
+    const double steps = std::ceil(*seconds / request.preset.timestep * (1.0 - 1e-12));
+    if (steps > mostSteps)
+        return Error{.message = SimulateText::tr("%1 steps are too many; at most %2 are right")
+                                    .arg(steps)
+                                    .arg(mostSteps)};
+    request.steps = static_cast<qint64>(steps);
+    if (parser.isSet(options.script)) {
+        const Result<QString> program = readProgram(parser.value(options.script));
+        if (!program)
+            return program.error();
+        request.program = *program;
+        request.programFile = parser.value(options.script);
+    }
+    request.states = parser.value(options.states);
+    request.totals = parser.value(options.totals);
+    request.events = parser.value(options.events);
+    return request;
+}
+
+} // namespace cradle::cli

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/code_desk.h"
+
+#include "views/code/api_page.h"
+#include "views/code/code_editor.h"
+
+#include <QMessageBox>
+#include <QSettings>
+
+namespace cradle {
+
+namespace {
+
+QString figure(double value)
+{
+    return QString::number(value, 'g', 7);
+}
+
+/// The circles as they are in the middle of an update, below the local variables.
+std::vector<ProgramValue> valuesOf(const StudentScript::Pause &pause)
+{
+    std::vector<ProgramValue> values = pause.locals;
+    int number = 0;
+    for (const Circle &circle : pause.circles) {
+        const QString name = QStringLiteral("circle%1.").arg(++number);
+        const auto add = [&](const char *field, Vec2 v) {
+            values.push_back({name + QLatin1String(field),
+                              QStringLiteral("(%1, %2)").arg(figure(v.x), figure(v.y))});
+        };
+        add("position", circle.position);
+        add("velocity", circle.velocity);
+    }
+    return values;
+}
+
+} // namespace
+
+CodeDesk::CodeDesk(Workbench &workbench, CodePane &pane, QSettings &settings, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_pane(pane)
+    , m_settings(settings)
+{
+    const bool atOnce = settings.value(QStringLiteral("appliesAtOnce"), true).toBool();
+    workbench.code().setAppliesAtOnce(atOnce);
+    pane.setAppliesAtOnce(atOnce);
+    wireEditor();
+    wireSteps();
+    wireSimulation();
+    pane.editor().setText(workbench.code().text());
+    showState();
+}
+
+void CodeDesk::wireEditor()
+{
+    CodeSession *code = &m_workbench.code();
+    connect(&m_pane, &CodePane::textEdited, this, [this, code] {
+        m_pane.editor().setSuspect(0);
+        code->edit(m_pane.editor().text());
+    });
+    connect(&m_pane, &CodePane::applyRequested, code, [code] {
+        code->apply();
+        code->save();
+    });
+    connect(&m_pane, &CodePane::appliesAtOnceChanged, this, [this, code](bool atOnce) {
+        m_settings.setValue(QStringLiteral("appliesAtOnce"), atOnce);
+        code->setAppliesAtOnce(atOnce);
+    });
+    connect(code, &CodeSession::textReplaced, this, [this](const QString &text) {
+        m_pane.hideSolution();
+        m_pane.editor().setText(text);
+        showState();
+    });
+    connect(code, &CodeSession::stateChanged, this, &CodeDesk::showState);
+    connect(&m_pane, &CodePane::helpRequested, this, &CodeDesk::showReference);
+    connect(&m_pane, &CodePane::afreshRequested, this, &CodeDesk::startAfresh);
+    connect(&m_pane, &CodePane::solutionRequested, this, [this] {
+        if (m_workbench.mayShowSolution())
+            m_pane.showSolution(m_workbench.task()->solution);
+    });
+    connect(&m_workbench, &Workbench::progressChanged, this, &CodeDesk::showSolutionButton);
+    connect(&m_workbench, &Workbench::taskChanged, this, &CodeDesk::showSolutionButton);
+    connect(&m_workbench, &Workbench::hintsChanged, this, &CodeDesk::showSolutionButton);
+}
+
+void CodeDesk::wireSteps()
+{
+    CodeSession *code = &m_workbench.code();
+    connect(&m_pane, &CodePane::lineStepRequested, code, &CodeSession::stepLine);
+    connect(&m_pane, &CodePane::finishStepRequested, code, &CodeSession::finishStep);
+    connect(code, &CodeSession::paused, this, &CodeDesk::showPause);
+    connect(code, &CodeSession::steppingEnded, this, [this] {
+        m_pane.setExecuting(0);
+        m_pane.hideLocals();
+    });
+}
+
+void CodeDesk::wireSimulation()
+{
+    const Simulation *simulation = &m_workbench.simulation();
+    connect(simulation, &Simulation::programFailed, this, &CodeDesk::showError);
+    connect(simulation, &Simulation::restarted, this, [this, simulation] {
+        if (!simulation->programError())
+            clearError();
+    });
+    connect(&m_workbench, &Workbench::modeChanged, this, &CodeDesk::showState);
+}
+
+void CodeDesk::showState()
+{
+    const CodeSession &code = m_workbench.code();
+    m_pane.setStepping(code.isActive());
+    if (code.fault()) {
+        m_pane.setState(CodeState::Broken);
+        m_pane.hideLocals();
+        m_pane.editor().setError(code.fault()->line, code.fault()->message);
+        return;
+    }
+    m_pane.setState(code.isSaved() ? CodeState::Saved : CodeState::Unsaved);
+    if (const auto &error = m_workbench.simulation().programError())
+        showError(*error);
+    else
+        m_pane.editor().clearError();
+}
+
+void CodeDesk::showError(const ProgramError &error)
+{
+    if (m_workbench.code().fault())
+        return;
+    QString message = error.message;
+    if (error.step > 0)
+        message += QLatin1Char('\n')
+                   + tr("in step %1, at %2 s").arg(error.step).arg(figure(error.time));
+    m_pane.editor().setError(error.line, message);
+    m_pane.setExecuting(0);
+    if (error.locals.empty())
+        m_pane.hideLocals();
+    else
+        m_pane.showLocals(error.locals);
+}
+
+void CodeDesk::clearError()
+{
+    if (!m_workbench.code().fault())
+        m_pane.editor().clearError();
+    m_pane.hideLocals();
+}
+
+void CodeDesk::showPause(const StudentScript::Pause &pause)
+{
+    m_pane.setExecuting(pause.line);
+    m_pane.showLocals(valuesOf(pause));
+}
+
+void CodeDesk::showReport()
+{
+    int line = 0;
+    if (const auto &report = m_workbench.report(); report && !report->error) {
+        for (const CheckOutcome &check : report->checks) {
+            if (line == 0 && !check.passed)
+                line = check.line;
+        }
+    }
+    m_pane.editor().setSuspect(line);
+    if (line > 0)
+        m_pane.editor().goToLine(line);
+    showSolutionButton();
+}
+
+void CodeDesk::showSolutionButton()
+{
+    m_pane.setSolutionAvailable(m_workbench.mayShowSolution());
+}
+
+void CodeDesk::showReference(const QString &word)
+{
+    if (!m_reference) {
+        m_reference = new ApiPage(&m_pane);
+        m_reference->setWindowFlag(Qt::Window);
+        m_reference->resize(m_reference->sizeHint());
+    }
+    m_reference->setWindowTitle(tr("Reference of the lab's Lua"));
+    m_reference->show();
+    m_reference->raise();
+    m_reference->activateWindow();
+    m_reference->showWord(word);
+}
+
+void CodeDesk::startAfresh()
+{
+    const auto answer = QMessageBox::question(
+        &m_pane, tr("Start this step afresh"),
+        tr("Your program goes back to what this step started from. What you have written in this "
+           "step is lost. Go back?"),
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    if (answer == QMessageBox::Yes)
+        m_workbench.startAfresh();
+}
+
+} // namespace cradle

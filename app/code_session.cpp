@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/code_session.h"
+
+#include <chrono>
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto saveDelay = 200ms;  ///< after the last key
+constexpr auto applyDelay = 400ms; ///< the same: a word is seldom a program
+
+} // namespace
+
+CodeSession::CodeSession(Simulation &simulation, QObject *parent)
+    : QObject(parent)
+    , m_simulation(simulation)
+{
+    m_saveSoon.setSingleShot(true);
+    m_saveSoon.setInterval(saveDelay);
+    m_applySoon.setSingleShot(true);
+    m_applySoon.setInterval(applyDelay);
+    connect(&m_saveSoon, &QTimer::timeout, this, &CodeSession::save);
+    connect(&m_applySoon, &QTimer::timeout, this, &CodeSession::apply);
+    // Whatever moves the run on ends the walk through its lines.
+    connect(&m_simulation, &Simulation::restarted, this, &CodeSession::endStepping);
+    connect(&m_simulation, &Simulation::frameReady, this, &CodeSession::endStepping);
+}
+
+CodeSession::~CodeSession()
+{
+    save();
+    if (m_active)
+        m_simulation.setProgram(nullptr);
+}
+
+void CodeSession::open(const Lab &lab, int index)
+{
+    save();
+    m_applySoon.stop();
+    m_pinned = false;
+    m_taskId = lab.tasks[static_cast<std::size_t>(index)].id;
+    m_text = m_workspace.textOf(lab, index);
+    m_fault = findSyntaxError(m_text);
+    auto script = std::make_unique<StudentScript>(m_fault ? QString() : m_text);
+    if (m_active)
+        m_simulation.setProgram(script.get());
+    m_script = std::move(script);
+    emit textReplaced(m_text);
+    emit stateChanged();
+}
+
+void CodeSession::close()
+{
+    save();
+    m_applySoon.stop();
+    m_taskId.clear();
+    m_text.clear();
+    m_fault.reset();
+    setActive(false);
+    emit textReplaced({});
+    emit stateChanged();
+}
+
+void CodeSession::setActive(bool active)
+{
+    active = active && isOpen();
+    if (active == m_active)
+        return;
+    m_active = active;
+    m_simulation.setProgram(program());
+}
+
+void CodeSession::setPinned(bool pinned)
+{
+    m_pinned = pinned;
+    if (m_script)
+        m_script->setPinned(pinned);
+}
+
+void CodeSession::setAppliesAtOnce(bool atOnce)
+{
+    m_atOnce = atOnce;
+    if (atOnce)
+        apply();
+    else
+        m_applySoon.stop();
+}
+
+void CodeSession::edit(const QString &text)
+{
+    if (!isOpen() || text == m_text)
+        return;
+    m_text = text;
+    m_unsaved = true;
+    m_saveSoon.start();
+    if (m_atOnce)
+        m_applySoon.start();
+    emit edited();
+    emit stateChanged();
+}
+
+void CodeSession::replace(const QString &text)
+{
+    edit(text);
+    emit textReplaced(m_text);
+    apply();
+}
+
+void CodeSession::apply()
+{
+    m_applySoon.stop();
+    if (!isOpen())
+        return;
+    m_fault = findSyntaxError(m_text);
+    if (!m_fault && m_text != m_script->source())
+        run();
+    emit stateChanged();
+}
+
+/// The old program lives until the simulation has let go of it.
+void CodeSession::run()
+{
+    auto script =
+        std::make_unique<StudentScript>(m_text, StudentScript::Options{.pinned = m_pinned});
+    if (m_active)
+        m_simulation.setProgram(script.get());
+    m_script = std::move(script);
+}
+
+void CodeSession::stepLine()
+{
+    if (!program() || !m_script->moves() || m_simulation.programError())
+        return;
+    m_simulation.pause();
+    const Recording &recording = m_simulation.recording();
+    // The past is told, not run: lines are those of the step that comes next.
+    if (m_simulation.current() != recording.last())
+        m_simulation.seek(recording.last());
+    const StudentScript::Pause pause =
+        m_stepping ? m_script->nextLine()
+                   : m_script->beginLines(recording.world(recording.last()),
+                                          m_simulation.preset().timestep);
+    m_stepping = pause.line > 0 && !pause.error;
+    if (m_stepping)
+        emit paused(pause);
+    else
+        finishStep();
+}
+
+void CodeSession::finishStep()
+{
+    if (!program())
+        return;
+    m_stepping = false;
+    emit steppingEnded();
+    m_simulation.stepForward();
+}
+
+void CodeSession::endStepping()
+{
+    if (!std::exchange(m_stepping, false))
+        return;
+    m_script->dropLines();
+    emit steppingEnded();
+}
+
+void CodeSession::save()
+{
+    m_saveSoon.stop();
+    if (!m_unsaved)
+        return;
+    if (const auto error = m_workspace.save(m_taskId, m_text)) {
+        emit failed(*error);
+        return;
+    }
+    m_unsaved = false;
+    emit stateChanged();
+}
+
+} // namespace cradle

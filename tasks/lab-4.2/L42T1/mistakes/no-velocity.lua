@@ -1,0 +1,16 @@
+-- The circle has no velocity yet
+--
+-- Your circle starts with the velocity (0, 0) m/s, as the scene has left it, so it stays at $x =
+-- -2$ m however long you wait. Without a force nothing changes a velocity: what a circle shall
+-- start with has to be said once, before the first step. Look at what `on_load` does.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s.
+
+-- Runs once, when the scene is in place.
+function on_load()
+end
+
+-- Runs every step; timestep is how long the step lasts.
+function on_update(timestep)
+  circle1.position = circle1.position + circle1.velocity * timestep
+end

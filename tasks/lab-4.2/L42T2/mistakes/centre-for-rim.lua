@@ -1,0 +1,33 @@
+-- The circle turns when its centre is at the wall
+--
+-- Your circle turned round only when its centre had passed the wall at $x = 4$ m; by then its
+-- rim was 0.2 m outside. A wall meets a body where the body ends, and that is one radius away
+-- from the centre. Look at what you compare with the walls.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s.
+
+-- Runs once, when the scene is in place.
+function on_load()
+  circle1.velocity = vec(2, 0)
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, 0
+  if (p.x - r < square.left and v.x < 0) or (p.x + r > square.right and v.x > 0) then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+  if (p.y - r < square.bottom and v.y < 0) or (p.y + r > square.top and v.y > 0) then
+    circle.position = old_position
+    circle.velocity = vec(circle.velocity.x, -circle.velocity.y)
+  end
+end
+
+-- Runs every step; timestep is how long the step lasts.
+function on_update(timestep)
+  local old_position = circle1.position
+  circle1.position = circle1.position + circle1.velocity * timestep
+  bounce_off_walls(circle1, old_position)
+end

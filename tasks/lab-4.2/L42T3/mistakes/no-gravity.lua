@@ -1,0 +1,40 @@
+-- Gravity does not act
+--
+-- After 60 steps $v_y$ is still 0 and your circle flies straight on; gravity would have made it
+-- −9.81 m/s. It needs two things: a value in m/s², and a line that lets it change the velocity
+-- in every step. Look in `on_load` for the first and in `on_update` for the second. A `local
+-- gravity` would be a variable of your own, which nothing else sees.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, -9.81)
+  circle1.velocity = vec(2, 0)
+end
+
+-- Euler: the velocity from the beginning of the step moves the circle.
+local function integrate(circle, timestep)
+  circle.position = circle.position + circle.velocity * timestep
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, circle.radius
+  if (p.x - r < square.left and v.x < 0) or (p.x + r > square.right and v.x > 0) then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+  if (p.y - r < square.bottom and v.y < 0) or (p.y + r > square.top and v.y > 0) then
+    circle.position = old_position
+    circle.velocity = vec(circle.velocity.x, -circle.velocity.y)
+  end
+end
+
+-- Runs every step.
+function on_update(timestep)
+  local old_position = circle1.position
+  integrate(circle1, timestep)
+  bounce_off_walls(circle1, old_position)
+end

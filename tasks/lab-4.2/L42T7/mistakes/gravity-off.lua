@@ -1,0 +1,46 @@
+-- Gravity is gone
+--
+-- Both circles fly straight to the right at $y = 2$ m, and $v_y$ stays 0. Without gravity all
+-- four methods agree, so nobody can see which one you chose. Switching it off is the next step;
+-- look at the value of `gravity` in `on_load` and at the lines that use it.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, 0)
+  circle1.position = vec(-2, 2)
+  circle1.velocity = vec(2, 0)
+  circle2.position = vec(-2, 2)
+  circle2.velocity = vec(2, 0)
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the circle.
+local function integrate(circle, timestep)
+  circle.velocity = circle.velocity + gravity * timestep
+  circle.position = circle.position + circle.velocity * timestep
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, circle.radius
+  if (p.x - r < square.left and v.x < 0) or (p.x + r > square.right and v.x > 0) then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+  if (p.y - r < square.bottom and v.y < 0) or (p.y + r > square.top and v.y > 0) then
+    circle.position = old_position
+    circle.velocity = vec(circle.velocity.x, -circle.velocity.y)
+  end
+end
+
+-- Runs every step.
+function on_update(timestep)
+  local old_position1 = circle1.position
+  local old_position2 = circle2.position
+  integrate(circle1, timestep)
+  integrate(circle2, timestep)
+  bounce_off_walls(circle1, old_position1)
+  bounce_off_walls(circle2, old_position2)
+end

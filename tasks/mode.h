@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/lab.h"
+
+namespace cradle {
+
+/// How a student works on a step.
+enum class Mode {
+    Explore, ///< sets the engine's laws
+    Code     ///< writes the program that moves the circles
+};
+
+/// The parts of a step's text that are for \p mode. A line "<!-- explore -->" or "<!-- code -->"
+/// begins a part for one mode, "<!-- all -->" one for both.
+[[nodiscard]] QString textFor(Mode mode, const QString &markdown);
+
+/// The step with the texts of \p mode: instructions and hints.
+[[nodiscard]] Task taskFor(Mode mode, Task task);
+
+} // namespace cradle

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/report_formats.h"
+
+#include "tasks/plain_text.h"
+#include "tasks/report_text.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Exercism takes no longer texts.
+constexpr qsizetype longestMessage = 60'000;
+constexpr qsizetype longestOutput = 500;
+
+/// The name of a file alone: where it lay in the grader says nothing to the student.
+QString fileName(const QString &program)
+{
+    return program.section(QLatin1Char('/'), -1);
+}
+
+/// CommonMark: what explains the verdict, the verdict, the remarks.
+QString overview(const CheckReport &report, const QString &program)
+{
+    QStringList parts;
+    if (report.error)
+        parts.append(QStringLiteral("```\n%1\n```").arg(explanationOf(report, program)));
+    else if (report.diagnosis)
+        parts.append(withPlainFormulas(report.diagnosis->message));
+    parts.append(verdictOf(report));
+    for (const Remark &remark : report.remarks)
+        parts.append(withPlainFormulas(remark.message));
+    return parts.join(QStringLiteral("\n\n"));
+}
+
+QString remarksOf(const CheckReport &report)
+{
+    QStringList parts;
+    for (const Remark &remark : report.remarks)
+        parts.append(plainText(remark.message, terminalColumns));
+    return parts.join(QStringLiteral("\n\n"));
+}
+
+QString statusOf(const CheckReport &report, const CheckOutcome &check)
+{
+    if (check.passed)
+        return QStringLiteral("pass");
+    return wasStopped(report, check) ? QStringLiteral("error") : QStringLiteral("fail");
+}
+
+} // namespace
+
+QByteArray writeGradescope(const CheckReport &report, const QString &program)
+{
+    const QString file = fileName(program);
+    QJsonArray tests;
+    for (const CheckOutcome &check : report.checks)
+        tests.append(QJsonObject{
+            {QStringLiteral("name"), check.title},
+            {QStringLiteral("score"), check.passed ? 1 : 0},
+            {QStringLiteral("max_score"), 1},
+            {QStringLiteral("status"),
+             check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
+            {QStringLiteral("output"),
+             check.passed ? QString() : findingsOf(report, check, file).join(QLatin1Char('\n'))},
+            {QStringLiteral("output_format"), QStringLiteral("text")}});
+    QJsonObject extra{{QStringLiteral("lab"), report.labId},
+                      {QStringLiteral("lab_hash"), report.labHash},
+                      {QStringLiteral("task"), report.taskId},
+                      {QStringLiteral("seed"), report.seed}};
+    if (report.diagnosis)
+        extra.insert(QStringLiteral("mistake"), report.diagnosis->mistake);
+    const QJsonObject json{
+        {QStringLiteral("score"), passedCount(report)},
+        {QStringLiteral("execution_time"), static_cast<double>(report.elapsedMs) / 1000.0},
+        {QStringLiteral("output"), overview(report, file)},
+        {QStringLiteral("output_format"), QStringLiteral("md")},
+        {QStringLiteral("tests"), tests},
+        {QStringLiteral("extra_data"), extra}};
+    return QJsonDocument(json).toJson();
+}
+
+QByteArray writeExercism(const CheckReport &report, const QString &program)
+{
+    const QString file = fileName(program);
+    QJsonArray tests;
+    for (std::size_t i = 0; i < report.checks.size(); ++i) {
+        const CheckOutcome &check = report.checks[i];
+        QJsonObject test{{QStringLiteral("name"), check.title},
+                         {QStringLiteral("status"), statusOf(report, check)}};
+        if (!check.passed)
+            test.insert(QStringLiteral("message"),
+                        feedbackOn(report, i, file).left(longestMessage));
+        // A message belongs to a failure; what is said of work that passes has one place, the
+        // output.
+        if (i == 0 && !report.remarks.empty())
+            test.insert(QStringLiteral("output"), remarksOf(report).left(longestOutput));
+        tests.append(test);
+    }
+    QJsonObject json{{QStringLiteral("version"), 3}, {QStringLiteral("tests"), tests}};
+    const bool nothingJudged =
+        report.error
+        && std::all_of(report.checks.begin(), report.checks.end(),
+                       [&](const CheckOutcome &check) { return wasStopped(report, check); });
+    json.insert(QStringLiteral("status"), report.passed   ? QStringLiteral("pass")
+                                          : nothingJudged ? QStringLiteral("error")
+                                                          : QStringLiteral("fail"));
+    json.insert(QStringLiteral("message"),
+                nothingJudged ? QJsonValue(explanationOf(report, file).left(longestMessage))
+                              : QJsonValue(QJsonValue::Null));
+    return QJsonDocument(json).toJson();
+}
+
+} // namespace cradle

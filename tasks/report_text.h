@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+
+namespace cradle {
+
+/// Letters in a line of a terminal.
+inline constexpr int terminalColumns = 80;
+
+/// The report as lines for a terminal of 80 columns: the diagnosis or what stopped the program,
+/// every check, remarks, the verdict.
+/// \param program  the name of the program's file, for "FILE:LINE"
+[[nodiscard]] QString describeReport(const CheckReport &report, const QString &program = {});
+
+/// "syntax", "runtime", "time" or "memory".
+[[nodiscard]] QString kindName(ProgramError::Kind kind);
+
+/// "FILE:LINE: message", with "lab.lua" for a program without a name.
+[[nodiscard]] QString placedMessage(const ProgramError &error, const QString &program);
+
+/// Whether a check has no verdict because the program stopped.
+[[nodiscard]] bool wasStopped(const CheckReport &report, const CheckOutcome &check);
+
+/// What a failed check found, where: its message (where the program stopped, with its place), the
+/// scene if it is not the student's own, and the line of the program. One text for each.
+[[nodiscard]] QStringList findingsOf(const CheckReport &report, const CheckOutcome &check,
+                                     const QString &program);
+
+/// What explains the whole verdict: the diagnosis, or what stopped the program; as plain text.
+/// Empty if nothing does.
+[[nodiscard]] QString explanationOf(const CheckReport &report, const QString &program);
+
+/// What the student reads of check \p index: the explanation where it is the first that failed,
+/// then its findings. Empty if it passed.
+[[nodiscard]] QString feedbackOn(const CheckReport &report, std::size_t index,
+                                 const QString &program);
+
+/// How many checks passed.
+[[nodiscard]] int passedCount(const CheckReport &report);
+
+/// "L42T5 passed", or why not.
+[[nodiscard]] QString verdictOf(const CheckReport &report);
+
+} // namespace cradle

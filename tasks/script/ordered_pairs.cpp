@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/ordered_pairs.h"
+
+#include "tasks/script/sandbox.h"
+#include "tasks/script/script_host.h"
+#include "tasks/script/vector_binding.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace cradle {
+
+namespace {
+
+struct PairsText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+/// Instructions that a key counts: what Lua's own loop takes, and a share of sorting.
+constexpr qint64 instructionsPerKey = 10;
+
+struct Key {
+    enum class Rank { Integer, Number, Text, Other };
+
+    Rank rank = Rank::Other;
+    lua_Integer integer = 0;
+    double number = 0.0;
+    std::string_view text{}; ///< of Lua's; the list of keys keeps it
+    lua_Integer slot = 0;    ///< in the list of keys as Lua gave them
+
+    friend bool operator<(const Key &a, const Key &b)
+    {
+        if (a.rank != b.rank)
+            return a.rank < b.rank;
+        switch (a.rank) {
+        case Rank::Integer:
+            return a.integer < b.integer;
+        case Rank::Number:
+            return a.number < b.number;
+        case Rank::Text:
+            return a.text < b.text;
+        case Rank::Other:
+            break;
+        }
+        return a.slot < b.slot;
+    }
+};
+
+Key keyAt(lua_State *L, int index, lua_Integer slot)
+{
+    Key key;
+    key.slot = slot;
+    if (lua_isinteger(L, index)) {
+        key.rank = Key::Rank::Integer;
+        key.integer = lua_tointeger(L, index);
+    } else if (lua_type(L, index) == LUA_TNUMBER) {
+        key.rank = Key::Rank::Number;
+        key.number = lua_tonumber(L, index);
+    } else if (lua_type(L, index) == LUA_TSTRING) {
+        key.rank = Key::Rank::Text;
+        std::size_t size = 0;
+        const char *text = lua_tolstring(L, index, &size);
+        key.text = {text, size};
+    }
+    return key;
+}
+
+/// The next key that still has a value, with the value. Upvalues: the keys in order, and the place
+/// of the last.
+int nextPair(lua_State *L)
+{
+    lua_Integer place = lua_tointeger(L, lua_upvalueindex(2));
+    lua_settop(L, 1);
+    for (;;) {
+        lua_settop(L, 1);
+        if (lua_rawgeti(L, lua_upvalueindex(1), ++place) == LUA_TNIL)
+            return 1;
+        lua_pushvalue(L, -1);
+        if (lua_rawget(L, 1) != LUA_TNIL)
+            break;
+    }
+    lua_pushinteger(L, place);
+    lua_replace(L, lua_upvalueindex(2));
+    return 2;
+}
+
+} // namespace
+
+int orderedPairs(lua_State *L)
+{
+    checkTime(L);
+    lua_settop(L, 1);
+    if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
+        lua_pushvalue(L, 1);
+        lua_call(L, 1, 3);
+        return 3;
+    }
+    if (lua_type(L, 1) != LUA_TTABLE)
+        raise(L,
+              PairsText::tr("pairs goes through a table or circles, not %1").arg(nameValue(L, 1)));
+    std::vector<Key> keys;
+    lua_newtable(L); // as Lua gives them
+    lua_pushnil(L);
+    while (lua_next(L, 1) != 0) {
+        lua_pop(L, 1);
+        keys.push_back(keyAt(L, -1, static_cast<lua_Integer>(keys.size()) + 1));
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, 2, keys.back().slot);
+    }
+    charge(L, instructionsPerKey * static_cast<qint64>(keys.size()));
+    if (!std::is_sorted(keys.begin(), keys.end())) {
+        std::sort(keys.begin(), keys.end());
+        lua_createtable(L, static_cast<int>(keys.size()), 0); // in order
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            lua_rawgeti(L, 2, keys[i].slot);
+            lua_rawseti(L, 3, static_cast<lua_Integer>(i) + 1);
+        }
+    }
+    lua_pushinteger(L, 0);
+    lua_pushcclosure(L, nextPair, 2);
+    lua_pushvalue(L, 1);
+    lua_pushnil(L);
+    return 3;
+}
+
+} // namespace cradle
