@@ -181,6 +181,7 @@ void MainWindow::wireWorkbench()
     connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
     connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
+    connect(m_taskPane, &TaskPane::solutionRequested, m_code, &CodePane::solutionRequested);
 }
 
 void MainWindow::wireViews()
@@ -265,6 +266,8 @@ void MainWindow::titleTabs()
 
 void MainWindow::showReport()
 {
+    m_taskPane->setOffersSolution(m_workbench.mode() == Mode::Code
+                                  && m_workbench.mayShowSolution());
     m_taskPane->setReport(m_workbench.report());
     m_desk->showReport();
     std::vector<Timeline::Mark> marks;

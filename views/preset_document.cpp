@@ -87,8 +87,8 @@ void PresetDocument::leave()
     if (!m_own)
         return;
     const Preset own = *std::exchange(m_own, std::nullopt);
-    m_simulation.setPreset(own);
     emit visitingChanged(false);
+    m_simulation.setPreset(own);
 }
 
 void PresetDocument::resetToOriginal()

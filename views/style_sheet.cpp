@@ -30,6 +30,7 @@ QFrame[kind="warningCard"] {
 QLabel[kind="heading"], QLabel[kind="muted"] { color: @mutedText; }
 QLabel[kind="warning"] { color: @warning; }
 QLabel[kind="warningTitle"] { color: @warning; font-weight: 600; }
+QLabel[kind="cardTitle"] { font-weight: 600; }
 QLabel[kind="successTitle"] { color: @success; font-weight: 600; }
 QLabel[kind="success"] { color: @success; }
 QProgressBar { border: none; border-radius: 2px; background: @border; max-height: 4px; }

@@ -8,6 +8,7 @@
 #include "views/charts/number_table.h"
 #include "views/charts/number_text.h"
 #include "views/charts/sentence_label.h"
+#include "views/charts/table_text.h"
 #include "views/charts/values_model.h"
 #include "views/theme.h"
 
@@ -23,7 +24,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <numeric>
 
 namespace cradle {
 
@@ -32,26 +32,6 @@ namespace {
 constexpr int cellPad = 10;    ///< px left and right of a number together
 constexpr int massPlaces = 7;  ///< characters of a mass
 constexpr int fittedRows = 64; ///< the columns of the hits fit these many of them
-
-/// The cells of \p rows × \p columns as lines with tabs.
-QString tabbed(const QAbstractItemModel &model, const QList<int> &rows, const QList<int> &columns)
-{
-    QStringList lines;
-    for (const int row : rows) {
-        QStringList cells;
-        for (const int column : columns)
-            cells.append(model.index(row, column).data().toString().replace(QChar(0x2212), u'-'));
-        lines.append(cells.join(u'\t'));
-    }
-    return lines.join(u'\n') + u'\n';
-}
-
-QList<int> upTo(int count)
-{
-    QList<int> all(count);
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-}
 
 } // namespace
 
@@ -102,7 +82,7 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     connect(m_copyAllAction, &QAction::triggered, this, &ValuesPane::copyAll);
     connect(m_hits, &QTableView::clicked, this, &ValuesPane::seekHit);
     connect(m_hits, &QTableView::activated, this, &ValuesPane::seekHit);
-    connect(m_tabs, &QTabWidget::currentChanged, m_throttle, &FrameThrottle::request);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &ValuesPane::showTab);
     connect(m_throttle, &FrameThrottle::due, this, &ValuesPane::refresh);
     connect(m_valuesModel, &QAbstractItemModel::modelReset, this, &ValuesPane::fitValues);
     connect(m_hitsModel, &QAbstractItemModel::modelReset, this, [this] { m_fittedHits = 0; });
@@ -113,6 +93,42 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
 void ValuesPane::addTab(QWidget *widget, const QString &title)
 {
     m_tabs->addTab(widget, title);
+    m_added.push_back({widget, title});
+    connect(widget, &QWidget::windowTitleChanged, this,
+            [this, widget](const QString &changed) { setTabTitle(widget, changed); });
+}
+
+void ValuesPane::setTabTitle(QWidget *widget, const QString &title)
+{
+    for (Tab &tab : m_added) {
+        if (tab.widget == widget) {
+            tab.title = title;
+            showTitle(tab);
+        }
+    }
+}
+
+void ValuesPane::markTab(QWidget *widget, bool marked)
+{
+    for (Tab &tab : m_added) {
+        if (tab.widget == widget) {
+            tab.marked = marked && m_tabs->currentWidget() != widget;
+            showTitle(tab);
+        }
+    }
+}
+
+void ValuesPane::showTitle(const Tab &tab)
+{
+    const int index = m_tabs->indexOf(tab.widget);
+    m_tabs->setTabText(index,
+                       tab.marked ? tr("%1 •", "a tab with news").arg(tab.title) : tab.title);
+}
+
+void ValuesPane::showTab(int index)
+{
+    markTab(m_tabs->widget(index), false);
+    m_throttle->request();
 }
 
 QTableView *ValuesPane::shownTable() const
@@ -201,39 +217,15 @@ void ValuesPane::fitHeights()
 void ValuesPane::copySelection()
 {
     const QTableView *table = shownTable();
-    QList<int> rows;
-    QList<int> columns;
-    for (const QModelIndex &index : table->selectionModel()->selectedIndexes()) {
-        rows.append(index.row());
-        columns.append(index.column());
-    }
-    for (QList<int> *list : {&rows, &columns}) {
-        std::sort(list->begin(), list->end());
-        list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    if (!rows.isEmpty())
-        QGuiApplication::clipboard()->setText(tabbed(*table->model(), rows, columns));
+    const QString text = textOfCells(*table->model(), table->selectionModel()->selectedIndexes());
+    if (!text.isEmpty())
+        QGuiApplication::clipboard()->setText(text);
 }
 
 void ValuesPane::copyAll()
 {
-    const QTableView *table = shownTable();
-    const QAbstractItemModel &model = *table->model();
-    const auto header = [&model](int i, Qt::Orientation direction, int role = Qt::DisplayRole) {
-        return model.headerData(i, direction, role).toString();
-    };
-    QString text = tr("number");
-    for (int column = 0; column < model.columnCount(); ++column) {
-        const QString unit = header(column, Qt::Horizontal, ValuesModel::unitRole);
-        text += u'\t' + header(column, Qt::Horizontal);
-        if (!unit.isEmpty())
-            text += QStringLiteral(" (%1)").arg(unit);
-    }
-    text += u'\n';
-    const QList<int> columns = upTo(model.columnCount());
-    for (const int row : upTo(model.rowCount()))
-        text += header(row, Qt::Vertical) + u'\t' + tabbed(model, {row}, columns);
-    QGuiApplication::clipboard()->setText(text);
+    QGuiApplication::clipboard()->setText(
+        textOfTable(*shownTable()->model(), ValuesModel::unitRole, tr("number")));
 }
 
 void ValuesPane::seekHit(const QModelIndex &index)

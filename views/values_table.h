@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 QT_BEGIN_NAMESPACE
 class QAction;
 class QLabel;
@@ -27,9 +29,14 @@ class ValuesPane final : public QWidget
 public:
     explicit ValuesPane(const Simulation &simulation, QWidget *parent = nullptr);
 
-    /// Adds \p widget as one more tab (the console).
+    /// Adds \p widget as one more tab (the console). The title follows the widget's window title
+    /// when that changes, with the language.
     void addTab(QWidget *widget, const QString &title);
-    /// For one more tab's title and for showing it.
+    void setTabTitle(QWidget *widget, const QString &title);
+    /// Puts a mark behind the title of the tab of \p widget, if that is not the one shown: there is
+    /// something to see. It goes when the tab is shown, or with \p marked false.
+    void markTab(QWidget *widget, bool marked);
+    /// For showing one more tab.
     [[nodiscard]] QTabWidget &tabs() { return *m_tabs; }
     [[nodiscard]] QString hitSentence() const;
     [[nodiscard]] QSize sizeHint() const override { return {344, 240}; }
@@ -46,6 +53,15 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    /// A tab that was added.
+    struct Tab {
+        QWidget *widget;
+        QString title;
+        bool marked = false;
+    };
+
+    void showTab(int index);
+    void showTitle(const Tab &tab);
     void refresh();
     void refreshValues();
     void refreshHits();
@@ -66,6 +82,7 @@ private:
     QAction *m_copyAction;
     QAction *m_copyAllAction;
     FrameThrottle *m_throttle;
+    std::vector<Tab> m_added;
     int m_fittedHits = 0; ///< rows whose texts the columns were fitted to
 };
 

@@ -6,6 +6,7 @@
 #include "app/cli/simulate_tables.h"
 #include "model/inferred_hits.h"
 #include "model/stepper.h"
+#include "tasks/plain_text.h"
 #include "tasks/report_text.h"
 #include "tasks/script/student_script.h"
 
@@ -105,7 +106,7 @@ private:
     }
 
     /// On standard error, so that a table may go to standard output.
-    void print() { QTextStream(stderr) << m_program->takeOutput().text; }
+    void print() { QTextStream(stderr) << printable(m_program->takeOutput().text); }
 
     const SimulateRequest &m_request;
     Preset m_scene; ///< what the program made of the preset

@@ -83,8 +83,11 @@ void ChartPane::setWindow(Window window)
 
 void ChartPane::setTexts(const QString &heading, const QString &unit, const QString &empty)
 {
-    m_heading->setText(tr("%1 · %2", "heading · unit").arg(heading.toUpper(), unit));
-    m_plot->setAccessibleName(tr("%1 over time, %2").arg(heading, unit));
+    const QString capitals = heading.toUpper();
+    m_heading->setText(unit.isEmpty() ? capitals
+                                      : tr("%1 · %2", "heading · unit").arg(capitals, unit));
+    m_plot->setAccessibleName(unit.isEmpty() ? tr("%1 over time").arg(heading)
+                                             : tr("%1 over time, %2").arg(heading, unit));
     m_emptyText = empty;
 }
 
@@ -141,11 +144,16 @@ QString ChartPane::nameOf(std::size_t circle) const
     return name.isEmpty() ? tr("circle %1").arg(circle + 1) : name;
 }
 
-void ChartPane::redraw()
+bool ChartPane::readRun()
 {
     m_curves.update();
+    return m_simulation.recording().last() > 0;
+}
+
+void ChartPane::redraw()
+{
     const Recording &recording = m_simulation.recording();
-    if (recording.last() == 0) {
+    if (!readRun()) {
         m_plot->showEmpty(m_emptyText);
         return;
     }

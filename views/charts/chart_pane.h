@@ -38,12 +38,16 @@ protected:
     /// \param curves  shared by the charts; outlives this one
     ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *parent);
 
+    /// Reads what is new of the run. \return whether there is something to draw
+    [[nodiscard]] virtual bool readRun();
     /// What is drawn at this moment, the most important first.
     [[nodiscard]] virtual std::vector<ChartCurve> curves() const = 0;
     /// The scale of the run, in the unit of the chart.
     [[nodiscard]] virtual double scale() const = 0;
     /// Sets all texts anew; called by the constructors of the charts and on a change of language.
     virtual void retranslate();
+    /// \param unit  empty where there is none
+    /// \param empty  what to do where there is nothing to draw
     void setTexts(const QString &heading, const QString &unit, const QString &empty);
     /// Puts \p selector on the line of the heading, left of the window's buttons.
     void addSelector(QWidget *selector);

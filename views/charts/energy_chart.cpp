@@ -20,13 +20,18 @@ constexpr double totalWidth = 3.0; ///< px; another curve on top of it leaves an
 constexpr double leastLoss = 1e-9;
 /// With more circles their totals would be a tangle.
 constexpr std::size_t mostCompared = 4;
+constexpr std::size_t mostComparedByProgram = 3;
 
-/// Whether the scene is there to compare what integrators make of the energy.
-bool comparesIntegrators(const Preset &preset)
+/// Whether the run is there to compare what becomes of the energy of circles that fall: by other
+/// integrators, or by a program, which may move each in another way.
+bool comparesCircles(const Simulation &simulation)
 {
+    const Preset &preset = simulation.preset();
     const auto &circles = preset.circles;
     if (circles.size() < 2 || circles.size() > mostCompared || preset.gravity == Vec2{})
         return false;
+    if (simulation.hasProgram())
+        return circles.size() <= mostComparedByProgram;
     return std::any_of(circles.begin(), circles.end(), [&](const PresetCircle &circle) {
         return circle.integrator != circles.front().integrator;
     });
@@ -64,7 +69,7 @@ void EnergyChart::setShown(Choice choice, bool shown)
 
 void EnergyChart::showDefaults()
 {
-    const bool compares = comparesIntegrators(simulation().preset());
+    const bool compares = comparesCircles(simulation());
     const auto suggest = [this](Choice choice, bool shown) {
         if (!m_isChosen[choice])
             m_actions[choice]->setChecked(shown);
@@ -75,6 +80,23 @@ void EnergyChart::showDefaults()
         suggest(choice, compares);
     suggest(KineticOfEach, !compares);
     suggest(Kinetic, false);
+    nameMade();
+}
+
+void EnergyChart::nameMade()
+{
+    QAction *action = m_actions[ByIntegrator];
+    if (simulation().hasProgram()) {
+        action->setText(tr("By the pro&gram"));
+        action->setToolTip(
+            tr("Energy made by the program besides the hits, or lost if negative: total + "
+               "dissipated in hits − total at the start."));
+    } else {
+        action->setText(tr("By the &integrator"));
+        action->setToolTip(tr("Energy made by the integrator, or lost if negative: total + "
+                              "dissipated in hits − total at the start. So start = total + "
+                              "dissipated − made by the integrator."));
+    }
 }
 
 bool EnergyChart::isShown(Choice choice) const
@@ -95,10 +117,7 @@ void EnergyChart::retranslate()
     m_actions[Kinetic]->setText(tr("&Kinetic, all circles"));
     m_actions[Potential]->setText(tr("&Potential"));
     m_actions[Dissipated]->setText(tr("&Dissipated in hits"));
-    m_actions[ByIntegrator]->setText(tr("By the &integrator"));
-    m_actions[ByIntegrator]->setToolTip(
-        tr("Energy made by the integrator, or lost if negative: total + dissipated in hits − total "
-           "at the start. So start = total + dissipated − made by the integrator."));
+    nameMade();
     m_button->updateGeometry();
 }
 
@@ -170,11 +189,12 @@ void EnergyChart::addLosses(std::vector<ChartCurve> &all) const
                        .dash = Qt::DashDotLine,
                        .samples = &run.dissipated()});
     if (isShown(ByIntegrator))
-        all.push_back({.label = tr("by the integrator"),
-                       .showsValue = true,
-                       .colour = theme().mutedText,
-                       .dash = Qt::DashDotDotLine,
-                       .samples = &run.made()});
+        all.push_back(
+            {.label = simulation().hasProgram() ? tr("by the program") : tr("by the integrator"),
+             .showsValue = true,
+             .colour = theme().mutedText,
+             .dash = Qt::DashDotDotLine,
+             .samples = &run.made()});
 }
 
 } // namespace cradle

@@ -11,7 +11,8 @@ QT_END_NAMESPACE
 namespace cradle {
 
 /// The energies of a run over time: kinetic, potential, total, what hits dissipated, and what the
-/// integrator made. Where a few circles fall by different integrators each has a total of its own.
+/// integrator or the program made. Where a few circles fall by different integrators, or by a
+/// program, each has a total of its own.
 class EnergyChart final : public ChartPane
 {
     Q_OBJECT
@@ -43,6 +44,7 @@ private:
     void addKinetics(std::vector<ChartCurve> &all) const;
     void addLosses(std::vector<ChartCurve> &all) const;
     void showDefaults();
+    void nameMade();
 
     QuietButton *m_button;
     std::array<QAction *, ChoiceCount> m_actions{};

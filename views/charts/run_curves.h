@@ -43,8 +43,8 @@ public:
     [[nodiscard]] const MinMaxPyramid &total() const { return m_sum.total; }
     /// Kinetic energy that hits have taken since the start, J.
     [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_dissipated; }
-    /// Energy that the integrator has made since the start, J; negative if it lost some:
-    /// total + dissipated in hits − total at the start.
+    /// Energy that the integrator or the program has made since the start, J; negative if it lost
+    /// some: total + dissipated in hits − total at the start.
     [[nodiscard]] const MinMaxPyramid &made() const { return m_made; }
     /// The greatest |p| of any circle or of all, kg m/s: the scale of the run.
     [[nodiscard]] double momentumScale() const;

@@ -3,8 +3,10 @@
 #include "views/scene/scene_builder.h"
 
 #include "model/simulation.h"
+#include "views/scene/ghost.h"
 #include "views/scene/handles.h"
 #include "views/scene/hit_parts.h"
+#include "views/scene/program_drawings.h"
 #include "views/scene/scene_labels.h"
 #include "views/theme.h"
 
@@ -208,7 +210,7 @@ void placeLabels(SceneDraft &draft, const SceneLook &look)
     for (LabelWish &wish : draft.wishes) {
         if (wish.atAnchor && layout.placeThere(wish.label))
             continue;
-        if (wish.atAnchor) {
+        if (wish.atAnchor && !wish.label.plate) {
             wish.label.colour = theme().text;
             wish.label.plate = true;
         }
@@ -234,6 +236,7 @@ SceneMoment::SceneMoment(const Simulation &simulation)
     : SceneMoment(simulation.preset(), simulation.recording(), simulation.current(),
                   simulation.isRunning())
 {
+    drawings = simulation.notes().drawings(recording.step(current));
 }
 
 DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, const SceneLook &look)
@@ -282,7 +285,14 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
     }
     if (look.refused)
         addRefused(list, *look.refused, moment);
+    addGhost(list, circles, moment.ghost, colours, look.camera);
+    const auto drawings = options.programDrawings ? moment.drawings : std::span<const Drawing>{};
+    addDrawnTexts(draft, drawings, look.camera);
+    if (drawings.size() <= manyDrawings)
+        addDrawnShapes(list, drawings, look.camera);
     placeLabels(draft, look);
+    if (drawings.size() > manyDrawings)
+        addDrawnShapes(list, drawings, look.camera);
     return list;
 }
 

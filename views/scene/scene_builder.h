@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/program.h"
 #include "model/recording.h"
 #include "views/scene/camera.h"
 #include "views/scene/draw_list.h"
@@ -10,6 +11,7 @@
 #include <QRectF>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cradle {
@@ -18,11 +20,12 @@ class Simulation;
 
 /// What the scene shows besides circles and square.
 struct SceneOptions {
-    bool velocities = true; ///< an arrow at each circle
-    bool trails = true;     ///< the way of the last 1.5 s, fading
-    bool grid = true;       ///< lines 1 m apart
-    bool names = true;      ///< a number or a name at each circle
-    bool hitParts = true;   ///< at a hit: the normal, velocities before and after, the parts
+    bool velocities = true;      ///< an arrow at each circle
+    bool trails = true;          ///< the way of the last 1.5 s, fading
+    bool grid = true;            ///< lines 1 m apart
+    bool names = true;           ///< a number or a name at each circle
+    bool hitParts = true;        ///< at a hit: the normal, velocities before and after, the parts
+    bool programDrawings = true; ///< what the program draws in the step
 
     friend bool operator==(const SceneOptions &, const SceneOptions &) = default;
 };
@@ -33,6 +36,8 @@ struct SceneMoment {
     const Recording &recording;
     qint64 current; ///< index into the recording
     bool running;   ///< hits then fade instead of staying while their step is shown
+    std::span<const Drawing> drawings{}; ///< of a program, in this step
+    std::vector<Circle> ghost{};         ///< where another run has the circles; empty: none
 
     SceneMoment(const Preset &scene, const Recording &run, qint64 index, bool isRunning);
     explicit SceneMoment(const Simulation &simulation);

@@ -16,6 +16,7 @@ namespace cradle {
 namespace {
 
 constexpr double margin = 8.0;   ///< px between chips and the edge of the scene
+constexpr double rowGap = 4.0;   ///< px between chips in one corner
 constexpr double rounding = 4.0; ///< px
 constexpr QSizeF padding{8.0, 4.0};
 constexpr double widestChip = 480.0;
@@ -69,7 +70,8 @@ QRectF chipRect(const Chip &chip, QSizeF viewport, const QFont &font)
     QPointF corner;
     switch (chip.place) {
     case Chip::Place::TopRight:
-        corner = {viewport.width() - margin - size.width(), margin};
+        corner = {viewport.width() - margin - size.width(),
+                  margin + chip.row * (size.height() + rowGap)};
         break;
     case Chip::Place::Bottom:
         corner = {(viewport.width() - size.width()) / 2,

@@ -25,6 +25,7 @@ struct Chip {
     Place place = Place::TopRight;
     QString text{};
     bool warning = false;
+    int row = 0;       ///< at the top right, one below the other
     QPointF pointer{}; ///< px; Pointer stands beside it, Bottom goes to the top for a low one
 
     friend bool operator==(const Chip &, const Chip &) = default;

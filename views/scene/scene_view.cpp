@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_view.h"
 
+#include "views/scene/ghost.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/raster_painter.h"
 
@@ -110,6 +111,13 @@ void SceneView::setOptions(const SceneOptions &options)
     refresh();
 }
 
+void SceneView::setGhost(std::shared_ptr<const Recording> ghost, const QString &label)
+{
+    m_ghost = std::move(ghost);
+    m_ghostLabel = label;
+    refresh();
+}
+
 void SceneView::refresh()
 {
     m_stale = true;
@@ -136,10 +144,11 @@ const ScenePicture &SceneView::picture()
     const Simulation &simulation = m_document.simulation();
     const bool grips = simulation.atStart() && m_options.velocities;
     SceneLook look{m_camera, font(), m_editor.selected(), m_hovered.index, grips, m_refused, {}};
-    std::vector<Chip> shown = chips();
+    const SceneMoment seen = moment();
+    std::vector<Chip> shown = chips(seen);
     for (const Chip &chip : shown)
         look.reserved.push_back(chipRect(chip, m_camera.viewport(), font()));
-    m_picture = {.list = buildScene(SceneMoment(simulation), m_options, look),
+    m_picture = {.list = buildScene(seen, m_options, look),
                  .camera = m_camera,
                  .font = font(),
                  .chips = std::move(shown),
@@ -147,23 +156,47 @@ const ScenePicture &SceneView::picture()
     return m_picture;
 }
 
-std::vector<Chip> SceneView::chips() const
+SceneMoment SceneView::moment() const
+{
+    SceneMoment moment(m_document.simulation());
+    if (m_ghost)
+        moment.ghost = circlesAt(*m_ghost, moment.recording.time(moment.current));
+    return moment;
+}
+
+QString SceneView::ghostText(const SceneMoment &moment) const
+{
+    if (moment.ghost.empty())
+        return {};
+    const auto circles = moment.recording.circles(moment.current);
+    const double apart = greatestDistance(circles, moment.ghost);
+    return tr("ghost: %1 · %2 m apart")
+        .arg(m_ghostLabel, QString::number(apart, apart < 1000.0 ? 'f' : 'g', 3));
+}
+
+std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
 {
     std::vector<Chip> chips;
-    const Recording &recording = m_document.simulation().recording();
+    const Recording &recording = moment.recording;
+    if (const QString text = ghostText(moment); !text.isEmpty())
+        chips.push_back({.text = text});
     if (recording.hasDropped()) {
         const int seconds = static_cast<int>(std::lround(recording.time(recording.first())));
-        chips.push_back(
-            {Chip::Place::TopRight, seconds < 60 ? tr("first %1 s dropped").arg(seconds)
-                                                 : tr("first %1 min dropped").arg(seconds / 60)});
+        chips.push_back({.text = seconds < 60 ? tr("first %1 s dropped").arg(seconds)
+                                              : tr("first %1 min dropped").arg(seconds / 60),
+                         .row = static_cast<int>(chips.size())});
     }
     if (m_editor.circleCount() == 0)
         chips.push_back(
             {Chip::Place::Centre, tr("Add a circle: Edit → Add circle (Ctrl+Shift+N)")});
     if (!m_dragValue.isEmpty())
-        chips.push_back({Chip::Place::Pointer, m_dragValue, m_refused.has_value(), m_press.last});
+        chips.push_back({.place = Chip::Place::Pointer,
+                         .text = m_dragValue,
+                         .warning = m_refused.has_value(),
+                         .pointer = m_press.last});
     if (const QString &text = m_refusal.isEmpty() ? m_notice : m_refusal; !text.isEmpty())
-        chips.push_back({Chip::Place::Bottom, text, true, m_press.last});
+        chips.push_back(
+            {.place = Chip::Place::Bottom, .text = text, .warning = true, .pointer = m_press.last});
     return chips;
 }
 
@@ -190,6 +223,8 @@ void SceneView::describe()
         parts << tr("and %n more", nullptr, static_cast<int>(circles.size() - mostDescribed));
     if (m_editor.selected() >= 0)
         parts << tr("selected: %1").arg(circleName(m_document.preset(), m_editor.selected()));
+    if (const QString ghost = ghostText(moment()); !ghost.isEmpty())
+        parts << ghost;
     if (!m_notice.isEmpty())
         parts << m_notice;
     const QString text = circles.empty() ? tr("No circles") : parts.join(QStringLiteral("; "));
@@ -203,8 +238,7 @@ QImage SceneView::renderToImage(QSize size, qreal dpr) const
     image.setDevicePixelRatio(dpr);
     ScenePicture picture{.camera = m_camera, .font = font()};
     picture.camera.resize(size);
-    picture.list = buildScene(SceneMoment(m_document.simulation()), m_options,
-                              {.camera = picture.camera, .font = font()});
+    picture.list = buildScene(moment(), m_options, {.camera = picture.camera, .font = font()});
     QPainter painter(&image);
     paintShapes(painter, picture.list, picture.camera);
     paintOverlay(painter, picture);

@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <memory>
+
 namespace cradle {
 
 /// What draws the scene.
@@ -40,6 +42,10 @@ public:
 
     void setOptions(const SceneOptions &options);
     [[nodiscard]] const SceneOptions &options() const { return m_options; }
+    /// Shows another run of the same scene beside this one, at the same moment: the outline of each
+    /// circle where it would be, how far apart they are, and \p label, a word for what it is.
+    /// \param ghost  null: none
+    void setGhost(std::shared_ptr<const Recording> ghost, const QString &label);
     [[nodiscard]] int selected() const { return m_editor.selected(); }
     [[nodiscard]] const Camera &camera() const { return m_camera; }
     /// What is shown now.
@@ -99,7 +105,9 @@ private:
     void followPreset();
     void describe();
     void notice(const QString &text);
-    [[nodiscard]] std::vector<Chip> chips() const;
+    [[nodiscard]] SceneMoment moment() const; ///< that is shown, with its ghost
+    [[nodiscard]] QString ghostText(const SceneMoment &moment) const;
+    [[nodiscard]] std::vector<Chip> chips(const SceneMoment &moment) const;
     [[nodiscard]] Handle handleUnder(QPointF pixel) const;
     void setHovered(Handle handle);
     void beginMove();
@@ -110,6 +118,8 @@ private:
     PresetDocument &m_document;
     SceneEditor m_editor;
     SceneOptions m_options;
+    std::shared_ptr<const Recording> m_ghost;
+    QString m_ghostLabel;
     Camera m_camera;
     QPointer<QWidget> m_canvas; ///< child; none while it is being changed
     Renderer m_renderer = Renderer::Automatic;

@@ -57,6 +57,7 @@ QPushButton *makeMomentLink()
 
 CheckRow::CheckRow(const CheckOutcome &outcome, QWidget *parent)
     : QWidget(parent)
+    , m_outcome(outcome)
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -122,8 +123,11 @@ void CheckRow::mousePressEvent(QMouseEvent *event)
 
 void CheckRow::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (m_expand && event->button() == Qt::LeftButton && rect().contains(event->pos()))
-        m_expand->toggle();
+    if (!m_expand || event->button() != Qt::LeftButton || !rect().contains(event->pos()))
+        return;
+    m_expand->toggle();
+    if (m_expand->isChecked() && hasMoment(m_outcome))
+        emit showMoment(m_outcome);
 }
 
 } // namespace cradle

@@ -19,7 +19,7 @@ namespace cradle {
 [[nodiscard]] QPushButton *makeMomentLink();
 
 /// One check of a report: a tick or a ring, its title, and if it failed what was observed, shown
-/// on a click.
+/// on a click, which also leads to the moment.
 class CheckRow final : public QWidget
 {
     Q_OBJECT
@@ -36,6 +36,7 @@ protected:
 private:
     void addObserved(const CheckOutcome &outcome);
 
+    CheckOutcome m_outcome;
     QToolButton *m_expand = nullptr; ///< of a failed check
 };
 

@@ -5,6 +5,7 @@
 #include "views/formula_renderer.h"
 #include "views/icons.h"
 #include "views/markdown_view.h"
+#include "views/task_pane/growing_text.h"
 #include "views/theme.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -22,20 +23,6 @@
 namespace cradle {
 
 namespace {
-
-/// Makes \p view as high as its text, so that what is around it scrolls.
-void growWithText(QTextBrowser *view)
-{
-    view->setFrameShape(QFrame::NoFrame);
-    view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    view->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    QObject::connect(view->document()->documentLayout(),
-                     &QAbstractTextDocumentLayout::documentSizeChanged, view,
-                     [view](const QSizeF &size) {
-                         view->setFixedHeight(static_cast<int>(std::ceil(size.height())) + 2);
-                     });
-}
 
 } // namespace
 

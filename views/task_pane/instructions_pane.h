@@ -26,6 +26,8 @@ public:
 
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
+    /// Sets formulas; for other views that live no longer than this one.
+    [[nodiscard]] FormulaRenderer *renderer() const { return m_renderer; }
     [[nodiscard]] int hintsOpened() const { return m_opened; }
 
 signals:

@@ -5,6 +5,7 @@
 #include "views/icons.h"
 #include "views/task_pane/check_row.h"
 #include "views/task_pane/message_text.h"
+#include "views/task_pane/result_cards.h"
 #include "views/theme.h"
 
 #include <QClipboard>
@@ -27,8 +28,9 @@ constexpr double staleOpacity = 0.6;
 
 } // namespace
 
-ResultPane::ResultPane(QWidget *parent)
+ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     : QWidget(parent)
+    , m_renderer(renderer)
 {
     m_heading = new QLabel(this);
     m_heading->setFont(headingFont());
@@ -75,6 +77,14 @@ void ResultPane::setStale(bool stale)
     if (stale == m_stale)
         return;
     m_stale = stale;
+    rebuild();
+}
+
+void ResultPane::setOffersSolution(bool offers)
+{
+    if (offers == m_offersSolution)
+        return;
+    m_offersSolution = offers;
     rebuild();
 }
 
@@ -145,24 +155,33 @@ void ResultPane::addFailure(QVBoxLayout *column)
     const auto &checks = m_report->checks;
     const auto failed = std::find_if(checks.begin(), checks.end(),
                                      [](const CheckOutcome &check) { return !check.passed; });
-    if (failed != checks.end()) {
-        auto *card = new QFrame;
-        setKind(card, "warningCard");
-        auto *inner = new QVBoxLayout(card);
-        inner->setContentsMargins(12, 8, 12, 8);
-        inner->setSpacing(4);
-        addText(inner, tr("Not yet: %1").arg(withUnits(failed->title)), "warningTitle");
-        addText(inner, asSentence(failed->message), "plain")
-            ->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        if (hasMoment(*failed)) {
+    if (m_report->error) {
+        addCard(column, "warningCard", describeError(*m_report->error), m_renderer);
+    } else if (failed != checks.end()) {
+        const auto diagnosed = std::find_if(checks.begin(), checks.end(), [this](const auto &check) {
+            return m_report->diagnosis && check.id == m_report->diagnosis->check;
+        });
+        const CheckOutcome &shown = diagnosed == checks.end() ? *failed : *diagnosed;
+        QVBoxLayout *card = addCard(column, "warningCard", headedText(shown), m_renderer);
+        if (m_report->diagnosis)
+            addText(card, asSentence(shown.message), "muted")
+                ->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        if (hasMoment(shown)) {
             QPushButton *link = makeMomentLink();
-            inner->addWidget(link, 0, Qt::AlignLeft);
+            card->addWidget(link, 0, Qt::AlignLeft);
             connect(link, &QPushButton::clicked, this,
-                    [this, outcome = *failed] { emit showMoment(outcome); });
+                    [this, outcome = shown] { emit showMoment(outcome); });
         }
-        column->addWidget(card);
     }
     addChecks(column);
+}
+
+/// What is known of the failure: the mistake that makes it, or else what was observed.
+HeadedText ResultPane::headedText(const CheckOutcome &outcome) const
+{
+    if (m_report->diagnosis)
+        return splitHeadline(m_report->diagnosis->message);
+    return {tr("Not yet: %1").arg(withUnits(outcome.title)), asSentence(outcome.message)};
 }
 
 void ResultPane::addChecks(QVBoxLayout *column)
@@ -180,6 +199,8 @@ void ResultPane::addSuccess(QVBoxLayout *column)
     addText(column,
             count == 1 ? tr("✓ Passed: the check") : tr("✓ Passed: all %1 checks").arg(count),
             "successTitle");
+    for (const Remark &remark : m_report->remarks)
+        addCard(column, "card", splitHeadline(remark.message), m_renderer);
     if (!m_report->commit.isEmpty())
         addCommit(column);
     addWayOn(column);
@@ -196,11 +217,22 @@ void ResultPane::addWayOn(QVBoxLayout *column)
                     "plain");
         return;
     }
+    auto *ways = new QHBoxLayout;
+    ways->setSpacing(8);
+    column->addLayout(ways);
     auto *next = new QPushButton(tr("Next step ▸"));
     next->setAccessibleName(tr("Next step"));
     next->setAutoDefault(true); // Return presses it when it has the focus
     setKind(next, "primary");
-    column->addWidget(next, 0, Qt::AlignLeft);
+    next->setToolTip(tr("Next step (Ctrl+Page Down)"));
+    ways->addWidget(next);
+    if (m_offersSolution) {
+        auto *solution = new QPushButton(tr("Compare with the reference"));
+        solution->setToolTip(tr("Shows the reference solution beside your program"));
+        ways->addWidget(solution);
+        connect(solution, &QPushButton::clicked, this, &ResultPane::solutionRequested);
+    }
+    ways->addStretch(1);
     connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
 }
 

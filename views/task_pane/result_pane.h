@@ -12,13 +12,17 @@ class QVBoxLayout;
 
 namespace cradle {
 
+class FormulaRenderer;
+struct HeadedText;
+
 /// What the last check of the step found: the first failure in words, or that all passed; then
 /// every check.
 class ResultPane final : public QWidget
 {
     Q_OBJECT
 public:
-    explicit ResultPane(QWidget *parent = nullptr);
+    /// \param renderer  outlives the pane; nullptr: every text has its own
+    explicit ResultPane(FormulaRenderer *renderer, QWidget *parent = nullptr);
 
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done, int total);
@@ -27,7 +31,11 @@ public:
     /// \param stillOpen  numbers of the other steps that are not passed
     void setLast(bool last, const QStringList &stillOpen);
 
+    /// Whether the student's program can be compared with the reference.
+    void setOffersSolution(bool offers);
+
 signals:
+    void solutionRequested();
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
 
@@ -35,6 +43,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    [[nodiscard]] HeadedText headedText(const CheckOutcome &outcome) const;
     void rebuild();
     void showChecking();
     void addFailure(QVBoxLayout *column);
@@ -44,6 +53,7 @@ private:
     void addChecks(QVBoxLayout *column);
     QLabel *addText(QVBoxLayout *column, const QString &text, const char *kind);
 
+    FormulaRenderer *m_renderer;
     QLabel *m_heading = nullptr;
     QLabel *m_progress = nullptr;
     QScrollArea *m_scroll = nullptr;
@@ -53,6 +63,7 @@ private:
     int m_total = 0;
     bool m_stale = false;
     bool m_last = false;
+    bool m_offersSolution = false;
     QStringList m_stillOpen;
 };
 

@@ -29,7 +29,7 @@ TaskPane::TaskPane(QWidget *parent)
     : QWidget(parent)
     , m_steps(new StepsList)
     , m_instructions(new InstructionsPane)
-    , m_result(new ResultPane)
+    , m_result(new ResultPane(m_instructions->renderer()))
 {
     setMinimumWidth(narrowest);
     auto *splitter = new QSplitter(Qt::Vertical, this);
@@ -50,6 +50,7 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
     connect(m_result, &ResultPane::showMoment, this, &TaskPane::showMoment);
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
+    connect(m_result, &ResultPane::solutionRequested, this, &TaskPane::solutionRequested);
 }
 
 void TaskPane::setLab(const Lab &lab)
@@ -110,6 +111,11 @@ void TaskPane::resizeEvent(QResizeEvent *event)
 void TaskPane::setChecking(bool checking, int done, int total)
 {
     m_result->setChecking(checking, done, total);
+}
+
+void TaskPane::setOffersSolution(bool offers)
+{
+    m_result->setOffersSolution(offers);
 }
 
 void TaskPane::setStale(bool stale)

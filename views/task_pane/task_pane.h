@@ -32,6 +32,8 @@ public:
     /// Shows a report, or that there is none yet; ends setChecking and setStale.
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done = 0, int total = 0);
+    /// Whether a student who passed can compare his program with the reference.
+    void setOffersSolution(bool offers);
     void setStale(bool stale); ///< the scene was changed since the check
 
 signals:
@@ -39,6 +41,7 @@ signals:
     void hintOpened(int count); ///< how many hints of the step are open now
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
+    void solutionRequested();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

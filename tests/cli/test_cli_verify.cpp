@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/program_run.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <map>
+
+using namespace cradle::programs;
+
+/// cradle-cli verify: a lab of one step that is sound, and what is said when it is not.
+class TestCliVerify : public QObject
+{
+    Q_OBJECT
+private slots:
+    void soundLabPasses();
+    void unsoundLabDoesNotPass_data();
+    void unsoundLabDoesNotPass();
+    void fileThatCannotBeReadIsNamed_data();
+    void fileThatCannotBeReadIsNamed();
+    void oneStepAlone();
+    void unreadableLabIsRefused_data();
+    void unreadableLabIsRefused();
+    void wrongUsageIsSaid_data();
+    void wrongUsageIsSaid();
+};
+
+namespace {
+
+QString text(const char *latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+/// The files of a lab with their contents.
+using Files = std::map<QByteArray, QByteArray>;
+
+const QByteArray load = "function on_load()\n  circle1.velocity = vec(2, 0)\nend\n";
+const QByteArray drift = "function on_update(dt)\n"
+                         "  circle1.position = circle1.position + circle1.velocity * dt\n"
+                         "end\n";
+const QByteArray twice = "function on_update(dt)\n"
+                         "  circle1.position = circle1.position + 2 * circle1.velocity * dt\n"
+                         "end\n";
+const QByteArray upward = "function on_load()\n  circle1.velocity = vec(0, 2)\nend\n";
+
+Files soundLab()
+{
+    return {{"lab.json", R"({"format": 1, "id": "small", "title": "Small", "version": "1",
+                             "language": "en", "steps": ["S1"]})"},
+            {"S1/task.json", R"({"format": 1, "id": "S1", "title": "Drift", "commit": "Drifted",
+                "preset": "preset.json", "hints": ["A nudge.", "More.", "Nearly all."],
+                "checks": [{"id": "velocity", "kind": "start", "title": "It starts with (2, 0) m/s",
+                            "parameters": {"velocity": [2, 0]},
+                            "scene": {"kind": "own", "duration": 0.05}},
+                           {"id": "drifts", "kind": "integrates", "title": "It drifts",
+                            "scene": {"kind": "own", "duration": 1}}]})"},
+            {"S1/preset.json", R"({"format": 1, "circles": [{"position": [-2, 2]}]})"},
+            {"S1/instructions.md", "# Drift\n"},
+            {"S1/starter.lua", "function on_update(dt)\nend\n"},
+            {"S1/solution.lua", load + drift},
+            {"S1/mistakes/upward.lua", "-- It moves up\n\n" + upward + drift},
+            {"S1/mistakes/twice.lua", "-- It moves twice\n\n" + load + twice}};
+}
+
+void write(const QTemporaryDir &folder, const Files &files)
+{
+    for (const auto &[name, content] : files) {
+        const QString path = QString::fromUtf8(name);
+        QDir().mkpath(QFileInfo(folder.filePath(path)).path());
+        QVERIFY(!written(folder, name.constData(), content).isEmpty());
+    }
+}
+
+Outcome verify(const QStringList &arguments)
+{
+    return runCli(QStringList{text("verify")} + arguments);
+}
+
+} // namespace
+
+void TestCliVerify::soundLabPasses()
+{
+    const QTemporaryDir folder;
+    write(folder, soundLab());
+    const Outcome outcome = verify({folder.path()});
+    VERIFY_CODE(outcome, 0);
+    QVERIFY(outcome.error.isEmpty());
+    const QStringList lines = outcome.out.split(QLatin1Char('\n'));
+    // The matrix: a row for each program, a column for each check.
+    const auto row = [&](const char *name) {
+        const QStringList found = lines.filter(text("  ") + text(name) + text(" "));
+        return found.size() == 1 ? found.first().simplified() : outcome.out;
+    };
+    QCOMPARE(row("starter"), text("starter x ."));
+    QCOMPARE(row("solution"), text("solution . ."));
+    QCOMPARE(row("mistakes/upward"), text("mistakes/upward x . upward"));
+    QCOMPARE(row("mistakes/twice"), text("mistakes/twice . x twice"));
+    QVERIFY2(outcome.out.contains(text("1 steps, 2 mistakes, 0 problems")),
+             outcome.toText().constData());
+}
+
+void TestCliVerify::unsoundLabDoesNotPass_data()
+{
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<QByteArray>("content"); ///< null: the file is missing
+    QTest::addColumn<QString>("problem");
+    const auto row = [](const char *name, const char *file, const QByteArray &content,
+                        const char *problem) {
+        QTest::newRow(name) << QByteArray(file) << content << text(problem);
+    };
+    const QByteArray comment = "-- It moves twice\n\n";
+    row("mistake that passes", "S1/mistakes/twice.lua", comment + load + drift,
+        "! mistakes/twice passes; a mistake should fail by a check");
+    row("mistake that errs", "S1/mistakes/twice.lua", comment + load + "error('no')\n",
+        "! mistakes/twice stops with an error at line 6: no");
+    row("mistake like another", "S1/mistakes/twice.lua", comment + upward + drift,
+        "! mistakes/upward is taken for twice");
+    row("starter that errs", "S1/starter.lua",
+        "function on_update(dt)\n  local v = nil + dt\nend\n",
+        "! starter stops with an error at line 2: ");
+    row("starter that passes", "S1/starter.lua", load + drift,
+        "! starter passes; a starter should fail by a check");
+    row("starter with an error of syntax", "S1/starter.lua", "function on_update(dt)\n",
+        "! starter stops with an error at line ");
+    row("solution that fails", "S1/solution.lua", load + "function on_update(dt)\nend\n",
+        "! solution fails with seed 1 by drifts: ");
+    row("solution that errs", "S1/solution.lua", load + "local v = nil .. 'x'\n",
+        "! solution stops with an error at line 4: ");
+    row("no solution", "S1/solution.lua", {}, "! there is no solution.lua");
+    row("check that no mistake fails", "S1/mistakes/twice.lua", {},
+        "! no mistake fails the check drifts");
+}
+
+void TestCliVerify::unsoundLabDoesNotPass()
+{
+    QFETCH(QByteArray, file);
+    QFETCH(QByteArray, content);
+    QFETCH(QString, problem);
+    Files files = soundLab();
+    if (content.isNull())
+        files.erase(file);
+    else
+        files[file] = content;
+    const QTemporaryDir folder;
+    write(folder, files);
+    const Outcome outcome = verify({folder.path()});
+    VERIFY_CODE(outcome, 1);
+    QVERIFY2(outcome.out.contains(problem), outcome.toText().constData());
+    QVERIFY2(!outcome.out.contains(text(" 0 problems")), outcome.toText().constData());
+}
+
+void TestCliVerify::fileThatCannotBeReadIsNamed_data()
+{
+    QTest::addColumn<QByteArray>("file");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("message"); ///< after the folder
+    QTest::newRow("mistake without a diagnosis")
+        << QByteArray("S1/mistakes/twice.lua") << load + twice
+        << text("/S1/mistakes/twice.lua:1: ");
+    QTest::newRow("step with an unknown key")
+        << QByteArray("S1/task.json") << QByteArray(R"({"format": 1, "points": 3})")
+        << text("/S1/task.json: ");
+    QTest::newRow("broken preset") << QByteArray("S1/preset.json") << QByteArray("{\n\"format\"")
+                                   << text("/S1/preset.json:2: ");
+}
+
+void TestCliVerify::fileThatCannotBeReadIsNamed()
+{
+    QFETCH(QByteArray, file);
+    QFETCH(QByteArray, content);
+    QFETCH(QString, message);
+    Files files = soundLab();
+    files[file] = content;
+    const QTemporaryDir folder;
+    write(folder, files);
+    const Outcome outcome = verify({folder.path()});
+    VERIFY_CODE(outcome, 1);
+    QVERIFY2(outcome.error.startsWith(folder.path() + message), outcome.toText().constData());
+}
+
+void TestCliVerify::oneStepAlone()
+{
+    Files files = soundLab();
+    for (const char *name : {"task.json", "preset.json", "instructions.md", "starter.lua",
+                             "solution.lua", "mistakes/upward.lua"})
+        files[QByteArray("S2/") + name] = files[QByteArray("S1/") + name];
+    files["S2/task.json"].replace("\"S1\"", "\"S2\"");
+    files["lab.json"].replace("[\"S1\"]", "[\"S1\", \"S2\"]");
+    const QTemporaryDir folder;
+    write(folder, files);
+    // Step 2 lacks a mistake; step 1 lacks nothing.
+    VERIFY_CODE(verify({folder.path()}), 1);
+    const Outcome first = verify({folder.path(), text("--task"), text("S1")});
+    VERIFY_CODE(first, 0);
+    QVERIFY(!first.out.contains(text("S2")));
+    VERIFY_CODE(verify({folder.path(), text("--task"), text("S2")}), 1);
+}
+
+void TestCliVerify::unreadableLabIsRefused_data()
+{
+    QTest::addColumn<QString>("folder");
+    const QString labs = text(CRADLE_FIXTURES "/labs/");
+    QTest::newRow("missing") << text("nowhere");
+    QTest::newRow("no lab.json") << labs + text("no_lab_json");
+    QTest::newRow("broken syntax") << labs + text("broken_syntax");
+    QTest::newRow("a file") << labs + text("good/lab.json");
+}
+
+void TestCliVerify::unreadableLabIsRefused()
+{
+    QFETCH(QString, folder);
+    const Outcome outcome = verify({folder});
+    VERIFY_CODE(outcome, 2);
+    QVERIFY2(outcome.error.startsWith(folder + text("/lab.json:")), outcome.toText().constData());
+    QVERIFY(outcome.out.isEmpty());
+}
+
+void TestCliVerify::wrongUsageIsSaid_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    const QString good = text(CRADLE_FIXTURES "/labs/good");
+    QTest::newRow("no lab") << QStringList{};
+    QTest::newRow("two labs") << QStringList{good, good};
+    QTest::newRow("unknown step") << QStringList{good, text("--task"), text("S9")};
+    QTest::newRow("unknown option") << QStringList{good, text("--quick")};
+}
+
+void TestCliVerify::wrongUsageIsSaid()
+{
+    QFETCH(QStringList, arguments);
+    const Outcome outcome = verify(arguments);
+    VERIFY_CODE(outcome, 2);
+    QVERIFY2(outcome.error.startsWith(text("cradle-cli: ")), outcome.toText().constData());
+    QVERIFY(outcome.out.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestCliVerify)
+#include "test_cli_verify.moc"

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/script_run.h"
+
+#include "tasks/observation.h"
+#include "tasks/script/student_script.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// When a program is called, what it may change, and what becomes of its errors. What it can write
+/// is in test_script_language.cpp, its lines in test_script_lines.cpp.
+class TestStudentScript : public QObject
+{
+    Q_OBJECT
+private slots:
+    void fileThenLoadThenUpdates();
+    void fileFindsThePresetInPlace();
+    void lawsMoveWithoutAnUpdate();
+    void updateAloneMovesTheCircles();
+    void loadChangesTheScene();
+    void pinnedSceneKeepsItsValues();
+    void sceneOfTheWorldIsFixedWhileItRuns_data();
+    void sceneOfTheWorldIsFixedWhileItRuns();
+    void ownFieldsStayFromStepToStep();
+    void beginStartsAnew();
+    void timeAndStepCount();
+    void errorTellsItsPlace();
+    void errorInLoadIsOfStepZero();
+    void errorsOfAnyTypeAreSaid_data();
+    void errorsOfAnyTypeAreSaid();
+    void syntaxErrorTellsItsLine_data();
+    void syntaxErrorTellsItsLine();
+    void statesBeforeTheFailingStepAreKept();
+    void impossibleStartOfTheLawsIsRefused();
+    void updateThatIsNoFunctionIsRefused_data();
+    void updateThatIsNoFunctionIsRefused();
+    void sameProgramGivesTheSameBits();
+    void outputIsTakenOnce();
+};
+
+void TestStudentScript::fileThenLoadThenUpdates()
+{
+    const ScriptRun run = runScript(lua(R"lua(
+function on_update(timestep) print("update", step) end
+print("file")
+function on_load() print("load") end
+print("end of file"))lua"),
+                                    2);
+    VERIFY_RUNS(run);
+    QCOMPARE(run.output.text, lua("file\nend of file\nload\nupdate\t0\nupdate\t1\n"));
+}
+
+void TestStudentScript::fileFindsThePresetInPlace()
+{
+    const ScriptRun run = runScript(
+        lua("print(circle1.position, circle2.radius, gravity, restitution, square.top, #circles)"));
+    VERIFY_RUNS(run);
+    QCOMPARE(run.output.text, lua("(-2, 2)\t0.25\t(0, -9.81)\t0.5\t4.0\t2\n"));
+}
+
+void TestStudentScript::lawsMoveWithoutAnUpdate()
+{
+    const QString program = lua("function on_load() circle1.velocity = vec(3, 0) end");
+    QVERIFY(!runScript(program).moves);
+    const Observation o = observe({QStringLiteral("preset"), twoCircles(), 0.1}, &program);
+    QVERIFY(!o.error);
+    QCOMPARE(o.steps(), 6);
+    // Euler: x = 3 t, and gravity acts on circle 1 from the second step on.
+    QCOMPARE(o.circle(0, 6).position.x, -2.0 + 0.3);
+    QVERIFY(o.circle(0, 6).position.y < 2.0);
+}
+
+void TestStudentScript::updateAloneMovesTheCircles()
+{
+    const ScriptRun run = runScript(
+        lua("function on_update(dt) circle2.position = circle2.position + vec(1, 0) * dt end"), 60);
+    VERIFY_RUNS(run);
+    QCOMPARE(run.circle(1), twoCircles().circles[0].body);
+    QCOMPARE(run.circle(2).position.x, 3.0);
+}
+
+void TestStudentScript::loadChangesTheScene()
+{
+    const ScriptRun run = runScript(lua(R"lua(
+restitution = 0.25
+function on_load()
+  gravity = vec(1, 2)
+  circle1.position, circle1.velocity = vec(1, 1), vec(0, 3)
+  circle2.radius, circle2.density = 0.5, 3
+  print(gravity, restitution, circle2.radius)
+end)lua"));
+    VERIFY_RUNS(run);
+    QCOMPARE(run.scene.gravity, (Vec2{1.0, 2.0}));
+    QCOMPARE(run.scene.restitution, 0.25);
+    QCOMPARE(run.circle(1).position, (Vec2{1.0, 1.0}));
+    QCOMPARE(run.circle(1).velocity, (Vec2{0.0, 3.0}));
+    QCOMPARE(run.circle(2).radius, 0.5);
+    QCOMPARE(run.circle(2).density, 3.0);
+    QCOMPARE(run.output.text, lua("(1, 2)\t0.25\t0.5\n"));
+}
+
+void TestStudentScript::pinnedSceneKeepsItsValues()
+{
+    const QString program = lua(R"lua(
+restitution = 0.25
+function on_load()
+  gravity = vec(1, 2)
+  circle1.position, circle1.velocity = vec(1, 1), vec(0, 3)
+  circle2.radius, circle2.density = 0.5, 3
+  circle2.mass = circle2.density * circle2.radius
+  print(gravity, restitution, circle1.position, circle1.velocity, circle2.radius, circle2.density)
+end
+function on_update(dt)
+  circle1.radius = 1
+  circle1.velocity = vec(0, 1)
+  print(circle1.radius, circle2.mass, gravity, restitution)
+end)lua");
+    const ScriptRun run = runScript(program, 1, {.pinned = true});
+    VERIFY_RUNS(run);
+    QCOMPARE(run.output.text, lua("(0, -9.81)\t0.5\t(-2, 2)\t(2, 0)\t0.25\t2.0\n"
+                                  "0.2\t0.5\t(0, -9.81)\t0.5\n"));
+    QCOMPARE(run.scene, twoCircles());
+    QCOMPARE(run.circle(1).velocity, (Vec2{0.0, 1.0}));
+}
+
+void TestStudentScript::sceneOfTheWorldIsFixedWhileItRuns_data()
+{
+    QTest::addColumn<QString>("statement");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("gravity") << lua("gravity = vec(0, 0)") << lua("`gravity` is set once");
+    QTest::newRow("restitution") << lua("restitution = 1") << lua("`restitution` is set once");
+    QTest::newRow("time") << lua("time = 1") << lua("`time` can only be read");
+    QTest::newRow("step") << lua("step = 1") << lua("`step` can only be read");
+    QTest::newRow("square") << lua("square.left = 1") << lua("the square can only be read");
+    QTest::newRow("index") << lua("circle1.index = 2") << lua("circle1.index is given");
+    QTest::newRow("list") << lua("circles[3] = circle1") << lua("circles cannot be added");
+}
+
+void TestStudentScript::sceneOfTheWorldIsFixedWhileItRuns()
+{
+    QFETCH(QString, statement);
+    QFETCH(QString, words);
+    const ScriptRun run = runScript(lua("function on_update()\n") + statement + lua("\nend"), 1);
+    VERIFY_STOPS(run, 2, words);
+}
+
+void TestStudentScript::ownFieldsStayFromStepToStep()
+{
+    const QString source = lua(R"lua(
+function on_load() circle1.count, circle1.label, circle2.mass = 0, "a", 2.5 end
+function on_update() circle1.count = circle1.count + 1 end)lua");
+    StudentScript program(source);
+    Preset scene = twoCircles();
+    QVERIFY(program.ownFields().empty());
+    QVERIFY(!program.begin(scene));
+    World world = initialWorld(scene);
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(!program.advance(world, 0.1));
+    const std::vector<CircleField> fields{{0, lua("count"), 3.0}, {1, lua("mass"), 2.5}};
+    QCOMPARE(program.ownFields(), fields);
+}
+
+void TestStudentScript::beginStartsAnew()
+{
+    StudentScript program(lua("n = 0\nfunction on_update() n = n + 1 print(n) end"));
+    for (int run = 0; run < 2; ++run) {
+        Preset scene = twoCircles();
+        QVERIFY(!program.begin(scene));
+        World world = initialWorld(scene);
+        QVERIFY(!program.advance(world, 0.1));
+        QCOMPARE(program.takeOutput().text, lua("1\n"));
+    }
+}
+
+void TestStudentScript::timeAndStepCount()
+{
+    const ScriptRun run =
+        runScript(lua("function on_update(dt) print(step, time == step * dt, dt == 1/60) end"), 3);
+    VERIFY_RUNS(run);
+    QCOMPARE(run.output.text, lua("0\ttrue\ttrue\n1\ttrue\ttrue\n2\ttrue\ttrue\n"));
+}
+
+void TestStudentScript::errorTellsItsPlace()
+{
+    const ScriptRun run = runScript(lua(R"lua(
+local function half(speed)
+  local twice = speed * 2
+  return speed.x / twice
+end
+function on_update(dt)
+  if step == 30 then
+    half(3)
+  end
+end)lua"),
+                                    60);
+    VERIFY_STOPS(run, 4, lua("`speed` is number"));
+    QCOMPARE(run.error->kind, ProgramError::Kind::Runtime);
+    QCOMPARE(run.error->step, 31);
+    QCOMPARE(run.error->time, 0.5);
+    const std::vector<ProgramValue> locals{{lua("speed"), lua("3")}, {lua("twice"), lua("6")}};
+    QCOMPARE(run.error->locals, locals);
+    QCOMPARE(run.world.step, 30);
+}
+
+void TestStudentScript::errorInLoadIsOfStepZero()
+{
+    const ScriptRun run = runScript(lua("function on_load()\n  local a = 1\n  a()\nend"), 1);
+    VERIFY_STOPS(run, 3, lua("`a` is number, not a function"));
+    QCOMPARE(run.error->step, 0);
+    QCOMPARE(run.error->locals.front(), (ProgramValue{lua("a"), lua("1")}));
+}
+
+void TestStudentScript::errorsOfAnyTypeAreSaid_data()
+{
+    QTest::addColumn<QString>("statement");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("text") << lua("error('no mass')") << lua("no mass");
+    QTest::newRow("text blamed on the caller") << lua("error('no mass', 2)") << lua("no mass");
+    QTest::newRow("number") << lua("error(42)") << lua("42");
+    QTest::newRow("nil") << lua("error()") << lua("error with nil");
+    QTest::newRow("table") << lua("error({})") << lua("error with a table");
+    QTest::newRow("function") << lua("error(print)") << lua("error with a function");
+    QTest::newRow("boolean") << lua("error(false)") << lua("error with false");
+    QTest::newRow("vector") << lua("error(vec(1, 2))") << lua("error with the vector (1, 2)");
+    QTest::newRow("circle") << lua("error(circle1)") << lua("error with circle1");
+    QTest::newRow("failed assertion") << lua("assert(false)") << lua("assertion failed!");
+    QTest::newRow("assertion with words") << lua("assert(nil, 'no e')") << lua("no e");
+    QTest::newRow("assertion with a table") << lua("assert(nil, {})") << lua("error with a table");
+}
+
+void TestStudentScript::errorsOfAnyTypeAreSaid()
+{
+    QFETCH(QString, statement);
+    QFETCH(QString, words);
+    const ScriptRun run = runScript(lua("\n\n") + statement);
+    VERIFY_STOPS(run, 3, words);
+    QVERIFY2(!run.error->message.contains(lua("lab.lua:")), run.say().constData());
+    QCOMPARE(run.error->kind, ProgramError::Kind::Runtime);
+}
+
+void TestStudentScript::syntaxErrorTellsItsLine_data()
+{
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<int>("line");
+    QTest::newRow("end missing") << lua("function on_load()\nif true then\nend\n") << 4;
+    QTest::newRow("one end too many") << lua("function on_load()\nend\nend") << 3;
+    QTest::newRow("text without end") << lua("x = 1\nprint(\"a)\n") << 2;
+    QTest::newRow("foreign operator") << lua("x = 1\n\nx += 1") << 3;
+    QTest::newRow("jump to nowhere") << lua("x = 1\ngoto there") << 2;
+}
+
+void TestStudentScript::syntaxErrorTellsItsLine()
+{
+    QFETCH(QString, source);
+    QFETCH(int, line);
+    const ScriptRun run = runScript(source, 1);
+    VERIFY_STOPS(run, line, QString());
+    QCOMPARE(run.error->kind, ProgramError::Kind::Syntax);
+    QVERIFY2(!run.error->message.contains(lua("lab.lua")), run.say().constData());
+    const auto alone = findSyntaxError(source);
+    QVERIFY(alone);
+    QCOMPARE(alone->line, line);
+    QCOMPARE(alone->message, run.error->message);
+    QVERIFY(!findSyntaxError(lua("x = nil + 1")));
+}
+
+void TestStudentScript::statesBeforeTheFailingStepAreKept()
+{
+    const QString program = lua(R"lua(
+function on_update(dt)
+  circle1.position = circle1.position + circle1.velocity * dt
+  if step == 4 then
+    circle1.position = circle1.position / 0
+  end
+end)lua");
+    const Observation o = observe({QStringLiteral("preset"), twoCircles(), 1.0}, &program);
+    QVERIFY(o.error);
+    QCOMPARE(o.error->line, 5);
+    QCOMPARE(o.error->step, 5);
+    QCOMPARE(o.steps(), 4);
+    QCOMPARE(o.circle(0, 4).position.x, -2.0 + 4.0 * 2.0 / 60.0);
+}
+
+void TestStudentScript::impossibleStartOfTheLawsIsRefused()
+{
+    const QString load = lua("function on_load() circle1.position = vec(9, 0) end\n");
+    const ScriptRun laws = runScript(load);
+    VERIFY_STOPS(laws, 0, lua("after on_load the scene cannot be run"));
+    VERIFY_RUNS(runScript(load + lua("function on_update() end"), 1));
+}
+
+void TestStudentScript::updateThatIsNoFunctionIsRefused_data()
+{
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<int>("line");
+    QTest::newRow("number") << lua("\non_update = 5") << 2;
+    QTest::newRow("load that is a number") << lua("on_load = 5") << 1;
+    QTest::newRow("function, then a number") << lua("function on_update() end on_update = 5") << 0;
+    QTest::newRow("taken away in a step") << lua("function on_update() on_update = nil end") << 0;
+    QTest::newRow("number in a step") << lua("function on_update()\non_update = 5\nend") << 0;
+}
+
+void TestStudentScript::updateThatIsNoFunctionIsRefused()
+{
+    QFETCH(QString, source);
+    QFETCH(int, line);
+    VERIFY_STOPS(runScript(source, 3), line, lua("function"));
+}
+
+void TestStudentScript::sameProgramGivesTheSameBits()
+{
+    const QString program = lua(R"lua(
+local weights = {}
+for i = 1, 40 do weights["w" .. i] = 1 / i end
+function on_load() circle1.velocity = vec(math.random(), math.random(1, 3)) end
+function on_update(dt)
+  local sum = 0
+  for name, weight in pairs(weights) do sum = sum * 0.7 + weight * math.random() end
+  circle1.velocity = circle1.velocity + gravity * dt * sum
+  circle1.position = circle1.position + circle1.velocity * dt
+  print(sum, math.random(1000))
+end)lua");
+    const ScriptRun first = runScript(program, 100);
+    VERIFY_RUNS(first);
+    for (int i = 0; i < 3; ++i) {
+        const ScriptRun again = runScript(program, 100);
+        QCOMPARE(again.world, first.world);
+        QCOMPARE(again.output.text, first.output.text);
+    }
+}
+
+void TestStudentScript::outputIsTakenOnce()
+{
+    StudentScript program(lua("print(1)\nplot('a', 2)\ndraw.point(vec(0, 0))"));
+    QVERIFY(program.takeOutput().isEmpty());
+    Preset scene = twoCircles();
+    QVERIFY(!program.begin(scene));
+    const ProgramOutput output = program.takeOutput();
+    QCOMPARE(output.text, lua("1\n"));
+    QCOMPARE(output.points.size(), std::size_t{1});
+    QCOMPARE(output.drawings.size(), std::size_t{1});
+    QVERIFY(program.takeOutput().isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestStudentScript)
+#include "test_student_script.moc"

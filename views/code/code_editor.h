@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/code/search_term.h"
+
+#include <QWidget>
+
+namespace cradle {
+
+class LuaArea;
+class CodeAssistant;
+
+/// The editor of a student's program: Lua with line numbers, folding, completion, and marks on
+/// lines. Lines count from 1.
+///
+/// Tab indents. Ctrl+Tab leaves the editor, and so does Tab after Escape.
+class CodeEditor final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit CodeEditor(QWidget *parent = nullptr);
+    ~CodeEditor() override;
+
+    [[nodiscard]] QString text() const;
+    /// Opens another text: nothing of the one before can be had by undo, no mark stays.
+    void setText(const QString &text);
+    void setReadOnly(bool readOnly);
+    [[nodiscard]] bool isReadOnly() const;
+
+    /// Marks the line that is wrong and shows \p message below it; no line below 1 is marked.
+    void setError(int line, const QString &message);
+    void clearError();
+    [[nodiscard]] int errorLine() const { return m_errorLine; }
+    /// Marks the line that made the first failing step; 0 for none.
+    void setSuspect(int line);
+    [[nodiscard]] int suspectLine() const { return m_suspectLine; }
+    /// Marks the line that runs next while stepping through, and shows it; 0 for none.
+    void setExecuting(int line);
+    [[nodiscard]] int executingLine() const { return m_executingLine; }
+
+    /// The name at the cursor, for the reference: with its library, as "math.sqrt", or alone.
+    [[nodiscard]] QString wordUnderCursor() const;
+    [[nodiscard]] int currentLine() const;
+    void goToLine(int line);
+    [[nodiscard]] QString selectedText() const;
+    void selectAll();
+
+    [[nodiscard]] bool canUndo() const;
+    [[nodiscard]] bool canRedo() const;
+    void undo();
+    void redo();
+
+    /// Steps of text size away from the usual one.
+    [[nodiscard]] int zoom() const;
+    void setZoom(int steps); ///< kept within what can be read
+    void zoomIn() { setZoom(zoom() + 1); }
+    void zoomOut() { setZoom(zoom() - 1); }
+    void resetZoom() { setZoom(0); }
+
+    /// Marks all that \p term matches; an empty one marks nothing.
+    SearchPlace highlight(const SearchTerm &term);
+    /// Selects the next match, or the one before, around the ends of the text.
+    SearchPlace findNext(const SearchTerm &term, bool forward = true);
+    /// Selects the first match that begins where the selection begins, or after.
+    SearchPlace findHere(const SearchTerm &term);
+    /// Replaces the selection if it is a match, then selects the next.
+    SearchPlace replaceNext(const SearchTerm &term, const QString &replacement);
+    /// \return how many were replaced, in one step of undo
+    int replaceAll(const SearchTerm &term, const QString &replacement);
+
+signals:
+    /// The user has edited, with undo and redo; once for all that one event does, soon after it.
+    void textEdited();
+    void helpRequested(const QString &word); ///< F1; \p word may be empty
+    void cursorMoved(int line, int column);  ///< from 1
+    void zoomChanged(int steps);
+    void escapePressed(); ///< with nothing open over the text
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void tellEdit();
+    void applyMarks();
+    void showErrorMessage();
+    void describe();
+    void showMenu(QPoint at);
+    [[nodiscard]] int existing(int line) const;
+
+    LuaArea *m_area;            ///< child
+    CodeAssistant *m_assistant; ///< child
+    QString m_errorMessage;
+    int m_errorLine = 0;
+    int m_suspectLine = 0;
+    int m_executingLine = 0;
+    bool m_loading = false; ///< setText() is at work
+    bool m_edited = false;  ///< textEdited() is still to come
+};
+
+} // namespace cradle

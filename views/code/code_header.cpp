@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/code/code_header.h"
+
+#include "views/action_button.h"
+#include "views/code/code_actions.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int gap = 8;         ///< px
+constexpr int sideMargin = 12; ///< px
+constexpr int shortState = 90; ///< px; what a state has at least, though cut off
+
+} // namespace
+
+CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
+    : QWidget(parent)
+    , m_title(new QLabel(this))
+    , m_atOnce(new QPushButton(this))
+    , m_state(new QLabel(this))
+    , m_more(new QPushButton(this))
+{
+    QFont bold = m_title->font();
+    bold.setWeight(QFont::DemiBold);
+    m_title->setFont(bold);
+    m_title->setTextFormat(Qt::PlainText);
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    setKind(m_state, "muted");
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(sideMargin, 5, 8, 6);
+    row->setSpacing(gap);
+    row->setSizeConstraint(QLayout::SetNoConstraint);
+    const auto add = [this, row](QAction *action, const QString &name, IconTint tint) {
+        auto *button = new ActionButton(action, this);
+        button->setIconName(name, tint);
+        button->setIconSize({16, 16});
+        setKind(button, "small");
+        row->addWidget(button);
+        return button;
+    };
+    row->addWidget(m_title);
+    auto *run = add(actions.run, QStringLiteral("run"), IconTint::Accent);
+    row->addWidget(m_atOnce);
+    auto *step = add(actions.stepLine, QStringLiteral("next"), IconTint::Text);
+    auto *finish = add(actions.finishStep, QStringLiteral("step"), IconTint::Text);
+    row->addWidget(m_state, 1);
+    row->addWidget(m_more);
+    m_buttons = {finish, step, run};
+
+    auto *menu = new QMenu(m_more);
+    actions.fillMenu(menu);
+    m_more->setMenu(menu);
+    m_more->setFocusPolicy(Qt::TabFocus);
+    m_more->setStyleSheet(QStringLiteral(
+        "QPushButton { padding-right: 12px; }"
+        "QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 12px;"
+        " height: 12px; subcontrol-origin: padding; subcontrol-position: right center;"
+        " right: 7px; }"));
+    m_atOnce->setFocusPolicy(Qt::TabFocus);
+    m_atOnce->setCheckable(true);
+    m_atOnce->setIconSize({16, 16});
+    setKind(m_atOnce, "small");
+    // A sign besides the colour.
+    const auto showChecked = [this](bool checked) {
+        m_atOnce->setIcon(checked ? icon(u"check", IconTint::Accent)
+                                  : icon(u"failed", IconTint::Muted));
+    };
+    connect(m_atOnce, &QPushButton::toggled, this, showChecked);
+    showChecked(false);
+    setKind(m_more, "small");
+    retranslate();
+}
+
+void CodeHeader::setTitle(const QString &title)
+{
+    m_title->setText(title);
+    arrange();
+}
+
+void CodeHeader::setStates(const QStringList &texts)
+{
+    m_stateWidth = shortState;
+    for (const QString &text : texts)
+        m_stateWidth = std::max(m_stateWidth, m_state->fontMetrics().horizontalAdvance(text) + 2);
+    arrange();
+}
+
+void CodeHeader::setState(const QString &text, bool warns)
+{
+    m_stateText = text;
+    setKind(m_state, warns ? "warning" : "muted");
+    arrange();
+}
+
+void CodeHeader::retranslate()
+{
+    m_atOnce->setText(tr("Run as I type"));
+    m_atOnce->setAccessibleName(m_atOnce->text());
+    m_atOnce->setToolTip(tr("Run every change at once, as long as the program parses"));
+    m_more->setText(tr("More"));
+    m_more->setAccessibleName(tr("More for the program"));
+    arrange();
+}
+
+/// Takes the text from as many buttons as needed for the longest state to be read. Which ones does
+/// not depend on the state of the moment: that changes with every letter typed.
+void CodeHeader::arrange()
+{
+    if (m_arranging)
+        return;
+    m_arranging = true;
+    for (ActionButton *button : m_buttons)
+        button->setCollapsed(false);
+    for (ActionButton *button : m_buttons) {
+        layout()->invalidate();
+        const bool last = button == m_buttons.back();
+        if (layout()->minimumSize().width() + (last ? shortState : m_stateWidth) <= width())
+            break;
+        button->setCollapsed(true);
+    }
+    layout()->invalidate();
+    layout()->activate();
+    // Where all of it does not fit, what comes before the colon says the most.
+    const QFontMetrics metrics = m_state->fontMetrics();
+    const bool fits = metrics.horizontalAdvance(m_stateText) <= m_state->width();
+    const QString shown = metrics.elidedText(fits ? m_stateText : m_stateText.section(u':', 0, 0),
+                                             Qt::ElideRight, m_state->width());
+    m_state->setText(shown);
+    m_state->setToolTip(shown == m_stateText ? QString() : m_stateText);
+    m_state->setAccessibleName(m_stateText);
+    m_arranging = false;
+}
+
+QSize CodeHeader::minimumSizeHint() const
+{
+    int width = layout()->minimumSize().width();
+    for (const ActionButton *button : m_buttons) {
+        if (!button->isCollapsed())
+            width -= button->fontMetrics().horizontalAdvance(button->text());
+    }
+    return {width, layout()->minimumSize().height()};
+}
+
+void CodeHeader::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+bool CodeHeader::event(QEvent *event)
+{
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        arrange();
+    return done;
+}
+
+void CodeHeader::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setPen(theme().border);
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+}
+
+} // namespace cradle

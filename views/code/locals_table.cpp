@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/code/locals_table.h"
+
+#include "views/code/code_colours.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+constexpr int rowHeight = 22;  ///< px
+constexpr int narrowest = 150; ///< px
+
+} // namespace
+
+LocalsTable::LocalsTable(QWidget *parent)
+    : QWidget(parent)
+    , m_heading(new QLabel)
+    , m_none(new QLabel)
+    , m_table(new QTableWidget(0, 2))
+{
+    setMinimumWidth(narrowest);
+    m_heading->setFont(headingFont());
+    m_heading->setContentsMargins(12, 7, 12, 5);
+    setKind(m_heading, "heading");
+    m_none->setContentsMargins(12, 2, 12, 4);
+    m_none->setWordWrap(true);
+    setKind(m_none, "muted");
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setFont(numericFont());
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->horizontalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setMinimumSectionSize(rowHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_heading);
+    column->addWidget(m_none);
+    column->addWidget(m_table, 1);
+    column->addStretch(0);
+    setLocals({});
+    retranslate();
+}
+
+void LocalsTable::setLocals(const std::vector<ProgramValue> &locals)
+{
+    m_none->setVisible(locals.empty());
+    m_table->setVisible(!locals.empty());
+    m_table->setRowCount(static_cast<int>(locals.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ProgramValue &local = locals[static_cast<std::size_t>(row)];
+        auto *name = new QTableWidgetItem(QStringLiteral("  ") + local.name);
+        auto *value = new QTableWidgetItem(local.value);
+        name->setForeground(theme().mutedText);
+        value->setToolTip(local.value);
+        m_table->setItem(row, 0, name);
+        m_table->setItem(row, 1, value);
+    }
+}
+
+void LocalsTable::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange) {
+        for (int row = 0; row < m_table->rowCount(); ++row)
+            m_table->item(row, 0)->setForeground(theme().mutedText);
+    }
+}
+
+void LocalsTable::retranslate()
+{
+    m_heading->setText(tr("Local variables"));
+    m_none->setText(tr("None at this line"));
+    m_table->setAccessibleName(tr("Local variables at the line that runs next"));
+}
+
+} // namespace cradle
