@@ -98,6 +98,7 @@ void MainWindow::makePanes()
     m_taskPane = new TaskPane(this);
     m_inspector = new Inspector(document, this);
     m_code = new CodePane(this);
+    m_code->setTitle({}); // its tab tells it
     m_desk = new CodeDesk(m_workbench, *m_code, m_settings, this);
     m_values = new ValuesPane(simulation, this);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -181,6 +182,7 @@ void MainWindow::wireWorkbench()
     connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
     connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
+    connect(m_taskPane, &TaskPane::lineRequested, this, &MainWindow::showLine);
     connect(m_taskPane, &TaskPane::solutionRequested, m_code, &CodePane::solutionRequested);
 }
 
@@ -199,11 +201,9 @@ void MainWindow::wireViews()
     }
     connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
     connect(m_console, &ConsoleView::seekRequested, simulation, &Simulation::seek);
-    connect(m_console, &ConsoleView::lineActivated, this, [this](int line) {
-        findChild<QDockWidget *>(QStringLiteral("code"))->raise();
-        m_code->editor().goToLine(line);
-    });
-    connect(m_console, &ConsoleView::errorShown, this, &MainWindow::titleTabs);
+    connect(m_console, &ConsoleView::lineActivated, this, &MainWindow::showLine);
+    connect(m_console, &ConsoleView::errorShown, this,
+            [this](bool shown) { m_values->markTab(m_console, shown); });
     connect(simulation, &Simulation::noHitFound, this,
             [this] { m_notice->showNotice(tr("Nothing hits anything within the next minute.")); });
 }
@@ -258,6 +258,13 @@ void MainWindow::chooseMode(int index)
     m_workbench.setMode(mode);
 }
 
+void MainWindow::showLine(int line)
+{
+    findChild<QDockWidget *>(QStringLiteral("code"))->raise();
+    m_code->editor().goToLine(line);
+    m_code->editor().setFocus();
+}
+
 void MainWindow::titleTabs()
 {
     m_values->setTabTitle(m_console, m_console->windowTitle());
@@ -276,7 +283,8 @@ void MainWindow::showReport()
         for (const CheckOutcome &check : m_workbench.report()->checks) {
             if (!check.passed && check.scene == own && !check.pinned)
                 marks.push_back(
-                    {.time = static_cast<double>(check.step) * own.timestep, .label = check.title});
+                    {.time = static_cast<double>(check.step) * own.timestep,
+                     .label = tr("Not yet: %1").arg(check.title)});
         }
     }
     m_timeline->setMarks(marks);

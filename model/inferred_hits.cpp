@@ -15,10 +15,13 @@ constexpr std::size_t mostInPairs = 300;
 
 /// What one circle did in the step.
 struct Change {
-    Vec2 kick{};          ///< change of velocity besides gravity's, m/s
-    double reach = 0.0;   ///< the furthest it comes in the step, m
+    Vec2 kick{};        ///< change of velocity besides gravity's, m/s
+    double reach = 0.0; ///< the furthest it comes in the step, m
     bool kicked = false;
+    bool byWalls = false;   ///< walls that it reaches explain the whole kick
     bool explained = false; ///< by a hit that was found
+
+    [[nodiscard]] bool isOpen() const { return kicked && !byWalls; }
 };
 
 std::vector<Change> changesOf(const Preset &scene, std::span<const Circle> before,
@@ -52,10 +55,8 @@ std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Cir
     const Vec2 n = normalized(apart);
     if (n == Vec2{})
         return std::nullopt;
-    Hit hit{.kind = Hit::Kind::Circle,
-            .a = static_cast<int>(a),
-            .b = static_cast<int>(b),
-            .normal = n};
+    Hit hit{
+        .kind = Hit::Kind::Circle, .a = static_cast<int>(a), .b = static_cast<int>(b), .normal = n};
     hit.impulse = mass(before[b]) * dot(changes[b].kick, n);
     if (hit.impulse == 0.0)
         hit.impulse = -mass(before[a]) * dot(changes[a].kick, n);
@@ -97,10 +98,20 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
         hit.time = time;
         hits.push_back(hit);
     };
+    // Two circles that meet the floor side by side have not met each other.
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        Vec2 rest = changes[i].kick;
+        for (const Wall wall : allWalls) {
+            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i]))
+                rest -= dot(changes[i].kick, hit->normal) * hit->normal;
+        }
+        changes[i].byWalls =
+            length(rest) <= noise * (1.0 + length(before[i].velocity)) && changes[i].kicked;
+    }
     if (before.size() <= mostInPairs) {
         for (std::size_t a = 0; a < before.size(); ++a) {
             for (std::size_t b = a + 1; b < before.size(); ++b) {
-                if (!changes[a].kicked && !changes[b].kicked)
+                if (!changes[a].isOpen() && !changes[b].isOpen())
                     continue;
                 if (const auto hit = hitOfPair(before, after, a, b, changes)) {
                     add(*hit);
@@ -110,7 +121,7 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
         }
     }
     for (std::size_t i = 0; i < before.size(); ++i) {
-        if (!changes[i].kicked || changes[i].explained)
+        if (!changes[i].kicked || (changes[i].explained && !changes[i].byWalls))
             continue;
         for (const Wall wall : allWalls) {
             if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i]))

@@ -10,8 +10,9 @@ namespace cradle {
 
 /// The hits of one step of a program, which does not tell them, read from what it did: a pair
 /// within reach of each other whose velocities changed by more than gravity's part, or a circle at
-/// a wall whose part into the wall did. Normals are those of the line of centres before the step;
-/// time is that of the end of the step. Appended to \p hits.
+/// a wall whose part into the wall did. What walls explain wholly is no hit of two circles.
+/// Normals are those of the line of centres before the step; time is that of the end of the step.
+/// Appended to \p hits.
 /// \param before  the circles at its start, \p after at its end (the same number)
 /// \param dt      length of the step, s
 /// \param step    its number, \p time its end, s

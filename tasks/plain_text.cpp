@@ -68,7 +68,7 @@ QString plainFormula(QString tex)
     static const QRegularExpression power(QStringLiteral(R"(\^\{?([0-9])\}?(?![0-9]))"));
     static const QRegularExpression braces(QStringLiteral(R"([{}])"));
     const auto part = [](const QString &term) {
-        static const QRegularExpression sum(QStringLiteral(R"(\S\s*[-+]\s*\S)"));
+        static const QRegularExpression sum(QStringLiteral(R"(\S\s*[-+/]\s*\S)"));
         return term.contains(sum) ? QLatin1Char('(') + term + QLatin1Char(')') : term;
     };
     for (qsizetype before = -1; before != tex.size();) {
@@ -179,8 +179,9 @@ QString plainText(const QString &markdown, int columns)
         if (!text.isEmpty())
             text += close ? QStringLiteral("\n") : QStringLiteral("\n\n");
         if (code) {
-            text += QStringLiteral("    ")
-                    + QString(block).replace(QLatin1Char('\n'), QLatin1String("\n    "));
+            for (const QString &line : block.split(QLatin1Char('\n')))
+                text += (line.isEmpty() ? line : QStringLiteral("    ") + line) + QLatin1Char('\n');
+            text.chop(1);
             return;
         }
         const QRegularExpressionMatch item = marker.match(block);

@@ -56,8 +56,8 @@ QString localsOf(const ProgramError &error)
 
 QString describe(const ProgramError &error, const QString &program)
 {
-    QStringList parts{wrapped(printable(placedMessage(error, program)).simplified(),
-                              terminalColumns - 2, {}, margin)};
+    QStringList parts{
+        wrapped(placedMessage(error, program).simplified(), terminalColumns - 2, {}, margin)};
     if (error.step > 0)
         parts.append(ReportText::tr("in step %1, at %2 s").arg(error.step).arg(error.time));
     if (!error.locals.empty())
@@ -72,7 +72,8 @@ QString describe(const CheckReport &report, const CheckOutcome &check, const QSt
     const QString mark = check.passed ? QStringLiteral("  ok    ")
                          : stopped    ? QStringLiteral("  error ")
                                       : QStringLiteral("  FAIL  ");
-    QString text = wrapped(check.title, terminalColumns, mark, indent) + QLatin1Char('\n');
+    QString text = wrapped(printable(check.title).simplified(), terminalColumns, mark, indent)
+                   + QLatin1Char('\n');
     if (check.passed)
         return text;
     QStringList findings = findingsOf(report, check, program);
@@ -80,7 +81,7 @@ QString describe(const CheckReport &report, const CheckOutcome &check, const QSt
     if (tellsError(report, check))
         findings.removeFirst();
     for (const QString &finding : findings)
-        text += wrapped(finding, terminalColumns, indent, indent) + QLatin1Char('\n');
+        text += wrapped(finding.simplified(), terminalColumns, indent, indent) + QLatin1Char('\n');
     return text;
 }
 
@@ -123,7 +124,8 @@ QString kindName(ProgramError::Kind kind)
 
 QString placedMessage(const ProgramError &error, const QString &program)
 {
-    return Error{.message = error.message, .file = nameOf(program), .line = error.line}.toString();
+    return Error{.message = printable(error.message), .file = nameOf(program), .line = error.line}
+        .toString();
 }
 
 bool wasStopped(const CheckReport &report, const CheckOutcome &check)
@@ -147,7 +149,7 @@ QStringList findingsOf(const CheckReport &report, const CheckOutcome &check, con
 QString explanationOf(const CheckReport &report, const QString &program)
 {
     if (report.error)
-        return printable(placedMessage(*report.error, program));
+        return placedMessage(*report.error, program);
     return report.diagnosis ? plainText(report.diagnosis->message, terminalColumns) : QString();
 }
 

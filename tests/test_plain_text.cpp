@@ -44,7 +44,7 @@ void TestPlainText::marksGiveWayToText_data()
     row("larger power", "$e^{10}$", "e^10");
     row("fraction", "$\\frac{1}{2} g$", "1/2 g");
     row("fraction of a sum", "$\\frac{m_1}{m_1 + m_2}$", "m_1/(m_1 + m_2)");
-    row("nested fraction", "$\\frac{1}{\\frac{2}{3}}$", "1/2/3");
+    row("nested fraction", "$\\frac{1}{\\frac{2}{3}}$", "1/(2/3)");
     row("dot", "$(u_1 - u_2) \\cdot n$", "(u_1 - u_2) · n");
     row("unknown command", "$\\sin x$", "sin x");
     row("money", "$5 and $6", "$5 and $6");
@@ -83,7 +83,7 @@ void TestPlainText::blocksStayApart()
     QCOMPARE(plainText(text("Title\n\nLook at\nthis:\n- one\n  more\n- two\n\n```lua\nx  =  1\n\n"
                             "y = 2\n```\nand go on"),
                        80),
-             text("Title\n\nLook at this:\n- one more\n- two\n\n    x  =  1\n    \n    y = 2\n"
+             text("Title\n\nLook at this:\n- one more\n- two\n\n    x  =  1\n\n    y = 2\n"
                   "and go on"));
 }
 

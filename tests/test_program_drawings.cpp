@@ -200,7 +200,7 @@ void TestProgramDrawings::manyDrawingsAreDrawnInTime()
     QElapsedTimer time;
     time.start();
     const DrawList list = listOf(drawings, {});
-    QVERIFY2(time.elapsed() < 100, qPrintable(QString::number(time.elapsed())));
+    QVERIFY2(time.elapsed() < 500, qPrintable(QString::number(time.elapsed())));
     QCOMPARE(list.arrows.size(), std::size_t{1024 + 1}); // and a velocity
     QVERIFY(list.labels.size() > 5);
     QImage image(700, 700, QImage::Format_RGB32);

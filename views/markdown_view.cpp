@@ -51,6 +51,13 @@ void MarkdownView::setMarkdown(const QString &text, const QUrl &folder)
     verticalScrollBar()->setValue(0);
 }
 
+void MarkdownView::setEmbedded(bool embedded)
+{
+    m_embedded = embedded;
+    setStyleSheet(embedded ? QStringLiteral("background: transparent;") : QString());
+    rebuild();
+}
+
 void MarkdownView::rebuild()
 {
     const int scrolled = verticalScrollBar()->value();
@@ -64,6 +71,8 @@ void MarkdownView::rebuild()
     document()->setDefaultFont(font());
     document()->setMarkdown(text.markdown, QTextDocument::MarkdownNoHTML);
     styleMarkdown(document(), palette().color(QPalette::Text));
+    if (m_embedded)
+        document()->setDocumentMargin(0);
     placeObjects();
     verticalScrollBar()->setValue(scrolled);
 }

@@ -29,6 +29,8 @@ public:
     /// \param folder  where pictures may come from: a local folder, or a Qt resource as
     ///     `qrc:/labs/…` or QUrl::fromLocalFile(":/labs/…")
     void setMarkdown(const QString &text, const QUrl &folder);
+    /// Inside a frame: without a margin and a background of its own.
+    void setEmbedded(bool embedded);
     /// Whether every formula is set, or has said why it cannot be.
     [[nodiscard]] bool isComplete() const;
 
@@ -58,6 +60,7 @@ private:
     PictureObjects *m_pictures; ///< child
     QString m_markdown;
     QString m_folder;
+    bool m_embedded = false;
     std::vector<Placed> m_formulas;
 };
 

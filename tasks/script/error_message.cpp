@@ -82,7 +82,12 @@ ProgramError errorAtTop(lua_State *L, int status)
             error.line = match.captured(2).toInt();
         message = message.mid(match.capturedLength());
     }
-    error.message = status == LUA_ERRSYNTAX ? message : plain(message);
+    if (status != LUA_ERRSYNTAX)
+        error.message = plain(message);
+    else
+        error.message = message.contains(QLatin1String("stack overflow"))
+                            ? MessageText::tr("parentheses, blocks or terms are nested too deeply")
+                            : message;
     return error;
 }
 

@@ -54,7 +54,9 @@ QString nearestName(const QString &name, const QStringList &known)
         const int distance = std::min(editDistance(name, candidate),
                                       editDistance(name.toLower(), candidate.toLower()) + 1);
         // One letter for another in a name of one letter is another name.
-        if (distance < best && distance < candidate.size()) {
+        const bool alike =
+            distance < candidate.size() || name.compare(candidate, Qt::CaseInsensitive) == 0;
+        if (distance < best && alike) {
             best = distance;
             nearest = candidate;
         }

@@ -19,12 +19,17 @@ struct SandboxText {
 /// Instructions between two looks at the clock: few, since one may copy a string of many MB.
 constexpr int instructionsPerLook = 100;
 
+bool isOfProgram(const lua_Debug &where)
+{
+    return qstrcmp(where.source, "=lab.lua") == 0;
+}
+
 /// The innermost function of the program on the stack, with its line.
 bool findLevel(lua_State *L, lua_Debug &where)
 {
     for (int level = 0; lua_getstack(L, level, &where) != 0; ++level) {
         lua_getinfo(L, "Sl", &where);
-        if (where.currentline > 0 && qstrcmp(where.source, "=lab.lua") == 0)
+        if (where.currentline > 0 && isOfProgram(where))
             return true;
     }
     return false;
@@ -58,14 +63,22 @@ void hook(lua_State *L, lua_Debug *event)
 {
     ScriptHost &host = ScriptHost::of(L);
     if (event->event == LUA_HOOKLINE) {
-        if (lua_isyieldable(L))
+        lua_getinfo(L, "S", event);
+        // Noted here: once it has yielded, Lua tells the line before.
+        if (lua_isyieldable(L) && isOfProgram(*event)) {
+            noteError(L);
             lua_yield(L, 0);
+        }
         return;
     }
     if (host.aborted) // Something went on after all.
         abortRun(L, *host.aborted, SandboxText::tr("the run was stopped"));
     charge(L, instructionsPerLook);
     checkTime(L);
+    if (lua_getstack(L, limits::callDepth, event) != 0)
+        raise(L, SandboxText::tr("functions call each other %1 deep; does one call itself without "
+                                 "end?")
+                     .arg(limits::callDepth));
 }
 
 /// The end of a pcall: true and the results, or false and the error, unless a limit was passed.

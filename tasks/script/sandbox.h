@@ -12,7 +12,7 @@ namespace cradle {
 int protectedCall(lua_State *L);
 
 /// From now on instructions and time are counted and limited; \p lines also yields at every new
-/// line where that is possible.
+/// line where that is possible, with line and locals in ScriptHost::caught.
 void watch(lua_State *L, bool lines);
 
 /// Begins a new count for a step that runs in \p L.

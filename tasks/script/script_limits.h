@@ -15,6 +15,9 @@ inline constexpr qint64 instructionsPerStep = 5'000'000; ///< of the Lua machine
 inline constexpr std::size_t scriptBytes = 64u * 1024 * 1024;
 inline constexpr std::chrono::seconds wallTimePerStep{2};
 inline constexpr qint64 outputBytesPerStep = 64 * 1024;
-inline constexpr qsizetype sourceBytes = 1024 * 1024; ///< far above what a lab needs
+inline constexpr int callDepth = 20'000; ///< far above what a lab needs
+/// Far above what a lab needs. Lua's parser, which nothing counts, takes time that grows with the
+/// square of a long chain of conditions: 0.1 s for this.
+inline constexpr qsizetype sourceBytes = 128 * 1024;
 
 } // namespace cradle::limits

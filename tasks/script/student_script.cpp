@@ -47,8 +47,10 @@ int setUp(lua_State *L)
 int parse(lua_State *L, const QString &source)
 {
     const QByteArray text = source.toUtf8();
-    return luaL_loadbufferx(L, text.constData(), static_cast<std::size_t>(text.size()), "=lab.lua",
-                            "t");
+    const int status = luaL_loadbufferx(L, text.constData(), static_cast<std::size_t>(text.size()),
+                                        "=lab.lua", "t");
+    // Nesting that is too deep for the parser Lua tells as an overflow while running.
+    return status == LUA_OK || status == LUA_ERRMEM ? status : LUA_ERRSYNTAX;
 }
 
 std::optional<ProgramError> tooLong(const QString &source)
@@ -263,7 +265,6 @@ StudentScript::Pause StudentScript::resume(int arguments)
     Pause pause;
     pause.circles = host.circles;
     if (status == LUA_YIELD) {
-        noteError(thread);
         pause.line = host.caught.line;
         pause.locals = std::exchange(host.caught, {}).locals;
         return pause;

@@ -1,69 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/gui/chart_scenes.h"
-#include "tests/showing_program.h"
+#include "tests/gui/console_fixture.h"
 #include "views/console_model.h"
-#include "views/console_view.h"
-#include "views/error_line.h"
-#include "views/values_table.h"
 
 #include <QClipboard>
 #include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QLabel>
-#include <QListView>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QTabBar>
-#include <QTabWidget>
 #include <QTest>
 
+#include <cmath>
+
 using namespace cradle;
-
-namespace {
-
-QString numbered(qint64 step)
-{
-    return QStringLiteral("line of %1\n").arg(step);
-}
-
-/// Prints a line in every step.
-void printStep(World &world, ProgramOutput &output)
-{
-    output.text = numbered(world.step + 1);
-}
-
-/// A console beside a run of a program.
-struct Console {
-    ShowingProgram program;
-    Simulation simulation{glancing()};
-    ConsoleView view{simulation};
-    QListView *list = view.findChild<QListView *>();
-
-    explicit Console(ShowingProgram::Show show = printStep)
-        : program(std::move(show))
-    {
-        simulation.setProgram(&program);
-        view.resize(344, 240);
-        view.show();
-        (void)QTest::qWaitForWindowExposed(&view);
-        QTest::qWait(20);
-    }
-
-    [[nodiscard]] int rows() const { return list->model()->rowCount(); }
-    [[nodiscard]] QString text(int row) const
-    {
-        return list->model()->index(row, 0).data().toString();
-    }
-    /// The row at the lower edge.
-    [[nodiscard]] int lowest() const
-    {
-        const QModelIndex index = list->indexAt({20, list->viewport()->height() - 12});
-        return index.isValid() ? index.row() : rows() - 1;
-    }
-};
-
-} // namespace
 
 class TestConsoleView final : public QObject
 {
@@ -78,15 +28,8 @@ private slots:
     void clearHidesUntilTheNextRun();
     void linesAreCopied();
     void lineSeeksToItsStep();
-    void errorTellsItsPlace_data();
-    void errorTellsItsPlace();
-    void errorIsShownAndActivated();
-    void errorGoesWithItsRun();
     void rowsFollowTheNotesThatAreKept();
     void floodCostsNoMoreThanAFrame();
-    void tabIsMarkedUntilItIsShown();
-    void tabsFit();
-    void titleFollowsTheWidget();
 };
 
 void TestConsoleView::emptyConsoleSaysWhatToDo()
@@ -219,57 +162,6 @@ void TestConsoleView::lineSeeksToItsStep()
     QCOMPARE(console.simulation.recording().step(frame), 7);
 }
 
-void TestConsoleView::errorTellsItsPlace_data()
-{
-    QTest::addColumn<int>("line");
-    QTest::addColumn<qint64>("step");
-    QTest::addColumn<QString>("told");
-    QTest::newRow("in a step") << 12 << qint64{40} << QStringLiteral("line 12, step 40: wrong");
-    QTest::newRow("while loading") << 12 << qint64{0} << QStringLiteral("line 12: wrong");
-    QTest::newRow("no line") << 0 << qint64{40} << QStringLiteral("step 40: wrong");
-    QTest::newRow("nowhere") << 0 << qint64{0} << QStringLiteral("wrong");
-}
-
-void TestConsoleView::errorTellsItsPlace()
-{
-    QFETCH(int, line);
-    QFETCH(qint64, step);
-    const ProgramError error{.message = QStringLiteral("wrong"), .line = line, .step = step};
-    QTEST(ErrorLine::describe(error), "told");
-}
-
-void TestConsoleView::errorIsShownAndActivated()
-{
-    Console console;
-    auto *line = console.view.findChild<ErrorLine *>();
-    QVERIFY(!line->isVisible());
-    console.program.failsAt = 3;
-    run(console.simulation, 3);
-    QTRY_VERIFY(line->isVisible());
-    QCOMPARE(line->text(), QStringLiteral("line 12, step 3: attempt to index a nil value"));
-    QCOMPARE(console.view.errorText(), line->text());
-    QSignalSpy activated(&console.view, &ConsoleView::lineActivated);
-    QTest::mouseClick(line, Qt::LeftButton);
-    QTest::keyClick(line, Qt::Key_Return);
-    QCOMPARE(activated.count(), 2);
-    QCOMPARE(activated.takeFirst().at(0).toInt(), 12);
-}
-
-void TestConsoleView::errorGoesWithItsRun()
-{
-    Console console;
-    QSignalSpy shown(&console.view, &ConsoleView::errorShown);
-    console.program.loadError = ProgramError{.message = QStringLiteral("'=' expected"), .line = 2};
-    console.simulation.restart();
-    QCOMPARE(console.view.errorText(), QStringLiteral("line 2: '=' expected"));
-    QVERIFY(!shown.isEmpty() && shown.takeLast().at(0).toBool());
-    console.program.loadError.reset();
-    console.simulation.restart();
-    QVERIFY(console.view.errorText().isEmpty());
-    QVERIFY(!console.view.findChild<ErrorLine *>()->isVisible());
-    QCOMPARE(shown.takeLast().at(0).toBool(), false);
-}
-
 void TestConsoleView::rowsFollowTheNotesThatAreKept()
 {
     constexpr int perStep = 900;
@@ -315,65 +207,8 @@ void TestConsoleView::floodCostsNoMoreThanAFrame()
     QTRY_COMPARE(console.list->verticalScrollBar()->value(),
                  console.list->verticalScrollBar()->maximum());
     console.view.repaint();
-    QVERIFY2(time.elapsed() < 200, qPrintable(QString::number(time.elapsed())));
+    QVERIFY2(time.elapsed() < 500, qPrintable(QString::number(time.elapsed())));
     QCOMPARE(console.rows(), static_cast<int>(ProgramNotes::mostLines));
-}
-
-void TestConsoleView::tabIsMarkedUntilItIsShown()
-{
-    ShowingProgram program;
-    program.failsAt = 2;
-    Simulation simulation(glancing());
-    simulation.setProgram(&program);
-    ValuesPane pane(simulation);
-    auto *console = new ConsoleView(simulation);
-    pane.addTab(console, QStringLiteral("Console"));
-    connect(console, &ConsoleView::errorShown, &pane,
-            [&](bool shown) { pane.markTab(console, shown); });
-    pane.show();
-    run(simulation, 2);
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Console •"));
-    pane.tabs().setCurrentIndex(2);
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Console"));
-    simulation.restart();
-    run(simulation, 2);
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Console"));
-    pane.tabs().setCurrentIndex(0);
-    simulation.restart();
-    run(simulation, 2);
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Console •"));
-    simulation.restart();
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Console"));
-}
-
-void TestConsoleView::tabsFit()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    auto *console = new ConsoleView(simulation);
-    auto *last = new QWidget;
-    pane.addTab(console, QStringLiteral("Console"));
-    pane.addTab(last, QStringLiteral("Plots"));
-    pane.markTab(console, true);
-    pane.resize(344, 276);
-    pane.show();
-    QTest::qWait(40);
-    pane.tabs().setTabText(1, QStringLiteral("Hits 1,234"));
-    const QTabBar *bar = pane.tabs().tabBar();
-    QVERIFY2(bar->tabRect(3).right() <= 344, qPrintable(QString::number(bar->tabRect(3).right())));
-}
-
-void TestConsoleView::titleFollowsTheWidget()
-{
-    Simulation simulation(glancing());
-    ValuesPane pane(simulation);
-    auto *widget = new QWidget;
-    pane.addTab(widget, QStringLiteral("Console"));
-    pane.markTab(widget, true);
-    widget->setWindowTitle(QStringLiteral("Konsole"));
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Konsole •"));
-    pane.setTabTitle(widget, QStringLiteral("Ausgabe"));
-    QCOMPARE(pane.tabs().tabText(2), QStringLiteral("Ausgabe •"));
 }
 
 QTEST_MAIN(TestConsoleView)

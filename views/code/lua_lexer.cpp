@@ -51,7 +51,7 @@ void LuaLexer::setLook(const CodeColours &colours, const QFont &font)
     const std::pair<Style, QColor> table[] = {
         {Plain, colours.text},        {Comment, colours.muted},   {Keyword, colours.keyword},
         {Constant, colours.constant}, {String, colours.string},   {Call, colours.call},
-        {Circle1, colours.circle1},   {Circle2, colours.circle2},
+        {Circle1, colours.circle1},   {Circle2, colours.circle2}, {Sign, colours.text},
     };
     for (const auto &[style, colour] : table) {
         setColor(colour, style);
@@ -83,7 +83,12 @@ void LuaLexer::styleText(int, int)
         const char next = i + 1 < tokens.size() ? text[tokens[i + 1].start] : '\0';
         if (token.start > at)
             setStyling(static_cast<int>(token.start - at), Plain);
-        setStyling(static_cast<int>(token.length), styleOf(token, text, next));
+        if (token.kind == LuaToken::Kind::Sign) {
+            for (qsizetype k = 0; k < token.length; ++k)
+                setStyling(1, (token.start + k) % 2 == 0 ? Plain : Sign);
+        } else {
+            setStyling(static_cast<int>(token.length), styleOf(token, text, next));
+        }
         at = token.end();
     }
     if (at < text.size())

@@ -13,7 +13,18 @@ class LuaLexer final : public QsciLexerCustom
 {
     Q_OBJECT
 public:
-    enum Style { Plain, Comment, Keyword, Constant, String, Call, Circle1, Circle2, StyleCount };
+    enum Style {
+        Plain,
+        Comment,
+        Keyword,
+        Constant,
+        String,
+        Call,
+        Circle1,
+        Circle2,
+        Sign, ///< looks like Plain: in turn they keep the font from joining "<=" to one sign
+        StyleCount
+    };
 
     explicit LuaLexer(QsciScintilla *editor);
 

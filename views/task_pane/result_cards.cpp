@@ -61,7 +61,7 @@ QVBoxLayout *addCard(QVBoxLayout *column, const char *kind, const HeadedText &te
     if (!text.body.isEmpty()) {
         auto *body = new MarkdownView(card, renderer);
         body->setAccessibleName(text.headline);
-        body->document()->setDocumentMargin(0);
+        body->setEmbedded(true);
         growWithText(body);
         body->setMarkdown(text.body, {});
         inner->addWidget(body);

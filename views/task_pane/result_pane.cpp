@@ -156,7 +156,12 @@ void ResultPane::addFailure(QVBoxLayout *column)
     const auto failed = std::find_if(checks.begin(), checks.end(),
                                      [](const CheckOutcome &check) { return !check.passed; });
     if (m_report->error) {
-        addCard(column, "warningCard", describeError(*m_report->error), m_renderer);
+        QVBoxLayout *card =
+            addCard(column, "warningCard", describeError(*m_report->error), m_renderer);
+        auto *row = new QHBoxLayout;
+        card->addLayout(row);
+        addLineLink(row, m_report->error->line);
+        row->addStretch(1);
     } else if (failed != checks.end()) {
         const auto diagnosed = std::find_if(checks.begin(), checks.end(), [this](const auto &check) {
             return m_report->diagnosis && check.id == m_report->diagnosis->check;
@@ -166,14 +171,35 @@ void ResultPane::addFailure(QVBoxLayout *column)
         if (m_report->diagnosis)
             addText(card, asSentence(shown.message), "muted")
                 ->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        if (hasMoment(shown)) {
-            QPushButton *link = makeMomentLink();
-            card->addWidget(link, 0, Qt::AlignLeft);
-            connect(link, &QPushButton::clicked, this,
-                    [this, outcome = shown] { emit showMoment(outcome); });
-        }
+        addLinks(card, shown);
     }
     addChecks(column);
+}
+
+/// To the moment, and to the line that made it.
+void ResultPane::addLinks(QVBoxLayout *card, const CheckOutcome &outcome)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(16);
+    card->addLayout(row);
+    if (hasMoment(outcome)) {
+        QPushButton *link = makeMomentLink();
+        row->addWidget(link);
+        connect(link, &QPushButton::clicked, this, [this, outcome] { emit showMoment(outcome); });
+    }
+    addLineLink(row, outcome.line);
+    row->addStretch(1);
+}
+
+void ResultPane::addLineLink(QHBoxLayout *row, int line)
+{
+    if (line <= 0)
+        return;
+    auto *link = new QPushButton(tr("Line %1 ▸").arg(line));
+    link->setAccessibleName(tr("Show line %1 of the program").arg(line));
+    setKind(link, "link");
+    row->addWidget(link);
+    connect(link, &QPushButton::clicked, this, [this, line] { emit lineRequested(line); });
 }
 
 /// What is known of the failure: the mistake that makes it, or else what was observed.

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QScrollArea;
+class QHBoxLayout;
 class QVBoxLayout;
 
 namespace cradle {
@@ -36,6 +37,7 @@ public:
 
 signals:
     void solutionRequested();
+    void lineRequested(int line);
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
 
@@ -47,6 +49,8 @@ private:
     void rebuild();
     void showChecking();
     void addFailure(QVBoxLayout *column);
+    void addLinks(QVBoxLayout *card, const CheckOutcome &outcome);
+    void addLineLink(QHBoxLayout *row, int line);
     void addSuccess(QVBoxLayout *column);
     void addCommit(QVBoxLayout *column);
     void addWayOn(QVBoxLayout *column);

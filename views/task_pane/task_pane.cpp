@@ -16,8 +16,8 @@ namespace cradle {
 namespace {
 
 constexpr int narrowest = 260;        ///< px
-constexpr int resultHeight = 240;     ///< px, with a report; the student may change it
-constexpr double resultShare = 0.35;  ///< of the pane, at most
+constexpr int resultHeight = 320;     ///< px, with a report; the student may change it
+constexpr double resultShare = 0.42;  ///< of the pane, at most
 constexpr int emptyResultHeight = 64; ///< px, while there is none
 constexpr int lowPane = 640;          ///< px; a lower pane shows fewer steps
 constexpr int manySteps = 5;          ///< rows
@@ -50,6 +50,7 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
     connect(m_result, &ResultPane::showMoment, this, &TaskPane::showMoment);
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
+    connect(m_result, &ResultPane::lineRequested, this, &TaskPane::lineRequested);
     connect(m_result, &ResultPane::solutionRequested, this, &TaskPane::solutionRequested);
 }
 

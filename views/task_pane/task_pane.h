@@ -42,6 +42,7 @@ signals:
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
     void solutionRequested();
+    void lineRequested(int line); ///< of the program
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/other_forms.h"
+
+#include "tasks/checker.h"
+#include "tasks/lab_reader.h"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// Known mistakes in other forms than the lab's own files: another integrator, other walls, other
+/// numbers, another structure.
+class TestDiagnosis : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void correctWorkOfAnotherFormPasses_data();
+    void correctWorkOfAnotherFormPasses();
+    void mistakeOfAnotherFormIsRecognised_data();
+    void mistakeOfAnotherFormIsRecognised();
+    void unknownMistakeIsNotExplained_data();
+    void unknownMistakeIsNotExplained();
+    void remarkIsMadeOnAnotherForm_data();
+    void remarkIsMadeOnAnotherForm();
+
+private:
+    [[nodiscard]] CheckReport judged(const QString &step, const OtherForm &form) const;
+
+    Lab m_lab;
+};
+
+namespace {
+
+QByteArray say(const CheckReport &report)
+{
+    QString text = report.passed ? QStringLiteral("passed") : QStringLiteral("did not pass");
+    if (report.error)
+        text += QStringLiteral("; line %1: %2").arg(report.error->line).arg(report.error->message);
+    for (const CheckOutcome &check : report.checks) {
+        if (!check.passed)
+            text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
+    }
+    text += QStringLiteral("; taken for ")
+            + (report.diagnosis ? report.diagnosis->mistake : QStringLiteral("nothing known"));
+    return text.toUtf8();
+}
+
+using Change = std::function<void(OtherForm &)>;
+
+/// Replaces a piece of a part; it must be there.
+void edit(QString &part, const char *before, const char *after)
+{
+    Q_ASSERT_X(part.contains(QString::fromUtf8(before)), "edit", before);
+    part.replace(QString::fromUtf8(before), QString::fromUtf8(after));
+}
+
+} // namespace
+
+void TestDiagnosis::initTestCase()
+{
+    const Result<Lab> lab = readLab(QLatin1String(shippedLab));
+    QVERIFY(lab.ok());
+    m_lab = *lab;
+}
+
+CheckReport TestDiagnosis::judged(const QString &step, const OtherForm &form) const
+{
+    const Task &task = m_lab.tasks.at(static_cast<std::size_t>(m_lab.indexOf(step)));
+    return *judgeTask(m_lab, task, Submission(task.preset, form.source()), 1);
+}
+
+void TestDiagnosis::correctWorkOfAnotherFormPasses_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    using namespace parts;
+    for (const char *step :
+         {"L42T1", "L42T2", "L42T3", "L42T4", "L42T5", "L42T7", "L42T8", "L42T9", "L42T10",
+          "L42T11", "L42T12", "L42T13", "L42T14", "L42T15", "L42T16", "L42T17"})
+        QTest::newRow(step) << lab(step) << otherForm(lab(step));
+    const auto row = [](const char *step, const char *name, const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::newRow(name) << lab(step) << form;
+    };
+    row("L42T2", "step 2, clamped", [](OtherForm &f) { f.walls = clamp; });
+    row("L42T12", "step 12, circles before walls", [](OtherForm &f) { f.circlesFirst = true; });
+    row("L42T12", "step 12, Euler", [](OtherForm &f) { f.integrate = euler; });
+    row("L42T14", "step 14, centre of mass", [](OtherForm &f) { f.answer = centreOfMass; });
+    row("L42T16", "step 16, centre of mass", [](OtherForm &f) { f.answer = centreOfMass; });
+    row("L42T16", "step 16, e = 0.1",
+        [](OtherForm &f) { edit(f.start, "restitution = 0.6", "restitution = 0.1"); });
+    row("L42T17", "step 17, Euler", [](OtherForm &f) { f.integrate = euler; });
+    row("L42T17", "step 17, circles before walls", [](OtherForm &f) {
+        f.circlesFirst = true;
+        f.integrate = symplectic;
+    });
+}
+
+void TestDiagnosis::correctWorkOfAnotherFormPasses()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    const CheckReport report = judged(step, form);
+    QVERIFY2(report.passed, say(report).constData());
+    QVERIFY2(!report.diagnosis, say(report).constData());
+    QVERIFY2(report.remarks.empty(),
+             report.remarks.empty() ? "" : report.remarks.front().id.toUtf8().constData());
+}
+
+void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    QTest::addColumn<QString>("mistake");
+    using namespace parts;
+    const auto row = [](const char *step, const char *name, const char *mistake,
+                        const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::addRow("%s %s", step, name) << lab(step) << form << lab(mistake);
+    };
+    row("L42T1", "twice the way", "moved-twice",
+        [](OtherForm &f) { edit(f.integrate, "c.velocity * h ", "2 * h * c.velocity "); });
+    row("L42T1", "no time, by components", "displacement-without-time", [](OtherForm &f) {
+        f.integrate = lab("c.position = vec(c.position.x + c.velocity.x, c.position.y)");
+    });
+    row("L42T2", "centre at the wall, mirrored", "centre-for-rim",
+        [](OtherForm &f) { edit(f.walls, "half_width - c.radius", "half_width"); });
+    row("L42T2", "centre at the wall, clamped", "centre-for-rim", [](OtherForm &f) {
+        f.walls = clamp;
+        edit(f.walls, "half_width - c.radius", "half_width");
+    });
+    row("L42T2", "diameter, mirrored", "diameter-for-radius",
+        [](OtherForm &f) { edit(f.walls, "- c.radius", "- 2 * c.radius"); });
+    row("L42T2", "all of it outside, clamped", "far-rim", [](OtherForm &f) {
+        f.walls = clamp;
+        edit(f.walls, "- c.radius", "+ c.radius");
+    });
+    row("L42T2", "whole velocity, clamped", "whole-velocity-reversed", [](OtherForm &f) {
+        f.walls = clamp;
+        f.walls += lab("if vx ~= c.old.x or vy ~= c.old.y then c.velocity = -c.old end");
+        f.walls.prepend(lab("c.old = c.velocity\n"));
+    });
+    row("L42T2", "side walls, mirrored", "side-walls-only",
+        [](OtherForm &f) { f.walls.replace(lab("if y"), lab("if false and y")); });
+    row("L42T2", "speed kept away, mirrored", "bounce-takes-speed", [](OtherForm &f) {
+        f.walls.replace(lab("-math.abs("), lab("-0.5 * math.abs("))
+            .replace(lab(", math.abs("), lab(", 0.5 * math.abs("));
+    });
+    row("L42T3", "symplectic, mirrored", "symplectic-order",
+        [](OtherForm &f) { f.integrate = symplectic; });
+    row("L42T3", "symplectic, clamped", "symplectic-order", [](OtherForm &f) {
+        f.integrate = symplectic;
+        f.walls = clamp;
+    });
+    row("L42T3", "twice g", "gravity-twice",
+        [](OtherForm &f) { edit(f.integrate, "gravity * h", "2 * gravity * h"); });
+    row("L42T3", "no time", "time-forgotten",
+        [](OtherForm &f) { edit(f.integrate, "+ gravity * h", "+ gravity"); });
+    row("L42T3", "time squared", "time-squared",
+        [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * h ^ 2"); });
+    row("L42T3", "minus a minus", "gravity-upward",
+        [](OtherForm &f) { edit(f.integrate, "+ gravity * h", "- gravity * h"); });
+    row("L42T3", "parabola, as Verlet", "exact-parabola",
+        [](OtherForm &f) { f.integrate = verlet; });
+    row("L42T5", "both symplectic", "both-symplectic",
+        [](OtherForm &f) { f.integrate = symplectic; });
+    row("L42T5", "both Euler, clamped", "still-both-euler", [](OtherForm &f) {
+        f.integrate = euler;
+        f.walls = clamp;
+    });
+    row("L42T5", "switched", "switched",
+        [](OtherForm &f) { edit(f.integrate, "c.index == 1", "c.index == 2"); });
+    row("L42T9", "a smaller margin", "margin-added",
+        [](OtherForm &f) { f.reach = lab("p.radius + q.radius + 0.06"); });
+    row("L42T9", "a margin as a factor", "margin-added",
+        [](OtherForm &f) { f.reach = lab("1.2 * (p.radius + q.radius)"); });
+    row("L42T9", "boxes, as the larger of two", "box-test", [](OtherForm &f) {
+        f.touch = lab("math.max(math.abs(q.position.x - p.position.x), "
+                      "math.abs(q.position.y - p.position.y)) < reach");
+    });
+    row("L42T9", "the radius of circle 2", "only-one-radius",
+        [](OtherForm &f) { f.reach = lab("q.radius"); });
+    row("L42T9", "turned back", "velocities-reversed", [](OtherForm &f) {
+        f.answer = lab("if closing > 0 then p.velocity, q.velocity = -p.velocity, -q.velocity end");
+    });
+    row("L42T10", "first overwritten", "temp-forgotten", [](OtherForm &f) {
+        f.answer = lab("if closing > 0 then p.velocity = q.velocity q.velocity = p.velocity end");
+    });
+    row("L42T11", "whole velocity", "whole-velocity-swapped", [](OtherForm &f) {
+        f.answer = lab("if closing > 0 then p.velocity, q.velocity = q.velocity, p.velocity end");
+    });
+    row("L42T12", "second part forgotten", "second-part-ignored", [](OtherForm &f) {
+        f.answer = lab("local part = p.velocity:dot(n) * n if closing > 0 then "
+                       "p.velocity, q.velocity = p.velocity - part, q.velocity + part end");
+    });
+    row("L42T12", "off a wall, circles first", "reflected-as-off-a-wall", [](OtherForm &f) {
+        f.circlesFirst = true;
+        f.answer = lab("if closing > 0 then for _, c in ipairs({p, q}) do "
+                       "c.velocity = c.velocity - 2 * c.velocity:dot(n) * n end end");
+    });
+    row("L42T12", "whole velocity, Euler", "whole-velocity-swapped", [](OtherForm &f) {
+        f.integrate = euler;
+        f.answer = lab("if closing > 0 then p.velocity, q.velocity = q.velocity, p.velocity end");
+    });
+    row("L42T13", "radius of circle 1 twice", "twice-the-first-radius",
+        [](OtherForm &f) { f.reach = lab("circle1.radius + circle1.radius"); });
+    row("L42T13", "walls of circle 1, clamped", "walls-use-circle-1", [](OtherForm &f) {
+        f.walls = clamp;
+        edit(f.walls, "- c.radius", "- circle1.radius");
+    });
+    row("L42T14", "area, impulse", "mass-from-area",
+        [](OtherForm &f) { f.mass = lab("7 * c.density * c.radius ^ 2"); });
+    row("L42T14", "radius, centre of mass", "mass-from-radius", [](OtherForm &f) {
+        f.mass = lab("c.density * c.radius");
+        f.answer = centreOfMass;
+    });
+    row("L42T14", "each other's mass, impulse", "masses-exchanged", [](OtherForm &f) {
+        f.answer.replace(lab("j / m1"), lab("j / mx")).replace(lab("j / m2"), lab("j / m1"));
+        f.answer.replace(lab("j / mx"), lab("j / m2"));
+    });
+    row("L42T14", "masses not used", "masses-not-used",
+        [](OtherForm &f) { f.answer = parts::exchange; });
+    row("L42T15", "density not asked for", "density-ignored",
+        [](OtherForm &f) { f.mass = lab("c.radius ^ 3"); });
+    row("L42T16", "own e, squared", "e-squared",
+        [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 2"); });
+    row("L42T16", "no e, centre of mass", "e-forgotten", [](OtherForm &f) {
+        f.answer = centreOfMass;
+        f.answer.replace(lab("(1 + restitution)"), lab("2"));
+    });
+    row("L42T16", "no e for circle 2", "e-on-one-circle", [](OtherForm &f) {
+        edit(f.answer, "q.velocity + j / m2 * n",
+             "q.velocity + 2 * j / (1 + restitution) / m2 * n");
+    });
+    row("L42T16", "normal parts times e", "final-velocities-times-e", [](OtherForm &f) {
+        f.answer.replace(lab("(1 + restitution)"), lab("2"));
+        edit(f.answer, "* n end",
+             "* n for _, c in ipairs({p, q}) do "
+             "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
+    });
+    row("L42T17", "elastic walls, clamped", "walls-still-elastic",
+        [](OtherForm &f) { edit(f.walls, "local e = restitution", "local e = 1"); });
+    row("L42T17", "elastic walls, Euler and mirrored", "walls-still-elastic", [](OtherForm &f) {
+        f.integrate = euler;
+        f.walls = mirror;
+    });
+    row("L42T17", "e squared at the walls", "e-twice-at-the-walls",
+        [](OtherForm &f) { edit(f.walls, "e = restitution", "e = restitution * restitution"); });
+    row("L42T17", "no gravity set", "gravity-forgotten",
+        [](OtherForm &f) { edit(f.start, "gravity = vec(0, -9.81)", ""); });
+}
+
+void TestDiagnosis::mistakeOfAnotherFormIsRecognised()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    QFETCH(QString, mistake);
+    const CheckReport report = judged(step, form);
+    QVERIFY2(!report.passed && !report.error, say(report).constData());
+    QVERIFY2(report.diagnosis && report.diagnosis->mistake == mistake, say(report).constData());
+    QVERIFY(!report.diagnosis->message.isEmpty());
+}
+
+void TestDiagnosis::unknownMistakeIsNotExplained_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    using namespace parts;
+    const auto row = [](const char *step, const char *name, const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::addRow("%s %s", step, name) << lab(step) << form;
+    };
+    row("L42T2", "through the wall to the other side", [](OtherForm &f) {
+        f.walls = lab("local function wrapped(x) return math.abs(x) > 3.8 and -x or x end "
+                      "c.position = vec(wrapped(c.position.x), wrapped(c.position.y))");
+    });
+    row("L42T2", "turned by a right angle", [](OtherForm &f) {
+        f.walls = lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
+                      "or math.abs(c.position.y) > room then "
+                      "c.velocity = c.velocity:perpendicular() end");
+    });
+    row("L42T3", "gravity of the Moon",
+        [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
+    row("L42T3", "air",
+        [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });
+    row("L42T12", "turned by an angle", [](OtherForm &f) {
+        f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
+    });
+    row("L42T14", "a third of the impulse",
+        [](OtherForm &f) { edit(f.answer, "(1 + restitution)", "0.7"); });
+    row("L42T16", "e by its root",
+        [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 0.5"); });
+}
+
+void TestDiagnosis::unknownMistakeIsNotExplained()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    const CheckReport report = judged(step, form);
+    QVERIFY2(!report.passed && !report.error, say(report).constData());
+    QVERIFY2(!report.diagnosis, say(report).constData());
+}
+
+void TestDiagnosis::remarkIsMadeOnAnotherForm_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    QTest::addColumn<QString>("remark");
+    using namespace parts;
+    const auto row = [](const char *step, const char *remark, const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::newRow(remark) << lab(step) << form << lab(remark);
+    };
+    row("L42T14", "integer-four-thirds", [](OtherForm &f) {
+        f.start += lab("for i = 1, 2 do local c = circles[i] "
+                       "c.mass = c.density * 1000 * (4 // 3) * math.pi * c.radius ^ 3 end");
+        f.mass = lab("c.mass");
+    });
+    row("L42T9", "small-margin",
+        [](OtherForm &f) { f.reach = lab("p.radius + q.radius + 1e-5"); });
+    row("L42T17", "frozen-on-floor", [](OtherForm &f) {
+        f.integrate = lab("c.old = c.position ") + symplectic;
+        edit(f.walls, "c.position, c.velocity = vec(x, y), vec(vx, vy)",
+             "if vx ~= c.velocity.x or vy ~= c.velocity.y then "
+             "c.position, c.velocity = c.old, vec(vx, vy) end");
+    });
+}
+
+void TestDiagnosis::remarkIsMadeOnAnotherForm()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    QFETCH(QString, remark);
+    const CheckReport report = judged(step, form);
+    QVERIFY2(report.passed, say(report).constData());
+    QCOMPARE(report.remarks.size(), std::size_t{1});
+    QCOMPARE(report.remarks.front().id, remark);
+}
+
+QTEST_GUILESS_MAIN(TestDiagnosis)
+#include "test_diagnosis.moc"
