@@ -130,8 +130,8 @@ void CodeDesk::showError(const ProgramError &error)
         return;
     QString message = error.message;
     if (error.step > 0)
-        message += QLatin1Char('\n')
-                   + tr("in step %1, at %2 s").arg(error.step).arg(figure(error.time));
+        message +=
+            QLatin1Char('\n') + tr("in step %1, at %2 s").arg(error.step).arg(figure(error.time));
     m_pane.editor().setError(error.line, message);
     m_pane.setExecuting(0);
     if (error.locals.empty())

@@ -141,10 +141,10 @@ void CodeSession::stepLine()
     // The past is told, not run: lines are those of the step that comes next.
     if (m_simulation.current() != recording.last())
         m_simulation.seek(recording.last());
-    const StudentScript::Pause pause =
-        m_stepping ? m_script->nextLine()
-                   : m_script->beginLines(recording.world(recording.last()),
-                                          m_simulation.preset().timestep);
+    const StudentScript::Pause pause = m_stepping
+                                           ? m_script->nextLine()
+                                           : m_script->beginLines(recording.world(recording.last()),
+                                                                  m_simulation.preset().timestep);
     m_stepping = pause.line > 0 && !pause.error;
     if (m_stepping)
         emit paused(pause);

@@ -155,8 +155,8 @@ int main(int argc, char **argv)
     parser.addPositionalArgument(
         QStringLiteral("LAB-DIR or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
-    parser.addOptions({options.step, options.language, options.theme, options.mode,
-                       options.script, options.screenshot, options.at, options.size});
+    parser.addOptions({options.step, options.language, options.theme, options.mode, options.script,
+                       options.screenshot, options.at, options.size});
     if (!parser.parse(QApplication::arguments()))
         return complain(QStringLiteral("cradle: ") + parser.errorText());
     if (parser.isSet(help))

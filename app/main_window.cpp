@@ -282,9 +282,8 @@ void MainWindow::showReport()
     if (m_workbench.report()) {
         for (const CheckOutcome &check : m_workbench.report()->checks) {
             if (!check.passed && check.scene == own && !check.pinned)
-                marks.push_back(
-                    {.time = static_cast<double>(check.step) * own.timestep,
-                     .label = tr("Not yet: %1").arg(check.title)});
+                marks.push_back({.time = static_cast<double>(check.step) * own.timestep,
+                                 .label = tr("Not yet: %1").arg(check.title)});
         }
     }
     m_timeline->setMarks(marks);
@@ -403,12 +402,9 @@ void MainWindow::retranslate()
     const QString scene =
         m_workbench.task() ? m_workbench.lab().title : m_workbench.document().preset().name;
     setWindowTitle(scene);
-    const std::pair<const char *, QString> titles[] = {{"task", tr("Step")},
-                                                       {"code", tr("lab.lua")},
-                                                       {"inspector", tr("Inspector")},
-                                                       {"momentum", tr("Momentum")},
-                                                       {"energy", tr("Energy")},
-                                                       {"values", tr("Values")}};
+    const std::pair<const char *, QString> titles[] = {
+        {"task", tr("Step")},         {"code", tr("lab.lua")},  {"inspector", tr("Inspector")},
+        {"momentum", tr("Momentum")}, {"energy", tr("Energy")}, {"values", tr("Values")}};
     for (const auto &[name, title] : titles)
         findChild<QDockWidget *>(QLatin1String(name))->setWindowTitle(title);
     titleTabs();

@@ -33,9 +33,9 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
     , m_simulation(Preset{})
     , m_document(m_simulation)
     , m_code(m_simulation)
-    , m_programs(progressFile.isEmpty() ? QString()
-                                        : QFileInfo(progressFile).path()
-                                              + QStringLiteral("/programs"))
+    , m_programs(progressFile.isEmpty()
+                     ? QString()
+                     : QFileInfo(progressFile).path() + QStringLiteral("/programs"))
 {
     m_saveSoon.setSingleShot(true);
     m_saveSoon.setInterval(saveDelay);
@@ -95,8 +95,8 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     m_lab = std::move(*lab);
     m_current = -1;
     m_code.close();
-    m_code.setWorkspace(Workspace(m_programs.isEmpty() ? QString()
-                                                       : m_programs + QLatin1Char('/') + m_lab.id));
+    m_code.setWorkspace(
+        Workspace(m_programs.isEmpty() ? QString() : m_programs + QLatin1Char('/') + m_lab.id));
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
     m_firstStart = progressOfLab.tasks.empty();
     emit labChanged();
@@ -311,7 +311,8 @@ void Workbench::showReference(const CheckOutcome &outcome, qint64 step)
     const double seconds = static_cast<double>(step) * outcome.scene->timestep + ghostSeconds;
     const Variant variant{outcome.variant, *outcome.scene, seconds, outcome.pinned};
     Observation reference = observe(variant, &task()->solution);
-    if (!reference.error && reference.circleCount() == static_cast<int>(outcome.scene->circles.size()))
+    if (!reference.error
+        && reference.circleCount() == static_cast<int>(outcome.scene->circles.size()))
         setGhost(std::make_shared<const Recording>(std::move(reference.states)));
 }
 

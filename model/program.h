@@ -30,9 +30,9 @@ struct ProgramError {
 
     QString message; ///< what is wrong and what would be right
     Kind kind = Kind::Runtime;
-    int line = 0;       ///< of the program, from 1; 0 if unknown
-    qint64 step = 0;    ///< the step that could not be made; 0 while loading
-    double time = 0.0;  ///< at the start of that step, s
+    int line = 0;                       ///< of the program, from 1; 0 if unknown
+    qint64 step = 0;                    ///< the step that could not be made; 0 while loading
+    double time = 0.0;                  ///< at the start of that step, s
     std::vector<ProgramValue> locals{}; ///< the local variables at that line
 
     friend bool operator==(const ProgramError &, const ProgramError &) = default;
@@ -51,8 +51,8 @@ struct Drawing {
     enum class Kind { Arrow, Line, Point, Text };
 
     Kind kind = Kind::Point;
-    Vec2 from{}; ///< m; the place of a point or a text
-    Vec2 to{};   ///< m; the end of an arrow or a line
+    Vec2 from{};      ///< m; the place of a point or a text
+    Vec2 to{};        ///< m; the end of an arrow or a line
     QString colour{}; ///< a name or "#rrggbb"; empty for the text's colour
     QString text{};   ///< of a text, or the label of an arrow
 

@@ -213,8 +213,8 @@ bool Simulation::appendProgramStep(double dt)
     World next = m_world;
     m_error = m_program->advance(next, dt);
     ++next.step;
-    next.time = m_frameTime ? m_world.time + dt
-                            : static_cast<double>(next.step) * m_preset.timestep;
+    next.time =
+        m_frameTime ? m_world.time + dt : static_cast<double>(next.step) * m_preset.timestep;
     m_notes.add(next.step, next.time, m_program->takeOutput());
     if (m_error) {
         fail(*m_error);

@@ -57,7 +57,7 @@ struct CheckReport {
     std::optional<Diagnosis> diagnosis{}; ///< none if nothing known matches
     std::vector<Remark> remarks{};
     std::optional<ProgramError> error{}; ///< the program did not load or stopped
-    QString commit{}; ///< the commit message of the step; filled in as observed
+    QString commit{};                    ///< the commit message of the step; filled in as observed
     qint64 elapsedMs = 0;
 
     friend bool operator==(const CheckReport &, const CheckReport &) = default;

@@ -165,8 +165,8 @@ private:
     void judgeScene(const Plan &plan, std::size_t i, CheckOutcome &outcome, CheckReport &report)
     {
         const Variant &variant = plan.variants[i];
-        Observation run = observe(variant, m_submission.program(),
-                                  [this] { return isCancelled() || isLate(); });
+        Observation run =
+            observe(variant, m_submission.program(), [this] { return isCancelled() || isLate(); });
         if (!run.error && isLate())
             run.error = ProgramError{
                 .message = CheckerText::tr("the check took more than %1 s and was stopped; an "

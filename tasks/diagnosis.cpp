@@ -40,8 +40,8 @@ struct Evidence {
     const Variant *scene = nullptr;
     const Observation *run = nullptr;
     std::optional<double> restitution{}; ///< that of the student, where he may choose it
-    std::vector<qint64> odd{};  ///< the reference disagrees
-    std::vector<qint64> even{}; ///< it agrees
+    std::vector<qint64> odd{};           ///< the reference disagrees
+    std::vector<qint64> even{};          ///< it agrees
     std::size_t oddInAll = 0;
 };
 
@@ -88,8 +88,7 @@ struct Fit {
 
     [[nodiscard]] bool explains() const
     {
-        return odd > 0
-               && static_cast<double>(oddMissed) <= unexplained * static_cast<double>(odd)
+        return odd > 0 && static_cast<double>(oddMissed) <= unexplained * static_cast<double>(odd)
                && static_cast<double>(evenMissed) <= spoilt * static_cast<double>(even);
     }
     [[nodiscard]] bool isBetterThan(const Fit &other) const
@@ -194,11 +193,9 @@ const KnownScript *explain(const Task &task, const FailedCheck &failed, OneStep:
     std::vector<Evidence> evidence;
     for (std::size_t i = 0; i < failed.runs.size(); ++i) {
         const Observation &run = failed.runs[i];
-        const auto e = whose == Restitution::Student
-                           ? std::optional(run.variant.preset.restitution)
-                           : std::nullopt;
-        evidence.push_back(
-            compareWithReference(task.solution, failed.scenes[i], run, places, e));
+        const auto e = whose == Restitution::Student ? std::optional(run.variant.preset.restitution)
+                                                     : std::nullopt;
+        evidence.push_back(compareWithReference(task.solution, failed.scenes[i], run, places, e));
     }
     return bestFit(task, evidence, places);
 }
@@ -239,8 +236,7 @@ bool applies(const RemarkSpec &remark, const Task &task, const Variant &scene,
         return fieldsShow(run, OneStep(task.solution, scene), OneStep(remark.script.source, scene));
     const bool inPlace = remark.compare == RemarkSpec::Compare::Positions;
     const auto places = inPlace ? OneStep::Places::Only : OneStep::Places::Free;
-    const std::vector<Evidence> evidence{
-        compareWithReference(task.solution, scene, run, places)};
+    const std::vector<Evidence> evidence{compareWithReference(task.solution, scene, run, places)};
     const double odd = static_cast<double>(evidence.front().oddInAll);
     if (inPlace && odd < oftenInPlace * static_cast<double>(run.steps()))
         return false;
@@ -263,8 +259,7 @@ std::optional<Diagnosis> diagnose(const Task &task, const std::vector<FailedChec
         passes.push_back(OneStep::Places::Free);
     for (const auto places : passes) {
         for (const FailedCheck &check : failed) {
-            if (const KnownScript *mistake =
-                    explain(task, check, places, Restitution::Reference))
+            if (const KnownScript *mistake = explain(task, check, places, Restitution::Reference))
                 return diagnosisOf(*mistake, check);
         }
     }

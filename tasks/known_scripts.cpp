@@ -61,9 +61,8 @@ void readRemarks(const QJsonObject &json, const QJsonObject &texts, Task &task, 
         const QJsonObject object = value.toObject();
         const auto text = [&](const char *key) { return object.value(QLatin1String(key)); };
         RemarkSpec remark;
-        remark.script =
-            readKnown(task.folder + QStringLiteral("/remarks/%1.lua").arg(text("id").toString()),
-                      texts, lab);
+        remark.script = readKnown(
+            task.folder + QStringLiteral("/remarks/%1.lua").arg(text("id").toString()), texts, lab);
         remark.compare = compareFromName(text("compare").toString());
         remark.scene = text("scene").toObject();
         const QJsonArray circles = text("circles").toArray();
@@ -97,8 +96,8 @@ void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, 
         task.starter = lab.tasks.back().solution;
     const QDir mistakes(task.folder + QStringLiteral("/mistakes"));
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();
-    for (const QString &file : mistakes.entryList({QStringLiteral("*.lua")}, QDir::Files,
-                                                  QDir::Name))
+    for (const QString &file :
+         mistakes.entryList({QStringLiteral("*.lua")}, QDir::Files, QDir::Name))
         task.mistakes.push_back(readKnown(mistakes.filePath(file), texts, lab));
     readRemarks(json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
 }

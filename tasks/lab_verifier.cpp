@@ -42,18 +42,16 @@ void addProgram(VerifiedTask &verified, std::vector<QString> &sources, Role role
 
 bool isFailedBy(const CheckReport &report, const QString &check)
 {
-    return std::any_of(report.checks.begin(), report.checks.end(), [&](const CheckOutcome &c) {
-        return c.id == check && !c.passed;
-    });
+    return std::any_of(report.checks.begin(), report.checks.end(),
+                       [&](const CheckOutcome &c) { return c.id == check && !c.passed; });
 }
 
 QString firstFailure(const CheckReport &report)
 {
     const auto found = std::find_if(report.checks.begin(), report.checks.end(),
                                     [](const CheckOutcome &check) { return !check.passed; });
-    return found == report.checks.end()
-               ? QString()
-               : QStringLiteral("%1: %2").arg(found->id, found->message);
+    return found == report.checks.end() ? QString()
+                                        : QStringLiteral("%1: %2").arg(found->id, found->message);
 }
 
 /// What is wrong with one report; empty if it is as it should be.
@@ -173,7 +171,8 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only)
         }
     }
     QtConcurrent::blockingMap(jobs, [&lab](const Job &job) {
-        *job.report = *judgeTask(lab, *job.task, Submission(job.task->preset, job.source), job.seed);
+        *job.report =
+            *judgeTask(lab, *job.task, Submission(job.task->preset, job.source), job.seed);
     });
     for (std::size_t t = 0; t < result.size(); ++t)
         findProblems(*tasks[t], result[t]);

@@ -18,7 +18,7 @@ constexpr double sameFound = 1e-6;
 /// How far from a hit two programs may tell it, in steps of the pair's own motion.
 constexpr double earliest = -1.0;
 constexpr double latest = 1.0;
-constexpr int looks = 9;    ///< of the search for a normal, evenly spread
+constexpr int looks = 9;        ///< of the search for a normal, evenly spread
 constexpr int refinements = 40; ///< each makes the interval 0.62 times as long
 
 bool isNear(Vec2 a, Vec2 b, double tolerance)

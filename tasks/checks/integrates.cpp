@@ -71,9 +71,8 @@ Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
 Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator wanted)
 {
     const Circle &now = o.circle(i, k);
-    const Vec2 right =
-        advance(wanted, {now.position, now.velocity}, gravity, o.timestep()).position
-        - now.position;
+    const Vec2 right = advance(wanted, {now.position, now.velocity}, gravity, o.timestep()).position
+                       - now.position;
     const Vec2 observed = o.circle(i, k + 1).position - now.position;
     const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
     QString message =

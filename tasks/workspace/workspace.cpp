@@ -25,9 +25,10 @@ std::optional<Error> write(const QString &path, const QByteArray &text)
     if (QDir().mkpath(QFileInfo(path).path()) && file.open(QIODevice::WriteOnly)
         && file.write(text) == text.size() && file.commit())
         return std::nullopt;
-    return Error{.message = WorkspaceText::tr("your program cannot be saved here: %1")
-                                .arg(file.errorString()),
-                 .file = path};
+    return Error{
+        .message =
+            WorkspaceText::tr("your program cannot be saved here: %1").arg(file.errorString()),
+        .file = path};
 }
 
 } // namespace

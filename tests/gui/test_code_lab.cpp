@@ -82,7 +82,8 @@ void TestCodeLab::solutionsPassWhenTyped()
     open(step);
     // Comments are many letters and no program.
     QStringList lines = m_open->bench.task()->solution.split(QLatin1Char('\n'));
-    lines.removeIf([](const QString &line) { return line.trimmed().startsWith(QLatin1String("--")); });
+    lines.removeIf(
+        [](const QString &line) { return line.trimmed().startsWith(QLatin1String("--")); });
     type(lines.join(QLatin1Char('\n')));
     check();
     QVERIFY(m_open->bench.report());
@@ -114,8 +115,7 @@ void TestCodeLab::mistakesAreRecognised()
     QFETCH(QString, step);
     QFETCH(int, mistake);
     open(step);
-    const KnownScript known =
-        m_open->bench.task()->mistakes[static_cast<std::size_t>(mistake)];
+    const KnownScript known = m_open->bench.task()->mistakes[static_cast<std::size_t>(mistake)];
     m_open->bench.code().replace(known.source);
     check();
     QVERIFY(m_open->bench.report());

@@ -163,9 +163,10 @@ void ResultPane::addFailure(QVBoxLayout *column)
         addLineLink(row, m_report->error->line);
         row->addStretch(1);
     } else if (failed != checks.end()) {
-        const auto diagnosed = std::find_if(checks.begin(), checks.end(), [this](const auto &check) {
-            return m_report->diagnosis && check.id == m_report->diagnosis->check;
-        });
+        const auto diagnosed =
+            std::find_if(checks.begin(), checks.end(), [this](const auto &check) {
+                return m_report->diagnosis && check.id == m_report->diagnosis->check;
+            });
         const CheckOutcome &shown = diagnosed == checks.end() ? *failed : *diagnosed;
         QVBoxLayout *card = addCard(column, "warningCard", headedText(shown), m_renderer);
         if (m_report->diagnosis)
