@@ -45,6 +45,9 @@ CodeDesk::CodeDesk(Workbench &workbench, CodePane &pane, QSettings &settings, QO
     const bool atOnce = settings.value(QStringLiteral("appliesAtOnce"), true).toBool();
     workbench.code().setAppliesAtOnce(atOnce);
     pane.setAppliesAtOnce(atOnce);
+    pane.editor().setZoom(settings.value(QStringLiteral("codeZoom"), 0).toInt());
+    connect(&pane.editor(), &CodeEditor::zoomChanged, this,
+            [this](int steps) { m_settings.setValue(QStringLiteral("codeZoom"), steps); });
     wireEditor();
     wireSteps();
     wireSimulation();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_menu.h"
 
+#include "app/code_desk.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "views/scene/scene_view.h"
@@ -179,6 +180,8 @@ void addView(MainWindow &window, QMenuBar &bar)
 void addHelp(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Help"));
+    add(menu, MenuText::tr("&Reference of the lab's Lua"), QKeySequence(Qt::Key_F1), &window,
+        [w = &window] { w->codeDesk().showReference({}); });
     add(menu, MenuText::tr("&Keyboard shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_Slash), &window,
         &MainWindow::showShortcuts);
     menu->addSeparator();

@@ -173,8 +173,7 @@ void MainWindow::wireWorkbench()
     });
     connect(bench, &Workbench::failed, this, &MainWindow::report);
     connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
-    connect(bench, &Workbench::ghostChanged, this,
-            [this] { m_scene->setGhost(m_workbench.ghost(), tr("reference")); });
+    connect(bench, &Workbench::ghostChanged, this, &MainWindow::showGhost);
     connect(m_transport, &TransportBar::modeChosen, this, &MainWindow::chooseMode);
     connect(m_transport, &TransportBar::checkRequested, bench, &Workbench::check);
     connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
@@ -256,6 +255,11 @@ void MainWindow::chooseMode(int index)
     const Mode mode = index == 1 ? Mode::Code : Mode::Explore;
     m_settings.setValue(QStringLiteral("mode"), index);
     m_workbench.setMode(mode);
+}
+
+void MainWindow::showGhost()
+{
+    m_scene->setGhost(m_workbench.ghost(), tr("reference"));
 }
 
 void MainWindow::showLine(int line)
@@ -408,6 +412,7 @@ void MainWindow::retranslate()
     for (const auto &[name, title] : titles)
         findChild<QDockWidget *>(QLatin1String(name))->setWindowTitle(title);
     titleTabs();
+    showGhost();
     fillMenuBar(*this);
 }
 

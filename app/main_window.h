@@ -75,6 +75,7 @@ private:
     void showMode();
     void chooseMode(int index);
     void titleTabs();
+    void showGhost();
     void showLine(int line); ///< of the program
     void report(const Error &error);
 

@@ -30,7 +30,8 @@ public:
     /// Why the program cannot go on from the newest step, if it cannot.
     [[nodiscard]] const std::optional<ProgramError> &programError() const { return m_error; }
     [[nodiscard]] const ProgramNotes &notes() const { return m_notes; }
-    [[nodiscard]] bool hasProgram() const { return m_program != nullptr; }
+    /// Whether a program moves the circles, not the laws.
+    [[nodiscard]] bool isProgrammed() const { return m_program && m_program->moves(); }
     [[nodiscard]] const Recording &recording() const { return m_recording; }
     /// The moment that is shown: an index into the recording.
     [[nodiscard]] qint64 current() const { return m_current; }

@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QStringDecoder>
 
 namespace cradle {
 
@@ -21,10 +22,17 @@ struct ReaderText {
 QString readProgram(const QString &path, Lab &lab)
 {
     const Result<QByteArray> text = readFile(path, limits::sourceBytes);
-    if (text)
-        return QString::fromUtf8(*text);
-    lab.findings.push_back(text.error());
-    return {};
+    if (!text) {
+        lab.findings.push_back(text.error());
+        return {};
+    }
+    QStringDecoder decode(QStringDecoder::Utf8);
+    QString decoded = decode(*text);
+    if (decode.hasError())
+        lab.findings.push_back({.message = ReaderText::tr("the text is not in UTF-8, which would "
+                                                          "be right; some letters are lost"),
+                                .file = path});
+    return decoded;
 }
 
 QString readIfThere(const QString &path, Lab &lab)

@@ -15,7 +15,7 @@ namespace cradle::programs {
 
 using Circles = std::vector<Circle>;
 /// Moves all circles by one step of \p dt s.
-using Program = std::function<void(Circles &, double dt)>;
+using Moves = std::function<void(Circles &, double dt)>;
 
 /// A scene of circles with equal radii and densities, in the lab's square.
 inline Preset scene(const std::vector<Circle> &bodies, Vec2 gravity = {}, double restitution = 1.0)
@@ -33,7 +33,7 @@ inline Preset scene(const std::vector<Circle> &bodies, Vec2 gravity = {}, double
 }
 
 /// What \p program does in \p preset, written down step by step.
-inline Observation observed(const Preset &preset, double duration, const Program &program)
+inline Observation observed(const Preset &preset, double duration, const Moves &program)
 {
     Observation o{{QStringLiteral("preset"), preset, duration}, Recording{}};
     World world;

@@ -37,7 +37,7 @@ constexpr Vec2 down{0.0, -scenes::g};
 constexpr double flightTime = 0.8; ///< s; no wall is near
 
 /// x' = x + v h + c g h²; v' = v + g h.
-Program carriedOn(double c, Vec2 gravity = down)
+Moves carriedOn(double c, Vec2 gravity = down)
 {
     return [c, gravity](Circles &circles, double h) {
         for (Circle &each : circles) {
@@ -49,7 +49,7 @@ Program carriedOn(double c, Vec2 gravity = down)
 
 const Circle thrown{.position = {-1.0, 0.5}, .velocity = {1.5, 2.0}};
 
-Observation flight(const Program &program)
+Observation flight(const Moves &program)
 {
     return observed(scene({thrown, thrown}, down), flightTime, program);
 }
@@ -100,7 +100,7 @@ void TestChecks::startIsCompared()
     QCOMPARE(fault->step, qint64{0});
     QVERIFY(fault->expected && fault->observed);
     // What happens later is not the start.
-    const Program wild = [](Circles &c, double) { c[0].position = {3.0, 3.0}; };
+    const Moves wild = [](Circles &c, double) { c[0].position = {3.0, 3.0}; };
     VERIFY_ACCEPTED(judge(check("start", {0, 1}, {{key, right}}), flight(wild)));
 }
 

@@ -212,7 +212,8 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     row("L42T13", "radius of circle 1 twice", "twice-the-first-radius",
         [](OtherForm &f) { f.reach = lab("circle1.radius + circle1.radius"); });
     row("L42T13", "walls of circle 1, clamped", "walls-use-circle-1", [](OtherForm &f) {
-        f.walls = clamp;
+        f.walls = clampWithE;
+        edit(f.walls, "e = restitution", "e = 1");
         edit(f.walls, "- c.radius", "- circle1.radius");
     });
     row("L42T14", "area, impulse", "mass-from-area",
@@ -325,8 +326,7 @@ void TestDiagnosis::remarkIsMadeOnAnotherForm_data()
                        "c.mass = c.density * 1000 * (4 // 3) * math.pi * c.radius ^ 3 end");
         f.mass = lab("c.mass");
     });
-    row("L42T9", "small-margin",
-        [](OtherForm &f) { f.reach = lab("p.radius + q.radius + 1e-5"); });
+    row("L42T9", "small-margin", [](OtherForm &f) { f.reach = lab("p.radius + q.radius + 1e-5"); });
     row("L42T17", "frozen-on-floor", [](OtherForm &f) {
         f.integrate = lab("c.old = c.position ") + symplectic;
         edit(f.walls, "c.position, c.velocity = vec(x, y), vec(vx, vy)",

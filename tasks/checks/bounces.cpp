@@ -21,6 +21,9 @@ constexpr double restingSteps = 3.0;
 /// Steps within which a circle at a wall must be turned: one may show it beyond the wall, and the
 /// next answer.
 constexpr int patience = 3;
+/// How far handling a wall may move a circle, in the ways of the step and the one before: back to
+/// the old position, onto the wall or as far inside as it was outside.
+constexpr double longestLeap = 3.0;
 
 /// One look at a circle that changed its velocity by more than gravity.
 struct Turn {
@@ -168,6 +171,29 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
     return std::nullopt;
 }
 
+/// A circle that goes on somewhere else, such as at the opposite wall.
+std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gravity)
+{
+    for (qint64 k = 0; k < o.steps(); ++k) {
+        if (collisions && motion::isNearCircle(o, i, k, gravity))
+            continue;
+        const double way = motion::travel(o, i, k, gravity)
+                           + motion::travel(o, i, std::max<qint64>(0, k - 1), gravity);
+        const double moved = length(o.circle(i, k + 1).position - o.circle(i, k).position);
+        if (moved <= longestLeap * way)
+            continue;
+        return Fault{.message = BounceText::tr("At step %1 circle %2 moved by %3 m at once; with "
+                                               "its velocity it comes %4 m far")
+                                    .arg(QString::number(k + 1), QString::number(i + 1),
+                                         motion::figure(moved), motion::figure(way / 2.0)),
+                     .expected = way / 2.0,
+                     .observed = moved,
+                     .unit = QStringLiteral("m"),
+                     .step = k + 1};
+    }
+    return std::nullopt;
+}
+
 std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
 {
     if (auto fault = staysInside(check, o))
@@ -178,6 +204,8 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
                                    .toDouble(o.variant.preset.restitution);
     for (const int i : check.circles) {
         if (auto fault = stuck(o, i, gravity))
+            return fault;
+        if (auto fault = leap(o, i, collisions, gravity))
             return fault;
         for (qint64 k = 0; k < o.steps(); ++k) {
             if (!motion::isKicked(o, i, k, gravity)

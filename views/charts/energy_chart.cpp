@@ -30,7 +30,7 @@ bool comparesCircles(const Simulation &simulation)
     const auto &circles = preset.circles;
     if (circles.size() < 2 || circles.size() > mostCompared || preset.gravity == Vec2{})
         return false;
-    if (simulation.hasProgram())
+    if (simulation.isProgrammed())
         return circles.size() <= mostComparedByProgram;
     return std::any_of(circles.begin(), circles.end(), [&](const PresetCircle &circle) {
         return circle.integrator != circles.front().integrator;
@@ -86,7 +86,7 @@ void EnergyChart::showDefaults()
 void EnergyChart::nameMade()
 {
     QAction *action = m_actions[ByIntegrator];
-    if (simulation().hasProgram()) {
+    if (simulation().isProgrammed()) {
         action->setText(tr("By the pro&gram"));
         action->setToolTip(
             tr("Energy made by the program besides the hits, or lost if negative: total + "
@@ -190,7 +190,7 @@ void EnergyChart::addLosses(std::vector<ChartCurve> &all) const
                        .samples = &run.dissipated()});
     if (isShown(ByIntegrator))
         all.push_back(
-            {.label = simulation().hasProgram() ? tr("by the program") : tr("by the integrator"),
+            {.label = simulation().isProgrammed() ? tr("by the program") : tr("by the integrator"),
              .showsValue = true,
              .colour = theme().mutedText,
              .dash = Qt::DashDotDotLine,

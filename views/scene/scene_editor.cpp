@@ -28,7 +28,24 @@ bool SceneEditor::commit(const QString &text, const Preset &changed, const QStri
         emit noticed(fault->message);
         return false;
     }
-    return m_document.edit(text, changed, mergeKey);
+    const Preset before = preset();
+    if (!m_document.edit(text, changed, mergeKey))
+        return false;
+    noticeOverruled(before);
+    return true;
+}
+
+/// A program may set in on_load what was just edited.
+void SceneEditor::noticeOverruled(const Preset &before)
+{
+    const Preset &runs = m_document.simulation().preset();
+    for (std::size_t i = 0; i < runs.circles.size() && i < before.circles.size(); ++i) {
+        const Circle &edited = preset().circles[i].body;
+        if (edited == before.circles[i].body || edited == runs.circles[i].body)
+            continue;
+        emit noticed(tr("Your program sets this circle in on_load; change it there"));
+        return;
+    }
 }
 
 void SceneEditor::select(int index)

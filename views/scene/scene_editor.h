@@ -36,6 +36,7 @@ signals:
 
 private:
     void keepSelectionValid();
+    void noticeOverruled(const Preset &before);
 
     PresetDocument &m_document;
     int m_selected = -1;
