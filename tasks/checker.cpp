@@ -149,7 +149,12 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isCancelled() const { return m_hooks.cancelled && m_hooks.cancelled(); }
+    /// Once said, it holds.
+    [[nodiscard]] bool isCancelled()
+    {
+        m_cancelled = m_cancelled || (m_hooks.cancelled && m_hooks.cancelled());
+        return m_cancelled;
+    }
     [[nodiscard]] bool isLate() const { return m_timer.elapsed() > mostMilliseconds; }
 
     /// A program that does not load is told so before anything is judged.
@@ -237,6 +242,7 @@ private:
     const JudgeHooks &m_hooks;
     QElapsedTimer m_timer;
     std::vector<FailedCheck> m_failed;
+    bool m_cancelled = false;
 };
 
 /// The lab's commit messages are English, whatever language the student reads.

@@ -17,6 +17,7 @@ private slots:
     void rightProgramIsAccepted();
     void wrongProgramIsRefused_data();
     void wrongProgramIsRefused();
+    void leapToTheOtherSideIsRefused();
     void circleInAFreeSquareIsAccepted();
     void restitutionOfTheCheckCounts();
     void leavingTheSquareIsSeenByStaysInside();
@@ -96,6 +97,16 @@ void TestChecksWalls::wrongProgramIsRefused()
     const Circle late = thrown(0.0, 3.8 / (75.1 * scenes::dt));
     const Circle start = mistakes[index].step == stuck ? late : thrown(61.0);
     VERIFY_REFUSED(judge(check("bounces"), flight(start, {}, e, mistakes[index])), word);
+}
+
+void TestChecksWalls::leapToTheOtherSideIsRefused()
+{
+    // Out at one wall and in at the opposite: no velocity changes, and nothing is beyond a wall.
+    const Observation o = observed(scene({thrown(20.0)}), 6.0, [](Circles &c, double h) {
+        fall(c[0], {}, h);
+        atWalls(c[0], [](double &x, double &, double) { x = -x; });
+    });
+    VERIFY_REFUSED(judge(check("bounces"), o), QStringLiteral("m at once"));
 }
 
 void TestChecksWalls::circleInAFreeSquareIsAccepted()

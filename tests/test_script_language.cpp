@@ -7,8 +7,8 @@
 using namespace cradle;
 using namespace cradle::programs;
 
-/// What a program can write: vectors, circles, the library, and what it shows. Wrong names are in
-/// test_script_names.cpp.
+/// What a program can write: vectors, circles and the library. Wrong names are in
+/// test_script_names.cpp, what it shows in test_script_showing.cpp.
 class TestScriptLanguage : public QObject
 {
     Q_OBJECT
@@ -24,10 +24,6 @@ private slots:
     void fieldsOfCirclesAreAssignable();
     void listOfCirclesIsWalked();
     void pairsKeepTheirOrder();
-    void plotAndDrawAreKept();
-    void wrongShowingIsExplained_data();
-    void wrongShowingIsExplained();
-    void quietProgramShowsNothing();
 };
 
 void TestScriptLanguage::expressionHasItsValue_data()
@@ -263,66 +259,6 @@ for k in pairs(u) do u.b = nil print(k) end
 for k in pairs({}) do print(k) end)lua"));
     VERIFY_RUNS(run);
     QCOMPARE(run.output.text, lua("-1 1 2 10 0.5 a aa b true left nil\na\na\nc\n"));
-}
-
-void TestScriptLanguage::plotAndDrawAreKept()
-{
-    const ScriptRun run = runScript(lua(R"lua(
-function on_update()
-  plot("energy", 2.5)
-  plot("height", circle1.position.y)
-  draw.arrow(vec(1, 2), vec(3, 4), "red", "v")
-  draw.line(vec(0, 0), vec(1, 1))
-  draw.point(circle1.position, "#00ff00")
-  draw.text(vec(5, 6), "here")
-end)lua"),
-                                    1);
-    VERIFY_RUNS(run);
-    QCOMPARE(run.output.points,
-             (std::vector<PlottedPoint>{{lua("energy"), 2.5}, {lua("height"), 2.0}}));
-    using Kind = Drawing::Kind;
-    const std::vector<Drawing> drawings{{Kind::Arrow, {1.0, 2.0}, {4.0, 6.0}, lua("red"), lua("v")},
-                                        {Kind::Line, {0.0, 0.0}, {1.0, 1.0}, {}, {}},
-                                        {Kind::Point, {-2.0, 2.0}, {}, lua("#00ff00"), {}},
-                                        {Kind::Text, {5.0, 6.0}, {}, {}, lua("here")}};
-    QCOMPARE(run.output.drawings, drawings);
-}
-
-void TestScriptLanguage::wrongShowingIsExplained_data()
-{
-    QTest::addColumn<QString>("words");
-    const auto row = [](const char *statement, const char *words) {
-        QTest::newRow(statement) << lua(words);
-    };
-    row("plot(1)", "takes a number, not nothing");
-    row("plot('e', vec(1, 2))", "takes a number, not the vector (1, 2)");
-    row("plot('e', 0 / 0)", "a finite number is right");
-    row("plot('', 1)", "must have 1 to 100 letters");
-    row("plot({}, 1)", "the name in plot(name, number) must be a text, not a table");
-    row("draw.arrow(vec(0, 0), 3)", "draw.arrow(from, vector, colour, label) needs a vector");
-    row("draw.arrow(vec(1e308, 0), vec(1e308, 0))", "beyond all numbers");
-    row("draw.point(vec(0, 1 / 0))", "finite numbers are right");
-    row("draw.line(vec(0, 0), vec(1, 1), {})", "a colour must be a text");
-    row("draw.text(vec(0, 0))", "must be a text, not nothing");
-    row("draw.circle(vec(0, 0))", "draw has no `circle`");
-    row("draw.arow(vec(0, 0))", "did you mean `arrow`?");
-}
-
-void TestScriptLanguage::wrongShowingIsExplained()
-{
-    QFETCH(QString, words);
-    const QString statement = QString::fromUtf8(QTest::currentDataTag());
-    for (const bool quiet : {false, true})
-        VERIFY_STOPS(runScript(lua("\n") + statement, 0, {.quiet = quiet}), 2, words);
-}
-
-void TestScriptLanguage::quietProgramShowsNothing()
-{
-    const ScriptRun run =
-        runScript(lua("function on_update() print(1) plot('a', 1) draw.point(vec(0, 0)) end"), 3,
-                  {.quiet = true});
-    VERIFY_RUNS(run);
-    QVERIFY(run.output.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestScriptLanguage)

@@ -5,11 +5,17 @@
 #include "tasks/observation.h"
 #include "tasks/script/student_script.h"
 
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <clocale>
+
 using namespace cradle;
 using namespace cradle::programs;
 
-/// When a program is called, what it may change, and what becomes of its errors. What it can write
-/// is in test_script_language.cpp, its lines in test_script_lines.cpp.
+/// When a program is called and what it may change. What it can write is in
+/// test_script_language.cpp, its errors in test_script_errors.cpp, its lines in
+/// test_script_lines.cpp.
 class TestStudentScript : public QObject
 {
     Q_OBJECT
@@ -25,17 +31,8 @@ private slots:
     void ownFieldsStayFromStepToStep();
     void beginStartsAnew();
     void timeAndStepCount();
-    void errorTellsItsPlace();
-    void errorInLoadIsOfStepZero();
-    void errorsOfAnyTypeAreSaid_data();
-    void errorsOfAnyTypeAreSaid();
-    void syntaxErrorTellsItsLine_data();
-    void syntaxErrorTellsItsLine();
-    void statesBeforeTheFailingStepAreKept();
-    void impossibleStartOfTheLawsIsRefused();
-    void updateThatIsNoFunctionIsRefused_data();
-    void updateThatIsNoFunctionIsRefused();
     void sameProgramGivesTheSameBits();
+    void numbersAreTheSameInEveryLanguage();
     void outputIsTakenOnce();
 };
 
@@ -181,133 +178,6 @@ void TestStudentScript::timeAndStepCount()
     QCOMPARE(run.output.text, lua("0\ttrue\ttrue\n1\ttrue\ttrue\n2\ttrue\ttrue\n"));
 }
 
-void TestStudentScript::errorTellsItsPlace()
-{
-    const ScriptRun run = runScript(lua(R"lua(
-local function half(speed)
-  local twice = speed * 2
-  return speed.x / twice
-end
-function on_update(dt)
-  if step == 30 then
-    half(3)
-  end
-end)lua"),
-                                    60);
-    VERIFY_STOPS(run, 4, lua("`speed` is number"));
-    QCOMPARE(run.error->kind, ProgramError::Kind::Runtime);
-    QCOMPARE(run.error->step, 31);
-    QCOMPARE(run.error->time, 0.5);
-    const std::vector<ProgramValue> locals{{lua("speed"), lua("3")}, {lua("twice"), lua("6")}};
-    QCOMPARE(run.error->locals, locals);
-    QCOMPARE(run.world.step, 30);
-}
-
-void TestStudentScript::errorInLoadIsOfStepZero()
-{
-    const ScriptRun run = runScript(lua("function on_load()\n  local a = 1\n  a()\nend"), 1);
-    VERIFY_STOPS(run, 3, lua("`a` is number, not a function"));
-    QCOMPARE(run.error->step, 0);
-    QCOMPARE(run.error->locals.front(), (ProgramValue{lua("a"), lua("1")}));
-}
-
-void TestStudentScript::errorsOfAnyTypeAreSaid_data()
-{
-    QTest::addColumn<QString>("statement");
-    QTest::addColumn<QString>("words");
-    QTest::newRow("text") << lua("error('no mass')") << lua("no mass");
-    QTest::newRow("text blamed on the caller") << lua("error('no mass', 2)") << lua("no mass");
-    QTest::newRow("number") << lua("error(42)") << lua("42");
-    QTest::newRow("nil") << lua("error()") << lua("error with nil");
-    QTest::newRow("table") << lua("error({})") << lua("error with a table");
-    QTest::newRow("function") << lua("error(print)") << lua("error with a function");
-    QTest::newRow("boolean") << lua("error(false)") << lua("error with false");
-    QTest::newRow("vector") << lua("error(vec(1, 2))") << lua("error with the vector (1, 2)");
-    QTest::newRow("circle") << lua("error(circle1)") << lua("error with circle1");
-    QTest::newRow("failed assertion") << lua("assert(false)") << lua("assertion failed!");
-    QTest::newRow("assertion with words") << lua("assert(nil, 'no e')") << lua("no e");
-    QTest::newRow("assertion with a table") << lua("assert(nil, {})") << lua("error with a table");
-}
-
-void TestStudentScript::errorsOfAnyTypeAreSaid()
-{
-    QFETCH(QString, statement);
-    QFETCH(QString, words);
-    const ScriptRun run = runScript(lua("\n\n") + statement);
-    VERIFY_STOPS(run, 3, words);
-    QVERIFY2(!run.error->message.contains(lua("lab.lua:")), run.say().constData());
-    QCOMPARE(run.error->kind, ProgramError::Kind::Runtime);
-}
-
-void TestStudentScript::syntaxErrorTellsItsLine_data()
-{
-    QTest::addColumn<QString>("source");
-    QTest::addColumn<int>("line");
-    QTest::newRow("end missing") << lua("function on_load()\nif true then\nend\n") << 4;
-    QTest::newRow("one end too many") << lua("function on_load()\nend\nend") << 3;
-    QTest::newRow("text without end") << lua("x = 1\nprint(\"a)\n") << 2;
-    QTest::newRow("foreign operator") << lua("x = 1\n\nx += 1") << 3;
-    QTest::newRow("jump to nowhere") << lua("x = 1\ngoto there") << 2;
-}
-
-void TestStudentScript::syntaxErrorTellsItsLine()
-{
-    QFETCH(QString, source);
-    QFETCH(int, line);
-    const ScriptRun run = runScript(source, 1);
-    VERIFY_STOPS(run, line, QString());
-    QCOMPARE(run.error->kind, ProgramError::Kind::Syntax);
-    QVERIFY2(!run.error->message.contains(lua("lab.lua")), run.say().constData());
-    const auto alone = findSyntaxError(source);
-    QVERIFY(alone);
-    QCOMPARE(alone->line, line);
-    QCOMPARE(alone->message, run.error->message);
-    QVERIFY(!findSyntaxError(lua("x = nil + 1")));
-}
-
-void TestStudentScript::statesBeforeTheFailingStepAreKept()
-{
-    const QString program = lua(R"lua(
-function on_update(dt)
-  circle1.position = circle1.position + circle1.velocity * dt
-  if step == 4 then
-    circle1.position = circle1.position / 0
-  end
-end)lua");
-    const Observation o = observe({QStringLiteral("preset"), twoCircles(), 1.0}, &program);
-    QVERIFY(o.error);
-    QCOMPARE(o.error->line, 5);
-    QCOMPARE(o.error->step, 5);
-    QCOMPARE(o.steps(), 4);
-    QCOMPARE(o.circle(0, 4).position.x, -2.0 + 4.0 * 2.0 / 60.0);
-}
-
-void TestStudentScript::impossibleStartOfTheLawsIsRefused()
-{
-    const QString load = lua("function on_load() circle1.position = vec(9, 0) end\n");
-    const ScriptRun laws = runScript(load);
-    VERIFY_STOPS(laws, 0, lua("after on_load the scene cannot be run"));
-    VERIFY_RUNS(runScript(load + lua("function on_update() end"), 1));
-}
-
-void TestStudentScript::updateThatIsNoFunctionIsRefused_data()
-{
-    QTest::addColumn<QString>("source");
-    QTest::addColumn<int>("line");
-    QTest::newRow("number") << lua("\non_update = 5") << 2;
-    QTest::newRow("load that is a number") << lua("on_load = 5") << 1;
-    QTest::newRow("function, then a number") << lua("function on_update() end on_update = 5") << 0;
-    QTest::newRow("taken away in a step") << lua("function on_update() on_update = nil end") << 0;
-    QTest::newRow("number in a step") << lua("function on_update()\non_update = 5\nend") << 0;
-}
-
-void TestStudentScript::updateThatIsNoFunctionIsRefused()
-{
-    QFETCH(QString, source);
-    QFETCH(int, line);
-    VERIFY_STOPS(runScript(source, 3), line, lua("function"));
-}
-
 void TestStudentScript::sameProgramGivesTheSameBits()
 {
     const QString program = lua(R"lua(
@@ -328,6 +198,25 @@ end)lua");
         QCOMPARE(again.world, first.world);
         QCOMPARE(again.output.text, first.output.text);
     }
+}
+
+void TestStudentScript::numbersAreTheSameInEveryLanguage()
+{
+    const QTemporaryDir folder;
+    if (QProcess::execute(lua("localedef"), {lua("-i"), lua("de_DE"), lua("-f"), lua("UTF-8"),
+                                             folder.filePath(lua("de_DE.UTF-8"))})
+        != 0)
+        QSKIP("no other locale can be made here");
+    qputenv("LOCPATH", folder.path().toUtf8());
+    QVERIFY(setlocale(LC_ALL, "de_DE.UTF-8"));
+    const QString program = lua("print(1.5, string.format('%.2f', 0.25), tonumber('1,5'), "
+                                "'a' < 'B', tonumber('1.5') == 1.5)");
+    const ScriptRun run = runScript(program);
+    const bool stillGerman = qstrcmp(localeconv()->decimal_point, ",") == 0;
+    setlocale(LC_ALL, "C");
+    VERIFY_RUNS(run);
+    QCOMPARE(run.output.text, lua("1.5\t0.25\tnil\tfalse\ttrue\n"));
+    QVERIFY2(stillGerman, "the rest of the application keeps its language");
 }
 
 void TestStudentScript::outputIsTakenOnce()

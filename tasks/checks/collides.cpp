@@ -58,13 +58,15 @@ double Answer::approach() const
 }
 
 /// With discrete steps the normal may be that of any moment between the step before the hit and
-/// the step of the hit.
+/// the step of the hit, also while one of the circles has made its step and the other has not.
 bool Answer::isHonest(Vec2 n) const
 {
     const auto angle = [](Vec2 p, Vec2 q) { return std::abs(std::atan2(cross(p, q), dot(p, q))); };
-    const double between = angle(contact.normalFirst, contact.normalLast);
-    return angle(n, contact.normalFirst) + angle(n, contact.normalLast)
-           <= between + 2.0 * sameDirection;
+    const Vec2 first = contact.normalFirst;
+    const Vec2 lasts[] = {contact.normalLast, contact.normalA, contact.normalB};
+    return std::any_of(std::begin(lasts), std::end(lasts), [&](Vec2 last) {
+        return angle(n, first) + angle(n, last) <= angle(first, last) + 2.0 * sameDirection;
+    });
 }
 
 /// What the two velocities would be after the contact.

@@ -101,7 +101,11 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
         const double dt = o.timestep();
         const double sum = ca.radius + cb.radius;
         Contact contact{.step = k};
-        contact.nearest = nearestCentres(ca, cb, dt) - sum;
+        const Vec2 movedA = ca.position + dt * ca.velocity;
+        const Vec2 movedB = cb.position + dt * cb.velocity;
+        contact.nearest = std::min({nearestCentres(ca, cb, dt), length(cb.position - movedA),
+                                    length(movedB - ca.position)})
+                          - sum;
         // What happens at a wall, far from the other circle, is not theirs.
         const bool wall = (!kickedA || isNearWall(o, a, k, gravity))
                           && (!kickedB || isNearWall(o, b, k, gravity));
@@ -116,8 +120,9 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
         const Circle &ea = o.circle(a, early);
         const Circle &eb = o.circle(b, early);
         contact.normalFirst = normalized(eb.position - ea.position);
-        contact.normalLast =
-            normalized(cb.position + dt * cb.velocity - ca.position - dt * ca.velocity);
+        contact.normalLast = normalized(movedB - movedA);
+        contact.normalA = normalized(cb.position - movedA);
+        contact.normalB = normalized(movedB - ca.position);
         contacts.push_back(contact);
     }
     return contacts;

@@ -48,9 +48,11 @@ struct Contact {
     Vec2 beforeB{};
     Vec2 afterA{};
     Vec2 afterB{};
-    double nearest = 0.0; ///< least distance of the rims on the way through the step, m
+    double nearest = 0.0; ///< least distance of the rims that a program may see in the step, m
     Vec2 normalFirst{};   ///< the first and the last normal that is honest with discrete steps
     Vec2 normalLast{};
+    Vec2 normalA{}; ///< when a has made its step and b has not: one is moved after the other
+    Vec2 normalB{};
 };
 
 /// The contacts of circles \p a and \p b, oldest first, walls left out.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/circle_binding.h"
 
+#include "tasks/script/circle_list.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/world_binding.h"
@@ -9,7 +10,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <climits>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -23,7 +23,6 @@ struct CircleText {
 };
 
 constexpr lua_Integer metatableKey = 102;
-constexpr lua_Integer listKey = 103; ///< the table of all circle objects
 
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
@@ -201,52 +200,6 @@ int setField(lua_State *L)
     return 0;
 }
 
-/// circles[i]; nil beyond the last, as ipairs wants it.
-int listIndex(lua_State *L)
-{
-    if (lua_type(L, 2) != LUA_TNUMBER)
-        raise(L, CircleText::tr("circles[i] takes a number from 1 to %1, not %2")
-                     .arg(ScriptHost::of(L).circles.size())
-                     .arg(nameValue(L, 2)));
-    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
-    lua_pushvalue(L, 2);
-    lua_rawget(L, -2);
-    return 1;
-}
-
-int listLength(lua_State *L)
-{
-    lua_pushinteger(L, static_cast<lua_Integer>(ScriptHost::of(L).circles.size()));
-    return 1;
-}
-
-int refuseListChange(lua_State *L)
-{
-    raise(L, CircleText::tr("circles cannot be added or removed by a program; set the position "
-                            "and velocity of those that are there"));
-}
-
-int listNext(lua_State *L)
-{
-    const lua_Integer last = luaL_optinteger(L, 2, 0);
-    const lua_Integer next = last < 0 || last > INT_MAX ? 0 : last + 1;
-    lua_pushinteger(L, next);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
-    lua_rawgeti(L, -1, next);
-    if (lua_isnil(L, -1))
-        return 1; // nil ends the loop
-    lua_replace(L, -2);
-    return 2;
-}
-
-int listPairs(lua_State *L)
-{
-    lua_pushcfunction(L, listNext);
-    lua_pushvalue(L, 1);
-    lua_pushnil(L);
-    return 3;
-}
-
 void setFunction(lua_State *L, const char *name, lua_CFunction function)
 {
     lua_pushcfunction(L, function);
@@ -265,7 +218,7 @@ int circleAt(lua_State *L, int index)
 
 void pushCircle(lua_State *L, int index)
 {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, listKey);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, circleTableKey);
     lua_rawgeti(L, -1, index + 1);
     lua_remove(L, -2);
 }
@@ -290,18 +243,9 @@ void pushCircles(lua_State *L)
         lua_setmetatable(L, -2);
         lua_rawseti(L, -2, i + 1);
     }
-    lua_rawseti(L, LUA_REGISTRYINDEX, listKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, circleTableKey);
 
-    new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Circles};
-    lua_newtable(L);
-    setFunction(L, "__index", listIndex);
-    setFunction(L, "__len", listLength);
-    setFunction(L, "__newindex", refuseListChange);
-    setFunction(L, "__pairs", listPairs);
-    setFunction(L, "__tostring", describeObject);
-    lua_pushliteral(L, "list of circles");
-    lua_setfield(L, -2, "__name");
-    lua_setmetatable(L, -2);
+    pushCircleList(L);
 }
 
 std::vector<CircleField> ownFields(lua_State *L)

@@ -19,6 +19,13 @@ struct SandboxText {
 /// Instructions between two looks at the clock: few, since one may copy a string of many MB.
 constexpr int instructionsPerLook = 100;
 
+/// Where 3/2 is 1.5, and texts are compared by their bytes, whatever language the desktop speaks.
+locale_t plainLocale()
+{
+    static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+    return plain;
+}
+
 bool isOfProgram(const lua_Debug &where)
 {
     return qstrcmp(where.source, "=lab.lua") == 0;
@@ -119,11 +126,14 @@ void beginCount(lua_State *L)
     host.outputBytes = 0;
     host.deadline = std::chrono::steady_clock::now() + limits::wallTimePerStep;
     host.memory.hold(L, host.deadline);
+    host.outerLocale = uselocale(plainLocale());
 }
 
 void endCount(lua_State *L)
 {
-    ScriptHost::of(L).memory.release();
+    ScriptHost &host = ScriptHost::of(L);
+    uselocale(host.outerLocale);
+    host.memory.release();
 }
 
 int currentLine(lua_State *L)

@@ -15,7 +15,7 @@ int protectedCall(lua_State *L);
 /// line where that is possible, with line and locals in ScriptHost::caught.
 void watch(lua_State *L, bool lines);
 
-/// Begins a new count for a step that runs in \p L.
+/// Begins a new count for a step that runs in \p L, in this thread until endCount().
 void beginCount(lua_State *L);
 /// That step has come to an end or pauses.
 void endCount(lua_State *L);

@@ -7,6 +7,7 @@
 #include "tasks/script/lua_state.h"
 
 #include <chrono>
+#include <locale.h>
 
 namespace cradle {
 
@@ -44,6 +45,7 @@ struct ScriptHost {
     qint64 instructions = 0;
     std::chrono::steady_clock::time_point deadline{};
     LuaMemory memory;
+    locale_t outerLocale{}; ///< of this thread while no program runs
     /// Set once a limit is passed; no pcall of the program stops that.
     std::optional<ProgramError::Kind> aborted{};
 

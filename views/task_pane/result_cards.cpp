@@ -45,29 +45,32 @@ HeadedText splitHeadline(const QString &markdown)
     return {markdown.left(end).trimmed(), markdown.mid(end).trimmed()};
 }
 
-QVBoxLayout *addCard(QVBoxLayout *column, const char *kind, const HeadedText &text,
-                     FormulaRenderer *renderer)
+QVBoxLayout *addCard(QVBoxLayout *column, const char *kind, const QString &headline)
 {
     auto *card = new QFrame;
     setKind(card, kind);
     auto *inner = new QVBoxLayout(card);
     inner->setContentsMargins(12, 8, 12, 8);
     inner->setSpacing(4);
-    auto *title = new QLabel(text.headline);
+    auto *title = new QLabel(headline);
     title->setWordWrap(true);
     title->setTextFormat(Qt::PlainText);
     setKind(title, qstrcmp(kind, "warningCard") == 0 ? "warningTitle" : "cardTitle");
     inner->addWidget(title);
-    if (!text.body.isEmpty()) {
-        auto *body = new MarkdownView(card, renderer);
-        body->setAccessibleName(text.headline);
-        body->setEmbedded(true);
-        growWithText(body);
-        body->setMarkdown(text.body, {});
-        inner->addWidget(body);
-    }
     column->addWidget(card);
     return inner;
+}
+
+void addMarkdown(QVBoxLayout *column, const HeadedText &text, FormulaRenderer *renderer)
+{
+    if (text.body.isEmpty())
+        return;
+    auto *body = new MarkdownView(nullptr, renderer);
+    body->setAccessibleName(text.headline);
+    body->setEmbedded(true);
+    growWithText(body);
+    body->setMarkdown(text.body, {});
+    column->addWidget(body);
 }
 
 HeadedText describeError(const ProgramError &error)
@@ -81,10 +84,7 @@ HeadedText describeError(const ProgramError &error)
                                  .arg(QString::number(error.time, 'g', 5));
         where += (where.isEmpty() ? QString() : QStringLiteral(", ")) + when;
     }
-    QString body = asSentence(error.message);
-    // What a program prints is no CommonMark.
-    for (const QChar special : {QLatin1Char('*'), QLatin1Char('_'), QLatin1Char('<')})
-        body.replace(special, QLatin1Char('\\') + QString(special));
+    const QString body = asSentence(error.message);
     return {headlineOf(error), where.isEmpty() ? body : where + QStringLiteral(": ") + body};
 }
 

@@ -21,13 +21,15 @@ struct HeadedText {
 };
 [[nodiscard]] HeadedText splitHeadline(const QString &markdown);
 
-/// Puts a frame with a headline and a body, set as CommonMark with formulas, into \p column.
+/// Puts a frame with a headline into \p column.
 /// \param kind  "warningCard" for what went wrong, "card" for a word on the way
 /// \return the layout of the frame, to put more below
-QVBoxLayout *addCard(QVBoxLayout *column, const char *kind, const HeadedText &text,
-                     FormulaRenderer *renderer);
+QVBoxLayout *addCard(QVBoxLayout *column, const char *kind, const QString &headline);
 
-/// "Line 12: …" with where and when, of a program that stopped.
+/// Adds a text of the lab: CommonMark with formulas.
+void addMarkdown(QVBoxLayout *column, const HeadedText &text, FormulaRenderer *renderer);
+
+/// Of a program that stopped: what, and "Line 12, in step 40, at 0.65 s: why".
 [[nodiscard]] HeadedText describeError(const ProgramError &error);
 
 } // namespace cradle

@@ -155,26 +155,53 @@ void ResultPane::addFailure(QVBoxLayout *column)
     const auto &checks = m_report->checks;
     const auto failed = std::find_if(checks.begin(), checks.end(),
                                      [](const CheckOutcome &check) { return !check.passed; });
-    if (m_report->error) {
+    if (m_report->error)
+        addError(column, *m_report->error);
+    else if (m_report->diagnosis)
+        addDiagnosis(column, *m_report->diagnosis);
+    else if (failed != checks.end()) {
         QVBoxLayout *card =
-            addCard(column, "warningCard", describeError(*m_report->error), m_renderer);
-        auto *row = new QHBoxLayout;
-        card->addLayout(row);
-        addLineLink(row, m_report->error->line);
-        row->addStretch(1);
-    } else if (failed != checks.end()) {
-        const auto diagnosed =
-            std::find_if(checks.begin(), checks.end(), [this](const auto &check) {
-                return m_report->diagnosis && check.id == m_report->diagnosis->check;
-            });
-        const CheckOutcome &shown = diagnosed == checks.end() ? *failed : *diagnosed;
-        QVBoxLayout *card = addCard(column, "warningCard", headedText(shown), m_renderer);
-        if (m_report->diagnosis)
-            addText(card, asSentence(shown.message), "muted")
-                ->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        addLinks(card, shown);
+            addCard(column, "warningCard", tr("Not yet: %1").arg(withUnits(failed->title)));
+        addMessage(card, failed->message, "plain");
+        addLinks(card, *failed);
     }
     addChecks(column);
+}
+
+void ResultPane::addError(QVBoxLayout *column, const ProgramError &error)
+{
+    const HeadedText text = describeError(error);
+    QVBoxLayout *card = addCard(column, "warningCard", text.headline);
+    addMessage(card, text.body, "plain");
+    auto *row = new QHBoxLayout;
+    card->addLayout(row);
+    addLineLink(row, error.line);
+    row->addStretch(1);
+}
+
+/// The mistake that makes the failure, and below it what was observed.
+void ResultPane::addDiagnosis(QVBoxLayout *column, const Diagnosis &diagnosis)
+{
+    const HeadedText text = splitHeadline(diagnosis.message);
+    QVBoxLayout *card = addCard(column, "warningCard", text.headline);
+    addMarkdown(card, text, m_renderer);
+    for (const CheckOutcome &check : m_report->checks) {
+        if (check.id != diagnosis.check)
+            continue;
+        addMessage(card, check.message, "muted");
+        addLinks(card, check);
+    }
+}
+
+void ResultPane::addRemark(QVBoxLayout *column, const Remark &remark)
+{
+    const HeadedText text = splitHeadline(remark.message);
+    addMarkdown(addCard(column, "card", text.headline), text, m_renderer);
+}
+
+void ResultPane::addMessage(QVBoxLayout *column, const QString &message, const char *kind)
+{
+    addText(column, asSentence(message), kind)->setTextInteractionFlags(Qt::TextSelectableByMouse);
 }
 
 /// To the moment, and to the line that made it.
@@ -203,14 +230,6 @@ void ResultPane::addLineLink(QHBoxLayout *row, int line)
     connect(link, &QPushButton::clicked, this, [this, line] { emit lineRequested(line); });
 }
 
-/// What is known of the failure: the mistake that makes it, or else what was observed.
-HeadedText ResultPane::headedText(const CheckOutcome &outcome) const
-{
-    if (m_report->diagnosis)
-        return splitHeadline(m_report->diagnosis->message);
-    return {tr("Not yet: %1").arg(withUnits(outcome.title)), asSentence(outcome.message)};
-}
-
 void ResultPane::addChecks(QVBoxLayout *column)
 {
     for (const CheckOutcome &check : m_report->checks) {
@@ -227,7 +246,7 @@ void ResultPane::addSuccess(QVBoxLayout *column)
             count == 1 ? tr("✓ Passed: the check") : tr("✓ Passed: all %1 checks").arg(count),
             "successTitle");
     for (const Remark &remark : m_report->remarks)
-        addCard(column, "card", splitHeadline(remark.message), m_renderer);
+        addRemark(column, remark);
     if (!m_report->commit.isEmpty())
         addCommit(column);
     addWayOn(column);

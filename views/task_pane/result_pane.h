@@ -14,7 +14,6 @@ class QVBoxLayout;
 namespace cradle {
 
 class FormulaRenderer;
-struct HeadedText;
 
 /// What the last check of the step found: the first failure in words, or that all passed; then
 /// every check.
@@ -45,10 +44,13 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    [[nodiscard]] HeadedText headedText(const CheckOutcome &outcome) const;
     void rebuild();
     void showChecking();
     void addFailure(QVBoxLayout *column);
+    void addError(QVBoxLayout *column, const ProgramError &error);
+    void addDiagnosis(QVBoxLayout *column, const Diagnosis &diagnosis);
+    void addRemark(QVBoxLayout *column, const Remark &remark);
+    void addMessage(QVBoxLayout *column, const QString &message, const char *kind);
     void addLinks(QVBoxLayout *card, const CheckOutcome &outcome);
     void addLineLink(QHBoxLayout *row, int line);
     void addSuccess(QVBoxLayout *column);

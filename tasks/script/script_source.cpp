@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/script_source.h"
+
+#include "tasks/script/error_message.h"
+#include "tasks/script/script_limits.h"
+#include "tasks/script/student_script.h"
+
+#include <QCoreApplication>
+
+namespace cradle {
+
+namespace {
+
+struct SourceText {
+    Q_DECLARE_TR_FUNCTIONS(Script)
+};
+
+} // namespace
+
+int parse(lua_State *L, const QString &source)
+{
+    const QByteArray text = source.toUtf8();
+    const int status = luaL_loadbufferx(L, text.constData(), static_cast<std::size_t>(text.size()),
+                                        "=lab.lua", "t");
+    // Nesting that is too deep for the parser Lua tells as an overflow while running.
+    return status == LUA_OK || status == LUA_ERRMEM ? status : LUA_ERRSYNTAX;
+}
+
+std::optional<ProgramError> tooLong(const QString &source)
+{
+    if (source.size() <= limits::sourceBytes)
+        return std::nullopt;
+    return ProgramError{.message = SourceText::tr("the program has %1 letters; at most %2 are "
+                                                  "right")
+                                       .arg(source.size())
+                                       .arg(limits::sourceBytes),
+                        .kind = ProgramError::Kind::Memory};
+}
+
+ProgramError noMemory()
+{
+    return {.message = SourceText::tr("there is no memory to run a program"),
+            .kind = ProgramError::Kind::Memory};
+}
+
+std::optional<ProgramError> findSyntaxError(const QString &source)
+{
+    if (auto error = tooLong(source))
+        return error;
+    LuaMemory memory(limits::scriptBytes);
+    const LuaState state = newLuaState(memory);
+    if (!state)
+        return noMemory();
+    memory.hold(state.get(), std::chrono::steady_clock::now() + limits::wallTimePerStep);
+    const int status = parse(state.get(), source);
+    memory.release();
+    return status == LUA_OK ? std::nullopt : std::optional(errorAtTop(state.get(), status));
+}
+
+} // namespace cradle

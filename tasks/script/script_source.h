@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/program.h"
+#include "tasks/script/lua_state.h"
+
+namespace cradle {
+
+/// Reads \p source as a program and leaves it on the stack as a function, or the error.
+/// \return a status of Lua; LUA_ERRSYNTAX for all that is wrong with the text
+[[nodiscard]] int parse(lua_State *L, const QString &source);
+
+/// What is wrong with a program that is longer than it may be.
+[[nodiscard]] std::optional<ProgramError> tooLong(const QString &source);
+
+[[nodiscard]] ProgramError noMemory();
+
+} // namespace cradle
