@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/program.h"
-
 #include <QString>
 
-#include <optional>
 #include <vector>
 
 /// Programs that try, by accident or on purpose, to hang or break what runs them.
@@ -15,13 +12,14 @@ namespace cradle::programs {
 struct HostileProgram {
     const char *name;
     QString source;
-    std::optional<ProgramError::Kind> kind; ///< none: it does no harm and runs
+    const char *kind; ///< of the error that it must end with
 };
 
-inline constexpr auto syntaxKind = ProgramError::Kind::Syntax;
-inline constexpr auto runtimeKind = ProgramError::Kind::Runtime;
-inline constexpr auto timeKind = ProgramError::Kind::Time;
-inline constexpr auto memoryKind = ProgramError::Kind::Memory;
+inline constexpr auto noKind = "none"; ///< it does no harm and runs
+inline constexpr auto syntaxKind = "syntax";
+inline constexpr auto runtimeKind = "runtime";
+inline constexpr auto timeKind = "time";
+inline constexpr auto memoryKind = "memory";
 
 /// \p statements in an update.
 inline QString inUpdate(const char *statements)
@@ -81,7 +79,7 @@ inline std::vector<HostileProgram> endlessPrograms()
                   "for i = 1, 30 do t[i] = s .. i end "
                   "while true do for i = 1, 30 do t[i], t[31 - i] = t[31 - i], t[i] end "
                   "table.sort(t) end"),
-         std::nullopt},
+         noKind},
         {"insert at the front", inUpdate("local t = {} while true do table.insert(t, 1, 0) end"),
          timeKind},
         {"remove at the front",
@@ -107,7 +105,7 @@ inline std::vector<HostileProgram> endlessPrograms()
         {"garbage beside a full store",
          inUpdate("kept = {} for i = 1, 620000 do kept[i] = {i} end "
                   "while true do local a, b, c, d = {}, {}, {}, {} end"),
-         std::nullopt},
+         noKind},
         {"recursion without end in a loop of tail calls",
          inUpdate("local function f() return f() end f()"), timeKind},
     };
@@ -142,9 +140,9 @@ inline std::vector<HostileProgram> greedyPrograms()
                   "local u = string.format('%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s%s', "
                   "s, s, s, s, s, s, s, s, s, s, s, s, s, s, s, s)"),
          memoryKind},
-        {"very many globals", inUpdate("for i = 1, 1e9 do _ENV['g' .. i] = i end"), std::nullopt},
+        {"very many globals", inUpdate("for i = 1, 1e9 do _ENV['g' .. i] = i end"), noKind},
         {"very many fields of a circle", inUpdate("for i = 1, 1e9 do circle1['f' .. i] = i end"),
-         std::nullopt},
+         noKind},
         {"closures that keep each other",
          inUpdate("local f = print while true do local g = f f = function() return g end end"),
          memoryKind},
@@ -166,8 +164,8 @@ inline std::vector<HostileProgram> overflowingPrograms()
          runtimeKind},
         {"recursion in pcall",
          inUpdate("if step > 0 then return end local function f() f() return 1 end pcall(f)"),
-         std::nullopt},
-        {"recursion through pcall", inUpdate("local function f() pcall(f) end f()"), std::nullopt},
+         noKind},
+        {"recursion through pcall", inUpdate("local function f() pcall(f) end f()"), noKind},
         {"recursion through sort", inUpdate("local function f() table.sort({1, 2}, f) end f()"),
          runtimeKind},
         {"unpack of many",
@@ -177,39 +175,39 @@ inline std::vector<HostileProgram> overflowingPrograms()
         {"unpack of as many as fit",
          inUpdate("if step > 0 then return end "
                   "local t = {} for i = 1, 300000 do t[i] = i end local n = {table.unpack(t)}"),
-         std::nullopt},
+         noKind},
         {"select beyond", inUpdate("return select(-1e9, 1)"), runtimeKind},
-        {"select far beyond", inUpdate("return select(math.maxinteger, 1)"), std::nullopt},
+        {"select far beyond", inUpdate("return select(math.maxinteger, 1)"), noKind},
         {"concat of a wide range", inUpdate("return table.concat({}, '', 1, math.maxinteger)"),
          runtimeKind},
         {"wide format", inUpdate("return string.format('%99999d', 1)"), runtimeKind},
         {"wide format that is allowed", inUpdate("local s = string.format('%99.99f', 1e308)"),
-         std::nullopt},
+         noKind},
         {"integer overflow", inUpdate("local n = math.maxinteger + 1 assert(n == math.mininteger)"),
-         std::nullopt},
+         noKind},
         {"integer division by zero", inUpdate("return 1 // 0"), runtimeKind},
         {"smallest integer divided by -1",
          inUpdate("local a, b = math.mininteger // -1, math.mininteger % -1 "
                   "local c, d = 1 << 64, 1 >> -64"),
-         std::nullopt},
+         noKind},
         {"walk that overflows",
          inUpdate("local walk, list = pairs(circles) local x = walk(list, math.maxinteger)"),
-         std::nullopt},
+         noKind},
         {"deep parentheses", repeated("x = ", "(", 5000, "1"), syntaxKind},
         {"deep calls", repeated("x = ", "print(", 5000, "1"), syntaxKind},
         {"deep tables", repeated("x = ", "{", 100000, "1"), syntaxKind},
         {"deep blocks", repeated("", "do ", 40000, ""), syntaxKind},
         {"deep functions", repeated("", "function f() ", 9000, ""), syntaxKind},
         {"long chain of texts", repeated("x = ''", " .. 'a'", 18000, ""), syntaxKind},
-        {"long chain of sums", repeated("x = 1", " + 1", 30000, ""), std::nullopt},
+        {"long chain of sums", repeated("x = 1", " + 1", 30000, ""), noKind},
         {"long chain of conditions",
-         repeated("x = 1 if x == 0 then ", "elseif x then ", 9000, "end"), std::nullopt},
+         repeated("x = 1 if x == 0 then ", "elseif x then ", 9000, "end"), noKind},
         {"labels side by side", repeated("do ", "::a#:: ", 10000, "end"), syntaxKind},
-        {"very many labels", repeated("do ", "::a#:: x = 1 ", 8000, "end"), std::nullopt},
-        {"very many jumps", repeated("do ", "goto b ", 18000, "::b:: end"), std::nullopt},
+        {"very many labels", repeated("do ", "::a#:: x = 1 ", 8000, "end"), noKind},
+        {"very many jumps", repeated("do ", "goto b ", 18000, "::b:: end"), noKind},
         {"very many locals", repeated("", "local a# = 1 ", 300, ""), syntaxKind},
-        {"very many constants", repeated("x = {", "'t#',", 14000, "}"), std::nullopt},
-        {"a long line", repeated("x = '", "0123456789", 13000, "'"), std::nullopt},
+        {"very many constants", repeated("x = {", "'t#',", 14000, "}"), noKind},
+        {"a long line", repeated("x = '", "0123456789", 13000, "'"), noKind},
         {"10 MB of source", repeated("", "x = 1234\n", 1200000, ""), memoryKind},
     };
 }
@@ -227,15 +225,15 @@ inline std::vector<HostileProgram> strangePrograms()
         {"comparator that contradicts itself",
          inUpdate("local t = {} for i = 1, 200 do t[i] = i end "
                   "pcall(table.sort, t, function() return true end)"),
-         std::nullopt},
+         noKind},
         {"sort of a table that changes",
          inUpdate("local t = {} for i = 1, 200 do t[i] = i % 7 end "
                   "pcall(table.sort, t, function(a, b) t[a] = nil return a < b end)"),
-         std::nullopt},
+         noKind},
         {"bytecode", QStringLiteral("\x1bLua\x54"), syntaxKind},
         {"not UTF-8", QString::fromUtf8("x = 1 \xff\xfe\x80"), syntaxKind},
         {"NUL", QStringLiteral("x = 1 ") + QChar(0) + QStringLiteral(" y = 2"), syntaxKind},
-        {"NUL in a text", QStringLiteral("x = 'a") + QChar(0) + QStringLiteral("b'"), std::nullopt},
+        {"NUL in a text", QStringLiteral("x = 'a") + QChar(0) + QStringLiteral("b'"), noKind},
         {"flood of print", inUpdate("while true do print('0123456789') end"), runtimeKind},
         {"flood of print in pcall", inUpdate("while true do pcall(print, '0123456789') end"),
          runtimeKind},
@@ -248,12 +246,12 @@ inline std::vector<HostileProgram> strangePrograms()
         {"our functions replaced",
          inUpdate("vec = nil circle1 = 5 print = nil pcall = error math = nil circles = nil "
                   "square = {} dot = 1"),
-         std::nullopt},
+         noKind},
         {"vec replaced and used", inUpdate("vec = 5 circle1.position = vec(1, 2)"), runtimeKind},
         {"library changed", inUpdate("string.sub = nil table.sort = error local s = ('a'):sub(1)"),
          runtimeKind},
         {"update replaced in an update",
-         inUpdate("on_update = function() circle1.position = vec(0, 0) end"), std::nullopt},
+         inUpdate("on_update = function() circle1.position = vec(0, 0) end"), noKind},
         {"update that is a number", atLoad("on_update = 5"), runtimeKind},
         {"circle far away in the list", inUpdate("return circles[1e9].position"), runtimeKind},
         {"circle without number", inUpdate("return circles['x']"), runtimeKind},
@@ -262,10 +260,10 @@ inline std::vector<HostileProgram> strangePrograms()
         {"huge numbers",
          inUpdate("circle1.position = vec(1e308, -1e308) "
                   "circle1.velocity = circle1.position"),
-         std::nullopt},
+         noKind},
         {"beyond all numbers", inUpdate("circle1.position = vec(1e308, 0) * 1e308"), runtimeKind},
         {"not a number", inUpdate("circle1.velocity = vec(0, 0 / 0)"), runtimeKind},
-        {"radius beyond all bounds", inUpdate("circle1.radius = 1e308"), std::nullopt},
+        {"radius beyond all bounds", inUpdate("circle1.radius = 1e308"), noKind},
         {"time assigned", inUpdate("time = 1"), runtimeKind},
         {"method of a text with a number", inUpdate("return ('x'):sub('y')"), runtimeKind},
         {"variable to be closed", inUpdate("while true do local x <close> = nil end"), timeKind},
@@ -276,7 +274,7 @@ inline std::vector<HostileProgram> strangePrograms()
         {"addresses",
          inUpdate("local s = tostring(print) .. tostring({}) .. "
                   "string.format('%p', {})"),
-         std::nullopt},
+         noKind},
     };
 }
 

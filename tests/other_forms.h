@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/check_report.h"
+
 #include <QString>
 
 /// Programs for the steps of Lab 4.2 that look nothing like the lab's own: put together from
@@ -165,6 +167,21 @@ inline OtherForm otherForm(const QString &step)
     else if (number >= 11)
         form.answer = exchange;
     return form;
+}
+
+/// A verdict for messages of tests.
+inline QByteArray say(const CheckReport &report)
+{
+    QString text = report.passed ? QStringLiteral("passed") : QStringLiteral("did not pass");
+    if (report.error)
+        text += QStringLiteral("; line %1: %2").arg(report.error->line).arg(report.error->message);
+    for (const CheckOutcome &check : report.checks) {
+        if (!check.passed)
+            text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
+    }
+    text += QStringLiteral("; taken for ")
+            + (report.diagnosis ? report.diagnosis->mistake : QStringLiteral("nothing known"));
+    return text.toUtf8();
 }
 
 } // namespace cradle::programs

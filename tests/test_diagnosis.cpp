@@ -34,20 +34,6 @@ private:
 
 namespace {
 
-QByteArray say(const CheckReport &report)
-{
-    QString text = report.passed ? QStringLiteral("passed") : QStringLiteral("did not pass");
-    if (report.error)
-        text += QStringLiteral("; line %1: %2").arg(report.error->line).arg(report.error->message);
-    for (const CheckOutcome &check : report.checks) {
-        if (!check.passed)
-            text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
-    }
-    text += QStringLiteral("; taken for ")
-            + (report.diagnosis ? report.diagnosis->mistake : QStringLiteral("nothing known"));
-    return text.toUtf8();
-}
-
 using Change = std::function<void(OtherForm &)>;
 
 /// Replaces a piece of a part; it must be there.

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/other_forms.h"
+
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
 #include "tasks/lab_verifier.h"
@@ -9,6 +11,7 @@
 #include <QTest>
 
 using namespace cradle;
+using namespace cradle::programs;
 
 namespace {
 
@@ -25,18 +28,6 @@ QStringList correctForms(const QString &step = {})
     return QDir(folder).entryList(
         {step.isEmpty() ? QStringLiteral("*.lua") : step + QStringLiteral("-*.lua")}, QDir::Files,
         QDir::Name);
-}
-
-QByteArray say(const CheckReport &report)
-{
-    QString text = QStringLiteral("seed %1").arg(report.seed);
-    if (report.error)
-        text += QStringLiteral("; line %1: %2").arg(report.error->line).arg(report.error->message);
-    for (const CheckOutcome &check : report.checks) {
-        if (!check.passed)
-            text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
-    }
-    return text.toUtf8();
 }
 
 } // namespace

@@ -118,29 +118,34 @@ int index(lua_State *L)
     return pushOwnField(L, circle, key);
 }
 
+/// "circle1.velocity", for messages.
+QString fieldName(int circle, const char *key)
+{
+    return nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
+}
+
 Vec2 newVector(lua_State *L, int circle, const char *key)
 {
-    const QString name = nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
     const Vec2 *v = vectorAt(L, 3);
     if (!v)
         raise(L, CircleText::tr("%1 must be a vector, not %2; write vec(x, y)")
-                     .arg(name, nameValue(L, 3)));
+                     .arg(fieldName(circle, key), nameValue(L, 3)));
     if (!isFinite(*v))
         raise(L, CircleText::tr("%1 would be %2; every number of a circle must be finite. Look "
                                 "for a division by zero, or for a value that grows in every step")
-                     .arg(name, describeValue(L, 3)));
+                     .arg(fieldName(circle, key), describeValue(L, 3)));
     return *v;
 }
 
 double newNumber(lua_State *L, int circle, const char *key)
 {
-    const QString name = nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
     if (lua_type(L, 3) != LUA_TNUMBER)
-        raise(L, CircleText::tr("%1 must be a number, not %2").arg(name, nameValue(L, 3)));
+        raise(L, CircleText::tr("%1 must be a number, not %2")
+                     .arg(fieldName(circle, key), nameValue(L, 3)));
     const double value = lua_tonumber(L, 3);
     if (!std::isfinite(value) || value <= 0.0)
         raise(L, CircleText::tr("%1 would be %2; it must be finite and above 0")
-                     .arg(name, describeValue(L, 3)));
+                     .arg(fieldName(circle, key), describeValue(L, 3)));
     return value;
 }
 

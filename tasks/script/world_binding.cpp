@@ -177,23 +177,30 @@ int writeGlobal(lua_State *L)
     return 0;
 }
 
+[[noreturn]] void refuseSquareField(lua_State *L)
+{
+    const QStringList names{QStringLiteral("half_width"), QStringLiteral("left"),
+                            QStringLiteral("right"), QStringLiteral("bottom"),
+                            QStringLiteral("top")};
+    const QString key =
+        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : describeValue(L, 2);
+    const QString near = nearestName(key, names);
+    raise(L, near.isEmpty()
+                 ? WorldText::tr("square has no `%1`; it has %2")
+                       .arg(key, names.join(QStringLiteral(", ")))
+                 : WorldText::tr("square has no `%1`: did you mean `%2`?").arg(key, near));
+}
+
 int readSquare(lua_State *L)
 {
     const double half = ScriptHost::of(L).halfWidth;
-    static const QStringList names{QStringLiteral("half_width"), QStringLiteral("left"),
-                                   QStringLiteral("right"), QStringLiteral("bottom"),
-                                   QStringLiteral("top")};
-    const QString key =
-        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : describeValue(L, 2);
-    const auto which = names.indexOf(key);
-    if (which < 0) {
-        const QString near = nearestName(key, names);
-        raise(L, near.isEmpty()
-                     ? WorldText::tr("square has no `%1`; it has %2")
-                           .arg(key, names.join(QStringLiteral(", ")))
-                     : WorldText::tr("square has no `%1`: did you mean `%2`?").arg(key, near));
-    }
-    lua_pushnumber(L, which == 1 || which == 3 ? -half : half);
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    const bool low = std::strcmp(key, "left") == 0 || std::strcmp(key, "bottom") == 0;
+    const bool high = std::strcmp(key, "right") == 0 || std::strcmp(key, "top") == 0
+                      || std::strcmp(key, "half_width") == 0;
+    if (!low && !high)
+        refuseSquareField(L);
+    lua_pushnumber(L, low ? -half : half);
     return 1;
 }
 
