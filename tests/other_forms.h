@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <functional>
+
 /// Programs for the steps of Lab 4.2 that look nothing like the lab's own: put together from
 /// parts, any of which may be exchanged for a wrong one.
 namespace cradle::programs {
@@ -167,6 +169,16 @@ inline OtherForm otherForm(const QString &step)
     else if (number >= 11)
         form.answer = exchange;
     return form;
+}
+
+/// What makes another form, or a mistake, of a form.
+using Change = std::function<void(OtherForm &)>;
+
+/// Replaces a piece of a part; it must be there.
+inline void edit(QString &part, const char *before, const char *after)
+{
+    Q_ASSERT_X(part.contains(QString::fromUtf8(before)), "edit", before);
+    part.replace(QString::fromUtf8(before), QString::fromUtf8(after));
 }
 
 /// A verdict for messages of tests.

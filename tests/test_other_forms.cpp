@@ -7,8 +7,6 @@
 
 #include <QTest>
 
-#include <functional>
-
 using namespace cradle;
 using namespace cradle::programs;
 
@@ -26,19 +24,6 @@ private:
 
     Lab m_lab;
 };
-
-namespace {
-
-using Change = std::function<void(OtherForm &)>;
-
-/// Replaces a piece of a part; it must be there.
-void edit(QString &part, const char *before, const char *after)
-{
-    Q_ASSERT_X(part.contains(QString::fromUtf8(before)), "edit", before);
-    part.replace(QString::fromUtf8(before), QString::fromUtf8(after));
-}
-
-} // namespace
 
 void TestOtherForms::initTestCase()
 {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/apart.h"
 #include "app/cli/subcommand.h"
 
 #include "app/cli/program_file.h"
@@ -18,6 +19,9 @@
 namespace cradle::cli {
 
 namespace {
+
+/// Of the process that judges; it stops by itself long before.
+constexpr std::chrono::seconds mostTime{60};
 
 struct CheckText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
@@ -53,6 +57,20 @@ Result<Submission> readSubmission(const Task &task, const QString &program, cons
 bool isShown(ReportFormat format, const QString &output)
 {
     return format == ReportFormat::Text && output.isEmpty() && isatty(fileno(stdout)) == 1;
+}
+
+/// Of a program that hung where no limit sees it.
+CheckReport stoppedReport(const Lab &lab, const Task &task, qint64 seed)
+{
+    CheckReport report{.labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed};
+    report.error = ProgramError{.message = CheckText::tr("the check took more than %1 s and was "
+                                                         "stopped")
+                                               .arg(mostTime.count()),
+                                .kind = ProgramError::Kind::Time};
+    for (const CheckSpec &check : task.checks)
+        report.checks.push_back(
+            {.id = check.id, .title = check.title, .message = report.error->message});
+    return report;
 }
 
 } // namespace
@@ -117,13 +135,27 @@ ExitCode check(const QStringList &arguments)
     const Result<Submission> submission = readSubmission(task, program, parser.value(preset));
     if (!submission)
         return complain(submission.error());
-    const CheckReport report = *judgeTask(*lab, task, *submission, seedValue);
-    if (report.error && !isShown(*format, parser.value(output)))
-        QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
-    const QByteArray text = writeReport(report, *format, program);
-    if (const auto error = writeText(parser.value(output), text))
-        return complain(*error);
-    return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
+    const auto tell = [&](const CheckReport &report) -> ExitCode {
+        if (report.error && !isShown(*format, parser.value(output)))
+            QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
+        const QByteArray text = writeReport(report, *format, program);
+        if (const auto error = writeText(parser.value(output), text))
+            return complain(*error);
+        return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
+    };
+    const auto judge = [&] { return tell(*judgeTask(*lab, task, *submission, seedValue)); };
+    if (program.isEmpty())
+        return judge();
+    const auto judged = runApart(judge, mostTime);
+    if (const int *code = std::get_if<int>(&judged))
+        return static_cast<ExitCode>(*code);
+    if (const auto *crash = std::get_if<Crashed>(&judged)) {
+        QTextStream(stderr) << "cradle-cli: this is a defect of ours: the judgement broke down by "
+                               "signal "
+                            << crash->signal << Qt::endl;
+        return Defect;
+    }
+    return tell(stoppedReport(*lab, task, seedValue));
 }
 
 } // namespace cradle::cli

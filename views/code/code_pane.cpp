@@ -21,8 +21,8 @@ namespace cradle {
 
 namespace {
 
-constexpr int localsWidth = 230;     ///< px
-constexpr double localsShare = 0.28; ///< of the pane, at most
+constexpr int localsWidth = 290;     ///< px
+constexpr double localsShare = 0.42; ///< of the pane, at most
 
 } // namespace
 
