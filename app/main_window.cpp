@@ -174,6 +174,8 @@ void MainWindow::wireWorkbench()
     connect(bench, &Workbench::failed, this, &MainWindow::report);
     connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
     connect(bench, &Workbench::ghostChanged, this, &MainWindow::showGhost);
+    connect(&bench->code(), &CodeSession::paused, this, &MainWindow::showPause);
+    connect(&bench->code(), &CodeSession::steppingEnded, this, &MainWindow::showGhost);
     connect(m_transport, &TransportBar::modeChosen, this, &MainWindow::chooseMode);
     connect(m_transport, &TransportBar::checkRequested, bench, &Workbench::check);
     connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
@@ -260,6 +262,14 @@ void MainWindow::chooseMode(int index)
 void MainWindow::showGhost()
 {
     m_scene->setGhost(m_workbench.ghost(), tr("reference"));
+}
+
+/// In the middle of an update the circles are where the program has put them so far.
+void MainWindow::showPause(const StudentScript::Pause &pause)
+{
+    auto soFar = std::make_shared<Recording>();
+    soFar->append({.time = m_workbench.simulation().time(), .step = 0, .circles = pause.circles});
+    m_scene->setGhost(soFar, tr("so far in this step"));
 }
 
 void MainWindow::showLine(int line)

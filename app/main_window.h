@@ -76,6 +76,7 @@ private:
     void chooseMode(int index);
     void titleTabs();
     void showGhost();
+    void showPause(const cradle::StudentScript::Pause &pause);
     void showLine(int line); ///< of the program
     void report(const Error &error);
 

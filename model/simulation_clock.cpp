@@ -56,6 +56,8 @@ void SimulationClock::start()
 void SimulationClock::pause()
 {
     m_timer.stop();
+    // A step that pauses is the last one of its frame.
+    m_backlog = std::min(m_backlog, 0.5 * m_step);
 }
 
 void SimulationClock::onTimeout()

@@ -11,7 +11,12 @@ namespace cradle {
 
 /// What a student hands in for a step: a scene with its laws, and in code mode a program.
 struct Submission {
-    Submission(Preset scene = {}, std::optional<QString> program = std::nullopt)
+    Submission() = default;
+    Submission(Preset scene)
+        : preset(std::move(scene))
+    {
+    }
+    Submission(Preset scene, std::optional<QString> program)
         : preset(std::move(scene))
         , script(std::move(program))
     {
@@ -20,8 +25,8 @@ struct Submission {
     /// The program, or null where the laws of the scene are judged.
     [[nodiscard]] const QString *program() const { return script ? &*script : nullptr; }
 
-    Preset preset;
-    std::optional<QString> script;
+    Preset preset{};
+    std::optional<QString> script{};
 
     friend bool operator==(const Submission &, const Submission &) = default;
 };

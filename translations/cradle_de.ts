@@ -179,6 +179,22 @@
         <source>The timestep %1 s is too short to be judged; %2 s or more is right</source>
         <translation>Der Zeitschritt %1 s ist zu kurz, um geprüft zu werden; richtig sind %2 s oder mehr</translation>
     </message>
+    <message>
+        <source>not judged: the program stopped with an error</source>
+        <translation>nicht geprüft: Das Programm hielt mit einem Fehler an</translation>
+    </message>
+    <message>
+        <source>the check took more than %1 s and was stopped; an update should take less than a millisecond</source>
+        <translation>die Prüfung dauerte mehr als %1 s und wurde abgebrochen; ein Schritt soll weniger als eine Millisekunde dauern</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
+        <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; die Wand soll ihn sofort umkehren</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
+        <translation>In Schritt %1 bewegte sich Kreis %2 auf einmal um %3 m; mit seiner Geschwindigkeit kommt er %4 m weit</translation>
+    </message>
 </context>
 <context>
     <name>CircleEdits</name>
@@ -190,16 +206,8 @@
 <context>
     <name>Cli</name>
     <message>
-        <source>Judges a preset for one step: the engine&apos;s laws, by what they do.</source>
-        <translation>Beurteilt eine Szene für einen Schritt: die Gesetze der Engine, nach dem, was sie tun.</translation>
-    </message>
-    <message>
         <source>the step, like L42T5</source>
         <translation>der Schritt, etwa L42T5</translation>
-    </message>
-    <message>
-        <source>the preset to judge</source>
-        <translation>die Szene, die beurteilt wird</translation>
     </message>
     <message>
         <source>the lab&apos;s folder; without it the shipped lab</source>
@@ -210,24 +218,12 @@
         <translation>Startwert für den Zufall der Szenen; ohne ihn 1</translation>
     </message>
     <message>
-        <source>text or json</source>
-        <translation>text oder json</translation>
-    </message>
-    <message>
         <source>where to write; without it the terminal</source>
         <translation>wohin geschrieben wird; ohne sie ins Terminal</translation>
     </message>
     <message>
         <source>exit with 0 also if it did not pass</source>
         <translation>mit 0 enden, auch wenn nicht bestanden</translation>
-    </message>
-    <message>
-        <source>--preset P.json is missing: what is to be judged?</source>
-        <translation>--preset P.json fehlt: Was soll beurteilt werden?</translation>
-    </message>
-    <message>
-        <source>unknown format %1; text or json is right</source>
-        <translation>unbekanntes Format %1; richtig ist text oder json</translation>
     </message>
     <message>
         <source>--seed %1 is not a whole number</source>
@@ -244,10 +240,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <translation>%1: %2 Kreise, %3 Schritte, %4 s, %5 Stöße
 Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
 </translation>
-    </message>
-    <message>
-        <source>Runs a scene and writes what happens.</source>
-        <translation>Lässt eine Szene laufen und schreibt auf, was geschieht.</translation>
     </message>
     <message>
         <source>the scene</source>
@@ -308,6 +300,68 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>a whole number from 1</source>
         <translation>eine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>the check took more than %1 s and was stopped</source>
+        <translation>die Prüfung dauerte mehr als %1 s und wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
+        <translation>Prüft ein Programm, oder mit --preset allein die Gesetze der Engine, für einen Schritt: danach, was sie tun. Ein Programm, das sich nicht laden lässt oder das anhält, besteht nicht; warum, steht auch in der Fehlerausgabe, als DATEI:ZEILE: Meldung.</translation>
+    </message>
+    <message>
+        <source>the program to judge</source>
+        <translation>das Programm, das geprüft wird</translation>
+    </message>
+    <message>
+        <source>the scene; without it that of the step</source>
+        <translation>die Szene; ohne sie die des Schritts</translation>
+    </message>
+    <message>
+        <source>one of %1; text without it</source>
+        <translation>eines von %1; ohne Angabe text</translation>
+    </message>
+    <message>
+        <source>SCRIPT.lua or --preset P.json is missing: what is to be judged?</source>
+        <translation>SCRIPT.lua oder --preset P.json fehlt: Was soll geprüft werden?</translation>
+    </message>
+    <message>
+        <source>unknown format %1; one of %2 is right</source>
+        <translation>unbekanntes Format %1; richtig ist eines von %2</translation>
+    </message>
+    <message>
+        <source>this is no text in UTF-8, which would be right</source>
+        <translation>das ist kein Text in UTF-8, was richtig wäre</translation>
+    </message>
+    <message>
+        <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1.</source>
+        <translation>Lässt eine Szene laufen, nach ihren Gesetzen oder mit einem Programm, und schreibt, was geschieht: Tabellen, oder ohne sie eine Zusammenfassung. Hält das Programm an, so steht in der Fehlerausgabe, warum, als DATEI:ZEILE: Meldung; die Tabellen reichen bis dorthin, und der Rückgabewert ist 1.</translation>
+    </message>
+    <message>
+        <source>a program that moves the circles; what it prints goes to standard error, what it plots and draws is dropped, its hits are inferred</source>
+        <translation>ein Programm, das die Kreise bewegt; was es mit print ausgibt, geht in die Fehlerausgabe, was es mit plot und draw zeichnet, fällt weg, seine Stöße werden erschlossen</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2 mistakes, %3 problems, %4 s
+</source>
+        <translation>%1 Schritte, %2 Fehler, %3 Mängel, %4 s
+</translation>
+    </message>
+    <message>
+        <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
+        <translation>Prüft ein Lab selbst: Startprogramme bestehen eine Prüfung nicht, Lösungen bestehen, jeder bekannte Fehler besteht nicht und wird erkannt, und an jeder Prüfung scheitert ein Fehler. Gibt aus, welcher Fehler (Zeile) an welcher Prüfung scheitert (Spalte, x) und wofür er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>the lab&apos;s folder</source>
+        <translation>der Ordner des Labs</translation>
+    </message>
+    <message>
+        <source>this step alone</source>
+        <translation>nur dieser Schritt</translation>
+    </message>
+    <message>
+        <source>the lab has no step %1</source>
+        <translation>das Lab hat keinen Schritt %1</translation>
     </message>
 </context>
 <context>
@@ -394,6 +448,392 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>the text is not in UTF-8, which would be right; some letters are lost</source>
         <translation>der Text ist nicht in UTF-8, was richtig wäre; einige Buchstaben gehen verloren</translation>
     </message>
+    <message>
+        <source>the program begins without a comment; what the student should read of it stands there</source>
+        <translation>das Programm beginnt ohne Kommentar; dort steht, was die Lernenden dazu lesen sollen</translation>
+    </message>
+</context>
+<context>
+    <name>LabVerifier</name>
+    <message>
+        <source>stops with an error at line %1: %2</source>
+        <translation>hält mit einem Fehler in Zeile %1 an: %2</translation>
+    </message>
+    <message>
+        <source>passes; a starter should fail by a check</source>
+        <translation>besteht; ein Startprogramm soll an einer Prüfung scheitern</translation>
+    </message>
+    <message>
+        <source>fails with seed %1 by %2</source>
+        <translation>scheitert mit dem Startwert %1 an %2</translation>
+    </message>
+    <message>
+        <source>passes; a mistake should fail by a check</source>
+        <translation>besteht; ein Fehler soll an einer Prüfung scheitern</translation>
+    </message>
+    <message>
+        <source>is not recognised</source>
+        <translation>wird nicht erkannt</translation>
+    </message>
+    <message>
+        <source>is taken for %1</source>
+        <translation>wird für %1 gehalten</translation>
+    </message>
+    <message>
+        <source>fails by %1; work that gets a remark passes</source>
+        <translation>scheitert an %1; was eine Anmerkung bekommt, besteht</translation>
+    </message>
+    <message>
+        <source>there is no solution.lua</source>
+        <translation>es gibt kein solution.lua</translation>
+    </message>
+    <message>
+        <source>no mistake fails the check %1</source>
+        <translation>kein Fehler scheitert an der Prüfung %1</translation>
+    </message>
+</context>
+<context>
+    <name>LuaApi</name>
+    <message>
+        <source>You write it: runs once, before the first step</source>
+        <translation>Schreibst du: läuft einmal, vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>You write it: moves the circles by one step of timestep seconds</source>
+        <translation>Schreibst du: bewegt die Kreise um einen Schritt von timestep Sekunden</translation>
+    </message>
+    <message>
+        <source>A new vector; its unit is that of its numbers</source>
+        <translation>Ein neuer Vektor; seine Einheit ist die seiner Zahlen</translation>
+    </message>
+    <message>
+        <source>The dot product of two vectors: a.x * b.x + a.y * b.y</source>
+        <translation>Das Skalarprodukt zweier Vektoren: a.x * b.x + a.y * b.y</translation>
+    </message>
+    <message>
+        <source>The first circle</source>
+        <translation>Der erste Kreis</translation>
+    </message>
+    <message>
+        <source>The second circle</source>
+        <translation>Der zweite Kreis</translation>
+    </message>
+    <message>
+        <source>All circles: circles[1] to circles[#circles]</source>
+        <translation>Alle Kreise: circles[1] bis circles[#circles]</translation>
+    </message>
+    <message>
+        <source>The acceleration of every circle, a vector in m/s²; may be set in on_load</source>
+        <translation>Die Beschleunigung jedes Kreises, ein Vektor in m/s²; lässt sich in on_load setzen</translation>
+    </message>
+    <message>
+        <source>From 0 (no rebound) to 1 (elastic); may be set in on_load</source>
+        <translation>Von 0 (kein Rückprall) bis 1 (elastisch); lässt sich in on_load setzen</translation>
+    </message>
+    <message>
+        <source>The box that the circles are in</source>
+        <translation>Das Quadrat, in dem die Kreise sind</translation>
+    </message>
+    <message>
+        <source>Seconds since the start of the run, at the start of this step</source>
+        <translation>Sekunden seit dem Anfang des Laufs, am Anfang dieses Schritts</translation>
+    </message>
+    <message>
+        <source>The number of steps made so far</source>
+        <translation>Die Zahl der bisherigen Schritte</translation>
+    </message>
+    <message>
+        <source>Adds a point of this step to the curve called name in the charts</source>
+        <translation>Fügt der Kurve name in den Diagrammen einen Punkt für diesen Schritt hinzu</translation>
+    </message>
+    <message>
+        <source>Draws over the scene, for this step</source>
+        <translation>Zeichnet über die Szene, für diesen Schritt</translation>
+    </message>
+    <message>
+        <source>Writes a line to the console</source>
+        <translation>Schreibt eine Zeile in die Konsole</translation>
+    </message>
+    <message>
+        <source>Functions of numbers</source>
+        <translation>Funktionen für Zahlen</translation>
+    </message>
+    <message>
+        <source>Functions of texts</source>
+        <translation>Funktionen für Texte</translation>
+    </message>
+    <message>
+        <source>Functions of lists</source>
+        <translation>Funktionen für Listen</translation>
+    </message>
+    <message>
+        <source>For a loop over a list in order: for i, v in ipairs(list) do</source>
+        <translation>Für eine Schleife über eine Liste, der Reihe nach: for i, v in ipairs(list) do</translation>
+    </message>
+    <message>
+        <source>For a loop over all fields of a table: for k, v in pairs(t) do</source>
+        <translation>Für eine Schleife über alle Felder einer Tabelle: for k, v in pairs(t) do</translation>
+    </message>
+    <message>
+        <source>The arguments from number n on; with &apos;#&apos; how many there are</source>
+        <translation>Die Argumente ab Nummer n; mit &apos;#&apos;, wie viele es sind</translation>
+    </message>
+    <message>
+        <source>What a value is, as a text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</source>
+        <translation>Was ein Wert ist, als Text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</translation>
+    </message>
+    <message>
+        <source>A value as a text</source>
+        <translation>Ein Wert als Text</translation>
+    </message>
+    <message>
+        <source>The number that a text says, or nil; base is 10 unless given</source>
+        <translation>Die Zahl, die ein Text nennt, oder nil; base ist ohne Angabe 10</translation>
+    </message>
+    <message>
+        <source>Stops the run with the message if value is false or nil</source>
+        <translation>Hält den Lauf mit der Meldung an, wenn value false oder nil ist</translation>
+    </message>
+    <message>
+        <source>Stops the run at this line with the message</source>
+        <translation>Hält den Lauf in dieser Zeile mit der Meldung an</translation>
+    </message>
+    <message>
+        <source>Calls f: true and its results, or false and the error</source>
+        <translation>Ruft f auf: true und die Ergebnisse oder false und der Fehler</translation>
+    </message>
+    <message>
+        <source>The length of the vector</source>
+        <translation>Die Länge des Vektors</translation>
+    </message>
+    <message>
+        <source>The square of the length: v:dot(v)</source>
+        <translation>Das Quadrat der Länge: v:dot(v)</translation>
+    </message>
+    <message>
+        <source>The vector of length 1 with the same direction; an error for (0, 0)</source>
+        <translation>Der Vektor der Länge 1 mit derselben Richtung; ein Fehler bei (0, 0)</translation>
+    </message>
+    <message>
+        <source>The dot product with another vector</source>
+        <translation>Das Skalarprodukt mit einem anderen Vektor</translation>
+    </message>
+    <message>
+        <source>The vector turned left by 90°: (-y, x)</source>
+        <translation>Der Vektor, um 90° nach links gedreht: (-y, x)</translation>
+    </message>
+    <message>
+        <source>The part to the right; to change it, build a new vector</source>
+        <translation>Der Anteil nach rechts; um ihn zu ändern, bilde einen neuen Vektor</translation>
+    </message>
+    <message>
+        <source>The part upwards; to change it, build a new vector</source>
+        <translation>Der Anteil nach oben; um ihn zu ändern, bilde einen neuen Vektor</translation>
+    </message>
+    <message>
+        <source>The centre, a vector in m</source>
+        <translation>Der Mittelpunkt, ein Vektor in m</translation>
+    </message>
+    <message>
+        <source>A vector in m/s</source>
+        <translation>Ein Vektor in m/s</translation>
+    </message>
+    <message>
+        <source>In m, above 0</source>
+        <translation>In m, über 0</translation>
+    </message>
+    <message>
+        <source>In 1000 kg/m³, above 0: steel has 7.8</source>
+        <translation>In 1000 kg/m³, über 0: Stahl hat 7.8</translation>
+    </message>
+    <message>
+        <source>The number of the circle, from 1; cannot be set</source>
+        <translation>Die Nummer des Kreises, ab 1; lässt sich nicht setzen</translation>
+    </message>
+    <message>
+        <source>Half the side of the box, in m</source>
+        <translation>Die halbe Seite des Quadrats, in m</translation>
+    </message>
+    <message>
+        <source>The x of the left wall, in m</source>
+        <translation>Das x der linken Wand, in m</translation>
+    </message>
+    <message>
+        <source>The x of the right wall, in m</source>
+        <translation>Das x der rechten Wand, in m</translation>
+    </message>
+    <message>
+        <source>The y of the floor, in m</source>
+        <translation>Das y des Bodens, in m</translation>
+    </message>
+    <message>
+        <source>The y of the ceiling, in m</source>
+        <translation>Das y der Decke, in m</translation>
+    </message>
+    <message>
+        <source>An arrow that begins at from; colour and label may be left out</source>
+        <translation>Ein Pfeil, der bei from beginnt; colour und label können fehlen</translation>
+    </message>
+    <message>
+        <source>A line between two points; the colour may be left out</source>
+        <translation>Eine Strecke zwischen zwei Punkten; colour kann fehlen</translation>
+    </message>
+    <message>
+        <source>A dot; the colour may be left out</source>
+        <translation>Ein Punkt; colour kann fehlen</translation>
+    </message>
+    <message>
+        <source>A text at a point</source>
+        <translation>Ein Text an einem Punkt</translation>
+    </message>
+    <message>
+        <source>x without its sign</source>
+        <translation>x ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>The angle whose cosine is x, in radians</source>
+        <translation>Der Winkel, dessen Kosinus x ist, im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>The angle whose sine is x, in radians</source>
+        <translation>Der Winkel, dessen Sinus x ist, im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>The angle of the direction (x, y), in radians; x is 1 unless given</source>
+        <translation>Der Winkel der Richtung (x, y), im Bogenmaß; x ist ohne Angabe 1</translation>
+    </message>
+    <message>
+        <source>The next whole number that is not below x</source>
+        <translation>Die nächste ganze Zahl, die nicht unter x liegt</translation>
+    </message>
+    <message>
+        <source>The cosine of an angle in radians</source>
+        <translation>Der Kosinus eines Winkels im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>Radians in degrees</source>
+        <translation>Bogenmaß in Grad</translation>
+    </message>
+    <message>
+        <source>e to the power of x</source>
+        <translation>e hoch x</translation>
+    </message>
+    <message>
+        <source>The next whole number that is not above x</source>
+        <translation>Die nächste ganze Zahl, die nicht über x liegt</translation>
+    </message>
+    <message>
+        <source>What is left of x divided by y, with the sign of x</source>
+        <translation>Der Rest von x geteilt durch y, mit dem Vorzeichen von x</translation>
+    </message>
+    <message>
+        <source>Infinity: more than any number</source>
+        <translation>Unendlich: mehr als jede Zahl</translation>
+    </message>
+    <message>
+        <source>The logarithm of x; base is e unless given</source>
+        <translation>Der Logarithmus von x; base ist ohne Angabe e</translation>
+    </message>
+    <message>
+        <source>The largest of the numbers</source>
+        <translation>Die größte der Zahlen</translation>
+    </message>
+    <message>
+        <source>The largest whole number of Lua</source>
+        <translation>Die größte ganze Zahl von Lua</translation>
+    </message>
+    <message>
+        <source>The smallest of the numbers</source>
+        <translation>Die kleinste der Zahlen</translation>
+    </message>
+    <message>
+        <source>The smallest whole number of Lua</source>
+        <translation>Die kleinste ganze Zahl von Lua</translation>
+    </message>
+    <message>
+        <source>The whole part of x, and the rest</source>
+        <translation>Der ganze Teil von x und der Rest</translation>
+    </message>
+    <message>
+        <source>3.14159…</source>
+        <translation>3.14159…</translation>
+    </message>
+    <message>
+        <source>Degrees in radians</source>
+        <translation>Grad im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>From 0 up to 1, or a whole number from m to n; the same in every run</source>
+        <translation>Von 0 bis unter 1 oder eine ganze Zahl von m bis n; in jedem Lauf dasselbe</translation>
+    </message>
+    <message>
+        <source>Begins another row of random numbers</source>
+        <translation>Beginnt eine andere Folge von Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>The sine of an angle in radians</source>
+        <translation>Der Sinus eines Winkels im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>The square root of x</source>
+        <translation>Die Quadratwurzel von x</translation>
+    </message>
+    <message>
+        <source>The tangent of an angle in radians</source>
+        <translation>Der Tangens eines Winkels im Bogenmaß</translation>
+    </message>
+    <message>
+        <source>x as a whole number, or nil if it is none</source>
+        <translation>x als ganze Zahl, oder nil, wenn es keine ist</translation>
+    </message>
+    <message>
+        <source>&quot;integer&quot;, &quot;float&quot;, or nil if x is no number</source>
+        <translation>&quot;integer&quot;, &quot;float&quot;, oder nil, wenn x keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Whether m is below n, both read without sign</source>
+        <translation>Ob m kleiner als n ist, beide ohne Vorzeichen gelesen</translation>
+    </message>
+    <message>
+        <source>Values in a text: string.format(&quot;%.3f&quot;, x)</source>
+        <translation>Werte in einem Text: string.format(&quot;%.3f&quot;, x)</translation>
+    </message>
+    <message>
+        <source>The number of bytes of a text</source>
+        <translation>Die Zahl der Bytes eines Textes</translation>
+    </message>
+    <message>
+        <source>A text in small letters</source>
+        <translation>Ein Text in Kleinbuchstaben</translation>
+    </message>
+    <message>
+        <source>Part of a text; -1 is its last byte</source>
+        <translation>Ein Teil eines Textes; -1 ist sein letztes Byte</translation>
+    </message>
+    <message>
+        <source>A text in capital letters</source>
+        <translation>Ein Text in Großbuchstaben</translation>
+    </message>
+    <message>
+        <source>The elements of a list as one text</source>
+        <translation>Die Elemente einer Liste als ein Text</translation>
+    </message>
+    <message>
+        <source>Puts a value into a list, at its end if no position is given</source>
+        <translation>Fügt einen Wert in eine Liste ein, ohne position am Ende</translation>
+    </message>
+    <message>
+        <source>Takes an element out of a list, the last one unless told</source>
+        <translation>Nimmt ein Element aus einer Liste, ohne position das letzte</translation>
+    </message>
+    <message>
+        <source>Sorts a list; before(a, b) says whether a comes first</source>
+        <translation>Sortiert eine Liste; before(a, b) sagt, ob a zuerst kommt</translation>
+    </message>
+    <message>
+        <source>The elements of a list as so many values</source>
+        <translation>Die Elemente einer Liste als einzelne Werte</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -456,6 +896,18 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
         <translation>cradle: unerwartetes Argument %1; richtig ist ein Lab oder eine Szene</translation>
+    </message>
+    <message>
+        <source>work on steps by this: explore or code</source>
+        <translation>Schritte so bearbeiten: explore oder code</translation>
+    </message>
+    <message>
+        <source>take this program as your own of the step</source>
+        <translation>dieses Programm als deines für den Schritt nehmen</translation>
+    </message>
+    <message>
+        <source>cradle: --mode %1: explore or code is right</source>
+        <translation>cradle: --mode %1: richtig ist explore oder code</translation>
     </message>
 </context>
 <context>
@@ -562,7 +1014,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Show the &amp;whole square</source>
-        <translation>&amp;Ganzes Quadrat zeigen</translation>
+        <translation>Ganzes &amp;Quadrat zeigen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -632,6 +1084,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>About &amp;Qt</source>
         <translation>Über &amp;Qt</translation>
     </message>
+    <message>
+        <source>&amp;Drawings of the program</source>
+        <translation>&amp;Zeichnungen des Programms</translation>
+    </message>
+    <message>
+        <source>&amp;Reference of the lab&apos;s Lua</source>
+        <translation>&amp;Referenz: das Lua des Labs</translation>
+    </message>
 </context>
 <context>
     <name>Preset</name>
@@ -698,8 +1158,59 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>%1 bestanden</translation>
     </message>
     <message>
-        <source>%1 did not pass</source>
-        <translation>%1 nicht bestanden</translation>
+        <source>in step %1, at %2 s</source>
+        <translation>in Schritt %1, bei %2 s</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>Commit message: %1</source>
+        <translation>Commit-Nachricht: %1</translation>
+    </message>
+    <message>
+        <source>moved there by %1:%2</source>
+        <translation>dorthin bewegt von %1:%2</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: the program stopped</source>
+        <translation>%1 nicht bestanden: Das Programm hielt an</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: the program does not load</source>
+        <translation>%1 nicht bestanden: Das Programm lässt sich nicht laden</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: %2 of %3 checks failed</source>
+        <translation>%1 nicht bestanden: %2 von %3 Prüfungen nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>ResultPane</name>
+    <message>
+        <source>The program cannot be read</source>
+        <translation>Das Programm lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>The program takes too long</source>
+        <translation>Das Programm braucht zu lange</translation>
+    </message>
+    <message>
+        <source>The program needs too much memory</source>
+        <translation>Das Programm braucht zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>The program stopped</source>
+        <translation>Das Programm hielt an</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>in step %1, at %2 s</source>
+        <translation>in Schritt %1, bei %2 s</translation>
     </message>
 </context>
 <context>
@@ -847,10 +1358,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>ein Objekt mit count und radius und nach Wunsch rms_speed, density, seed</translation>
     </message>
     <message>
-        <source>an object with format, id, title, commit, preset, hints, checks and extra</source>
-        <translation>ein Objekt mit format, id, title, commit, preset, hints, checks und extra</translation>
-    </message>
-    <message>
         <source>an object with format, id, title, version, language and steps</source>
         <translation>ein Objekt mit format, id, title, version, language und steps</translation>
     </message>
@@ -877,10 +1384,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>an object with the titles of the checks by their id</source>
         <translation>ein Objekt mit den Titeln der Prüfungen nach ihrer id</translation>
-    </message>
-    <message>
-        <source>an object with title, hints and checks</source>
-        <translation>ein Objekt mit title, hints und checks</translation>
     </message>
     <message>
         <source>an object with walls, circles and timing</source>
@@ -990,6 +1493,337 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>two numbers, the least and the most</source>
         <translation>zwei Zahlen, die kleinste und die größte</translation>
     </message>
+    <message>
+        <source>a list of remarks</source>
+        <translation>eine Liste von Anmerkungen</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, remarks, checks and extra</source>
+        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, remarks, checks und extra</translation>
+    </message>
+    <message>
+        <source>an object with id, compare and scene</source>
+        <translation>ein Objekt mit id, compare und scene</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the mistakes by their name</source>
+        <translation>ein Objekt mit den Texten der Fehler nach ihrem Namen</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the remarks by their name</source>
+        <translation>ein Objekt mit den Texten der Anmerkungen nach ihrem Namen</translation>
+    </message>
+    <message>
+        <source>an object with title, hints, code_hints, checks, mistakes and remarks</source>
+        <translation>ein Objekt mit title, hints, code_hints, checks, mistakes und remarks</translation>
+    </message>
+    <message>
+        <source>one of velocities, positions, fields</source>
+        <translation>eines von velocities, positions, fields</translation>
+    </message>
+</context>
+<context>
+    <name>Script</name>
+    <message>
+        <source>%1 has no field %2; a field has a name</source>
+        <translation>%1 hat kein Feld %2; ein Feld hat einen Namen</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`: did you mean `%3`?</source>
+        <translation>%1 hat kein Feld `%2`: Meintest du `%3`?</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`; it has %3. A field of your own must be set before it is read: %1.%2 = …</source>
+        <translation>%1 hat kein Feld `%2`, nur %3. Ein eigenes Feld muss gesetzt werden, bevor es gelesen wird: %1.%2 = …</translation>
+    </message>
+    <message>
+        <source>%1 must be a vector, not %2; write vec(x, y)</source>
+        <translation>%1 muss ein Vektor sein, nicht %2; schreib vec(x, y)</translation>
+    </message>
+    <message>
+        <source>%1 would be %2; every number of a circle must be finite. Look for a division by zero, or for a value that grows in every step</source>
+        <translation>%1 wäre %2; jede Zahl eines Kreises muss endlich sein. Such nach einer Division durch null oder nach einem Wert, der in jedem Schritt wächst</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2</source>
+        <translation>%1 muss eine Zahl sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 would be %2; it must be finite and above 0</source>
+        <translation>%1 wäre %2; es muss endlich und über 0 sein</translation>
+    </message>
+    <message>
+        <source>%1.index is given and cannot be changed</source>
+        <translation>%1.index ist gegeben und lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>circles[i] takes a number from 1 to %1, not %2</source>
+        <translation>circles[i] nimmt eine Zahl von 1 bis %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>circles cannot be added or removed by a program; set the position and velocity of those that are there</source>
+        <translation>ein Programm kann keine Kreise hinzufügen oder entfernen; setze Ort und Geschwindigkeit derer, die da sind</translation>
+    </message>
+    <message>
+        <source>this value</source>
+        <translation>dieser Wert</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so it has no fields</source>
+        <translation>%1 ist %2, hat also keine Felder</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a function that can be called</source>
+        <translation>%1 ist %2, keine Funktion, die sich aufrufen lässt</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a number to calculate with</source>
+        <translation>%1 ist %2, keine Zahl zum Rechnen</translation>
+    </message>
+    <message>
+        <source>%1; only numbers compare with numbers (the length of a vector is v:length())</source>
+        <translation>%1; nur Zahlen lassen sich mit Zahlen vergleichen (die Länge eines Vektors ist v:length())</translation>
+    </message>
+    <message>
+        <source>a function calls itself without end (stack overflow)</source>
+        <translation>eine Funktion ruft sich endlos selbst auf (stack overflow)</translation>
+    </message>
+    <message>
+        <source>the program needs more than %1 MiB of memory; is there a table or a text that grows without end?</source>
+        <translation>das Programm braucht mehr als %1 MiB Speicher; gibt es eine Tabelle oder einen Text, der endlos wächst?</translation>
+    </message>
+    <message>
+        <source>the program called error with %1</source>
+        <translation>das Programm rief error auf; übergeben wurde %1</translation>
+    </message>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>Klammern, Blöcke oder Terme sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>`%1.%2` is not part of the lab&apos;s Lua; %1 has %3</source>
+        <translation>`%1.%2` gehört nicht zum Lua des Labs; %1 hat %3</translation>
+    </message>
+    <message>
+        <source>%1 has no `%2`; it has %3</source>
+        <translation>%1 hat kein `%2`, nur %3</translation>
+    </message>
+    <message>
+        <source>%1 has no `%2`: did you mean `%1.%3`?</source>
+        <translation>%1 hat kein `%2`: Meintest du `%1.%3`?</translation>
+    </message>
+    <message>
+        <source>pairs goes through a table or circles, not %1</source>
+        <translation>pairs geht durch eine Tabelle oder circles; hier steht %1</translation>
+    </message>
+    <message>
+        <source>this step has run for more than %1 s; is there a loop that does not end?</source>
+        <translation>dieser Schritt läuft schon mehr als %1 s; gibt es eine Schleife, die nicht endet?</translation>
+    </message>
+    <message>
+        <source>this step takes more than %1 million instructions; is there a loop that does not end?</source>
+        <translation>dieser Schritt braucht mehr als %1 Millionen Anweisungen; gibt es eine Schleife, die nicht endet?</translation>
+    </message>
+    <message>
+        <source>the run was stopped</source>
+        <translation>der Lauf wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>functions call each other %1 deep; does one call itself without end?</source>
+        <translation>Funktionen rufen einander %1-fach auf; ruft sich eine endlos selbst auf?</translation>
+    </message>
+    <message>
+        <source>the program has %1 letters; at most %2 are right</source>
+        <translation>das Programm hat %1 Zeichen; richtig sind höchstens %2</translation>
+    </message>
+    <message>
+        <source>there is no memory to run a program</source>
+        <translation>für ein Programm ist kein Speicher da</translation>
+    </message>
+    <message>
+        <source>the program shows more than %1 KiB in one step</source>
+        <translation>das Programm zeigt in einem Schritt mehr als %1 KiB</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2</source>
+        <translation>%1 muss ein Text sein; hier steht %2</translation>
+    </message>
+    <message>
+        <source>the name in plot(name, number)</source>
+        <translation>der Name in plot(name, number)</translation>
+    </message>
+    <message>
+        <source>the name in plot(name, number) must have 1 to %1 letters</source>
+        <translation>der Name in plot(name, number) muss 1 bis %1 Zeichen haben</translation>
+    </message>
+    <message>
+        <source>plot(name, number) takes a number, not %1</source>
+        <translation>plot(name, number) nimmt eine Zahl; hier steht %1</translation>
+    </message>
+    <message>
+        <source>plot(&quot;%1&quot;, …) would be %2; a finite number is right</source>
+        <translation>plot(&quot;%1&quot;, …) wäre %2; richtig ist eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 would draw at %2; finite numbers are right</source>
+        <translation>%1 würde bei %2 zeichnen; richtig sind endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 would end beyond all numbers</source>
+        <translation>%1 würde jenseits aller Zahlen enden</translation>
+    </message>
+    <message>
+        <source>a colour</source>
+        <translation>eine Farbe</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>eine Beschriftung</translation>
+    </message>
+    <message>
+        <source>the text in draw.text(p, text)</source>
+        <translation>der Text in draw.text(p, text)</translation>
+    </message>
+    <message>
+        <source>draw has no `%1`; it has %2</source>
+        <translation>draw hat kein `%1`, nur %2</translation>
+    </message>
+    <message>
+        <source>draw has no `%1`: did you mean `%2`?</source>
+        <translation>draw hat kein `%1`: Meintest du `%2`?</translation>
+    </message>
+    <message>
+        <source>after on_load the scene cannot be run: %1</source>
+        <translation>nach on_load kann die Szene nicht laufen: %1</translation>
+    </message>
+    <message>
+        <source>`on_update` is no function any more; it is given once: function on_update(timestep) … end</source>
+        <translation>`on_update` ist keine Funktion mehr; sie steht nur einmal da: function on_update(timestep) … end</translation>
+    </message>
+    <message>
+        <source>the vector %1</source>
+        <translation>der Vektor %1</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>die Zahl %1</translation>
+    </message>
+    <message>
+        <source>the text %1</source>
+        <translation>der Text %1</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>a function</source>
+        <translation>eine Funktion</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3 has no meaning: %4</source>
+        <translation>%1 %2 %3 ergibt keinen Sinn: %4</translation>
+    </message>
+    <message>
+        <source>a vector is added to a vector</source>
+        <translation>zu einem Vektor wird ein Vektor addiert</translation>
+    </message>
+    <message>
+        <source>a vector is taken from a vector</source>
+        <translation>von einem Vektor wird ein Vektor abgezogen</translation>
+    </message>
+    <message>
+        <source>a vector is multiplied by a number; for the dot product write a:dot(b)</source>
+        <translation>ein Vektor wird mit einer Zahl multipliziert; für das Skalarprodukt schreib a:dot(b)</translation>
+    </message>
+    <message>
+        <source>a vector is divided by a number</source>
+        <translation>ein Vektor wird durch eine Zahl geteilt</translation>
+    </message>
+    <message>
+        <source>a vector has no `%1`; it has %2</source>
+        <translation>ein Vektor hat kein `%1`, nur %2</translation>
+    </message>
+    <message>
+        <source>a vector has no `%1`: did you mean `%2`?</source>
+        <translation>ein Vektor hat kein `%1`: Meintest du `%2`?</translation>
+    </message>
+    <message>
+        <source>a vector cannot be changed; build a new one: %1 = %2</source>
+        <translation>ein Vektor lässt sich nicht ändern; bilde einen neuen: %1 = %2</translation>
+    </message>
+    <message>
+        <source>`%1` belongs to a vector; write v:%1(), with a colon</source>
+        <translation>`%1` gehört zu einem Vektor; schreib v:%1(), mit Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>the vector (0, 0) has no direction, so it cannot be normalized</source>
+        <translation>der Vektor (0, 0) hat keine Richtung, also lässt er sich nicht normieren</translation>
+    </message>
+    <message>
+        <source>vec(x, y) takes two numbers; %1 is %2</source>
+        <translation>vec(x, y) nimmt zwei Zahlen; %1 ist %2</translation>
+    </message>
+    <message>
+        <source>vec(x, y) takes two numbers, not %1</source>
+        <translation>vec(x, y) nimmt zwei Zahlen, nicht %1</translation>
+    </message>
+    <message>
+        <source>%1 needs a vector, not %2</source>
+        <translation>%1 braucht einen Vektor; hier steht %2</translation>
+    </message>
+    <message>
+        <source>there is no %1: the scene has %2 circles</source>
+        <translation>%1 gibt es nicht: Die Szene hat %2 Kreise</translation>
+    </message>
+    <message>
+        <source>`%1` is not known: did you mean `%2`?</source>
+        <translation>`%1` ist nicht bekannt: Meintest du `%2`?</translation>
+    </message>
+    <message>
+        <source>`%1` is not known: nothing of that name was given a value before</source>
+        <translation>`%1` ist nicht bekannt: Nichts mit diesem Namen hat bisher einen Wert bekommen</translation>
+    </message>
+    <message>
+        <source>`%1` is set once, in on_load; in on_update it can only be read</source>
+        <translation>`%1` wird einmal gesetzt, in on_load; in on_update lässt es sich nur lesen</translation>
+    </message>
+    <message>
+        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
+        <translation>gravity muss ein Vektor in m/s² sein, nicht %1; schreib gravity = vec(0, -9.81)</translation>
+    </message>
+    <message>
+        <source>gravity would be %1 m/s²; at most %2 is right</source>
+        <translation>gravity wäre %1 m/s²; richtig ist höchstens %2</translation>
+    </message>
+    <message>
+        <source>restitution must be a number from 0 to 1, not %1</source>
+        <translation>restitution muss eine Zahl von 0 bis 1 sein, nicht %1</translation>
+    </message>
+    <message>
+        <source>`%1` can only be read; choose another name for a variable of your own</source>
+        <translation>`%1` lässt sich nur lesen; wähle für eine eigene Variable einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>`%1` must be a function, not %2</source>
+        <translation>`%1` muss eine Funktion sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>square has no `%1`; it has %2</source>
+        <translation>square hat kein `%1`, nur %2</translation>
+    </message>
+    <message>
+        <source>square has no `%1`: did you mean `%2`?</source>
+        <translation>square hat kein `%1`: Meintest du `%2`?</translation>
+    </message>
+    <message>
+        <source>the square can only be read</source>
+        <translation>square lässt sich nur lesen</translation>
+    </message>
 </context>
 <context>
     <name>Variant</name>
@@ -1012,6 +1846,43 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>contact at %1°</source>
         <translation>Berührung unter %1°</translation>
+    </message>
+</context>
+<context>
+    <name>Workspace</name>
+    <message>
+        <source>your program cannot be saved here: %1</source>
+        <translation>dein Programm lässt sich hier nicht speichern: %1</translation>
+    </message>
+</context>
+<context>
+    <name>WorldText</name>
+    <message>
+        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
+        <translation>`%1` gehört nicht zum Lua des Labs; was dazugehört, steht in der API-Referenz (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ApiPage</name>
+    <message>
+        <source>API reference</source>
+        <translation>API-Referenz</translation>
+    </message>
+    <message>
+        <source>Search (Return: next place in the text)</source>
+        <translation>Suchen (Eingabe: nächste Stelle im Text)</translation>
+    </message>
+    <message>
+        <source>Search the API reference</source>
+        <translation>In der API-Referenz suchen</translation>
+    </message>
+    <message>
+        <source>Entries of the API reference</source>
+        <translation>Einträge der API-Referenz</translation>
+    </message>
+    <message>
+        <source>Not found in the reference: %1</source>
+        <translation>Nicht in der Referenz gefunden: %1</translation>
     </message>
 </context>
 <context>
@@ -1045,6 +1916,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>circle %1</source>
         <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>%1 over time</source>
+        <translation>%1 über der Zeit</translation>
     </message>
 </context>
 <context>
@@ -1229,6 +2104,270 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
+    <name>cradle::CodeActions</name>
+    <message>
+        <source>Run code</source>
+        <translation>Code starten</translation>
+    </message>
+    <message>
+        <source>Run the program as it stands now, from the start</source>
+        <translation>Das Programm, wie es jetzt dasteht, von Anfang an laufen lassen</translation>
+    </message>
+    <message>
+        <source>Step into line</source>
+        <translation>Nächste Zeile</translation>
+    </message>
+    <message>
+        <source>Run one line of the program</source>
+        <translation>Eine Zeile des Programms ausführen</translation>
+    </message>
+    <message>
+        <source>Finish step</source>
+        <translation>Schritt beenden</translation>
+    </message>
+    <message>
+        <source>Run the rest of this step</source>
+        <translation>Den Rest dieses Schritts ausführen</translation>
+    </message>
+    <message>
+        <source>Start this step afresh…</source>
+        <translation>Schritt neu beginnen…</translation>
+    </message>
+    <message>
+        <source>Go back to the program that this step begins with</source>
+        <translation>Zurück zu dem Programm, mit dem dieser Schritt beginnt</translation>
+    </message>
+    <message>
+        <source>API reference</source>
+        <translation>API-Referenz</translation>
+    </message>
+    <message>
+        <source>What the program may use</source>
+        <translation>Was das Programm benutzen kann</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Suchen…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Ersetzen…</translation>
+    </message>
+    <message>
+        <source>Find next</source>
+        <translation>Weitersuchen</translation>
+    </message>
+    <message>
+        <source>Find previous</source>
+        <translation>Rückwärts suchen</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Schrift größer</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Schrift kleiner</translation>
+    </message>
+    <message>
+        <source>Usual text size</source>
+        <translation>Übliche Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Hide the reference solution</source>
+        <translation>Musterlösung ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the reference solution</source>
+        <translation>Musterlösung zeigen</translation>
+    </message>
+    <message>
+        <source>A program that passes this step, beside yours</source>
+        <translation>Ein Programm, das diesen Schritt besteht, neben deinem</translation>
+    </message>
+    <message>
+        <source>After you have passed this step, or opened all its hints</source>
+        <translation>Wenn du diesen Schritt bestanden oder alle seine Hinweise geöffnet hast</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeDesk</name>
+    <message>
+        <source>in step %1, at %2 s</source>
+        <translation>in Schritt %1, bei %2 s</translation>
+    </message>
+    <message>
+        <source>Reference of the lab&apos;s Lua</source>
+        <translation>Referenz: das Lua des Labs</translation>
+    </message>
+    <message>
+        <source>Start this step afresh</source>
+        <translation>Schritt neu beginnen</translation>
+    </message>
+    <message>
+        <source>Your program goes back to what this step started from. What you have written in this step is lost. Go back?</source>
+        <translation>Dein Programm wird wieder das, womit dieser Schritt begann. Was du in diesem Schritt geschrieben hast, geht verloren. Zurückgehen?</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeEditor</name>
+    <message>
+        <source>Error in line %1: %2</source>
+        <translation>Fehler in Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Line %1 made the first failing step</source>
+        <translation>Zeile %1 machte den ersten falschen Schritt</translation>
+    </message>
+    <message>
+        <source>Line %1 runs next</source>
+        <translation>Zeile %1 läuft als nächste</translation>
+    </message>
+    <message>
+        <source>Tab indents; Ctrl+Tab, or Escape and then Tab, leaves the editor</source>
+        <translation>Tab rückt ein; Strg+Tab, oder Escape und dann Tab, verlässt den Editor</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>API reference</source>
+        <translation>API-Referenz</translation>
+    </message>
+    <message>
+        <source>API reference on %1</source>
+        <translation>API-Referenz zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeHeader</name>
+    <message>
+        <source>Run as I type</source>
+        <translation>Beim Tippen</translation>
+    </message>
+    <message>
+        <source>Run every change at once, as long as the program parses</source>
+        <translation>Jede Änderung sofort laufen lassen, solange das Programm lesbar ist</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More for the program</source>
+        <translation>Mehr zum Programm</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodePane</name>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>does not parse: the last good version runs</source>
+        <translation>nicht lesbar: letzte gute Fassung läuft</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CompletionPopup</name>
+    <message>
+        <source>Completions</source>
+        <translation>Vervollständigungen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleDelegate</name>
+    <message>
+        <source>load</source>
+        <comment>printed while loading</comment>
+        <translation>Lade</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleModel</name>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Printed in step %1</source>
+        <translation>Ausgegeben in Schritt %1</translation>
+    </message>
+    <message>
+        <source>Printed while the program was loaded</source>
+        <translation>Ausgegeben, während das Programm geladen wurde</translation>
+    </message>
+    <message>
+        <source>Printed in step %1, at %2 s; a double click shows it</source>
+        <translation>Ausgegeben in Schritt %1, bei %2 s; ein Doppelklick zeigt ihn</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleView</name>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>print(…) in your program writes here</source>
+        <translation>print(…) in deinem Programm schreibt hierher</translation>
+    </message>
+    <message>
+        <source>Lines that the program has printed</source>
+        <translation>Zeilen, die das Programm ausgegeben hat</translation>
+    </message>
+    <message>
+        <source>Show the moment</source>
+        <translation>Moment zeigen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Alles kopieren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
     <name>cradle::EnergyChart</name>
     <message>
         <source>Energy</source>
@@ -1292,7 +2431,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Total of e&amp;ach</source>
-        <translation>Gesamt &amp;je Kreis</translation>
+        <translation>&amp;Gesamt je Kreis</translation>
     </message>
     <message>
         <source>By the &amp;integrator</source>
@@ -1309,6 +2448,110 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>by the integrator</source>
         <translation>vom Integrator</translation>
+    </message>
+    <message>
+        <source>By the pro&amp;gram</source>
+        <translation>Vom P&amp;rogramm</translation>
+    </message>
+    <message>
+        <source>Energy made by the program besides the hits, or lost if negative: total + dissipated in hits − total at the start.</source>
+        <translation>Vom Programm außerhalb der Stöße erzeugte Energie, negativ: verlorene: gesamt + in Stößen abgegeben − gesamt am Anfang.</translation>
+    </message>
+    <message>
+        <source>by the program</source>
+        <translation>vom Programm</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ErrorLine</name>
+    <message>
+        <source>line %1, step %2: %3</source>
+        <translation>Zeile %1, Schritt %2: %3</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>The program stopped: %1</source>
+        <translation>Das Programm hielt an: %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Groß/klein beachten</translation>
+    </message>
+    <message>
+        <source>Whole words only</source>
+        <translation>Nur ganze Wörter</translation>
+    </message>
+    <message>
+        <source>Previous match</source>
+        <translation>Voriger Treffer</translation>
+    </message>
+    <message>
+        <source>Shift+F3</source>
+        <translation>Umschalt+F3</translation>
+    </message>
+    <message>
+        <source>Next match</source>
+        <translation>Nächster Treffer</translation>
+    </message>
+    <message>
+        <source>F3</source>
+        <translation>F3</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>Alle ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n ersetzt</numerusform>
+            <numerusform>%n ersetzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no match</source>
+        <translation>kein Treffer</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n match(es)</source>
+        <translation>
+            <numerusform>%n Treffer</numerusform>
+            <numerusform>%n Treffer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1559,6 +2802,21 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
+    <name>cradle::LocalsTable</name>
+    <message>
+        <source>Local variables</source>
+        <translation>Lokale Variablen</translation>
+    </message>
+    <message>
+        <source>None at this line</source>
+        <translation>Keine in dieser Zeile</translation>
+    </message>
+    <message>
+        <source>Local variables at the line that runs next</source>
+        <translation>Lokale Variablen in der Zeile, die als nächste läuft</translation>
+    </message>
+</context>
+<context>
     <name>cradle::MainWindow</name>
     <message>
         <source># %1
@@ -1636,6 +2894,34 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Nothing hits anything within the next minute.</source>
         <translation>In der nächsten Minute stößt nichts zusammen.</translation>
     </message>
+    <message>
+        <source>Read the step on the left, write your program below the scene, press Run to watch, and Check when you are done.</source>
+        <translation>Lies links den Schritt, schreib unter der Szene dein Programm, drücke Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Musterlösung</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Noch nicht: %1</translation>
+    </message>
+    <message>
+        <source>lab.lua</source>
+        <translation>lab.lua</translation>
+    </message>
+    <message>
+        <source>so far in this step</source>
+        <translation>bisher in diesem Schritt</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -1704,6 +2990,17 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>the picture cannot be read</source>
         <translation>das Bild kann nicht gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PlotsChart</name>
+    <message>
+        <source>Plots</source>
+        <translation>Plots</translation>
+    </message>
+    <message>
+        <source>plot(name, number) in your program adds a curve here</source>
+        <translation>plot(name, number) in deinem Programm fügt hier eine Kurve hinzu</translation>
     </message>
 </context>
 <context>
@@ -1779,6 +3076,26 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Still open: %1</source>
         <translation>Noch offen: %1</translation>
     </message>
+    <message>
+        <source>Line %1 ▸</source>
+        <translation>Zeile %1 ▸</translation>
+    </message>
+    <message>
+        <source>Show line %1 of the program</source>
+        <translation>Zeile %1 des Programms zeigen</translation>
+    </message>
+    <message>
+        <source>Next step (Ctrl+Page Down)</source>
+        <translation>Nächster Schritt (Strg+Bild ab)</translation>
+    </message>
+    <message>
+        <source>Compare with the reference</source>
+        <translation>Mit der Musterlösung vergleichen</translation>
+    </message>
+    <message>
+        <source>Shows the reference solution beside your program</source>
+        <translation>Zeigt die Musterlösung neben deinem Programm</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneEditor</name>
@@ -1805,6 +3122,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Move %1</source>
         <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Your program sets this circle in on_load; change it there</source>
+        <translation>Dein Programm setzt diesen Kreis in on_load; ändere ihn dort</translation>
     </message>
 </context>
 <context>
@@ -1863,6 +3184,25 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Fit view</source>
         <translation>Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>ghost: %1 · %2 m apart</source>
+        <translation>Geist: %1 · %2 m entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SolutionView</name>
+    <message>
+        <source>Reference solution</source>
+        <translation>Musterlösung</translation>
+    </message>
+    <message>
+        <source>Close the reference solution (Esc)</source>
+        <translation>Die Musterlösung schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close the reference solution</source>
+        <translation>Die Musterlösung schließen</translation>
     </message>
 </context>
 <context>
@@ -2161,6 +3501,11 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>No hits yet: press Run or Next hit</source>
         <translation>Noch keine Stöße: drücke Starten oder Nächster Stoß</translation>
+    </message>
+    <message>
+        <source>%1 •</source>
+        <comment>a tab with news</comment>
+        <translation>%1 •</translation>
     </message>
 </context>
 <context>

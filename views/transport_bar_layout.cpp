@@ -53,7 +53,23 @@ void TransportBar::makeLayout()
 
 void TransportBar::setModes(const QStringList &titles, int current)
 {
-    qDeleteAll(m_modeGroup->buttons());
+    const QList<QAbstractButton *> buttons = m_modeGroup->buttons();
+    if (!titles.isEmpty() && buttons.size() == titles.size()) {
+        // One of them may have been clicked just now, so they stay.
+        for (qsizetype i = 0; i < titles.size(); ++i) {
+            QAbstractButton *button = m_modeGroup->button(static_cast<int>(i));
+            button->setText(titles[i]);
+            button->setAccessibleName(titles[i]);
+            button->setChecked(i == current);
+        }
+        collapse();
+        return;
+    }
+    for (QAbstractButton *button : buttons) {
+        button->hide();
+        button->deleteLater();
+        m_modeGroup->removeButton(button);
+    }
     delete m_modes->layout();
     auto *row = new QHBoxLayout(m_modes);
     row->setContentsMargins(0, 0, 0, 0);

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/program_notes.h"
+#include "model/simulation.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace cradle;
+
+namespace {
+
+/// Moves every circle by 1 m a step, and fails in a step if told so.
+class Walker final : public Program
+{
+public:
+    std::optional<ProgramError> begin(Preset &scene) override
+    {
+        ++begun;
+        if (failsToLoad)
+            return ProgramError{.message = QStringLiteral("no"), .line = 3};
+        scene.gravity = {0.0, -1.0};
+        scene.circles[0].body.velocity = {1.0, 0.0};
+        return std::nullopt;
+    }
+    bool moves() const override { return movesThem; }
+    std::optional<ProgramError> advance(World &world, double) override
+    {
+        for (Circle &circle : world.circles)
+            circle.position.x += 1.0;
+        output.text = QStringLiteral("step\n");
+        output.points = {{QStringLiteral("x"), world.circles[0].position.x}};
+        output.drawings = {{.kind = Drawing::Kind::Point, .from = world.circles[0].position}};
+        if (world.step + 1 == failsIn)
+            return ProgramError{.message = QStringLiteral("stop"), .line = 7, .step = failsIn};
+        return std::nullopt;
+    }
+    ProgramOutput takeOutput() override { return std::exchange(output, {}); }
+
+    int begun = 0;
+    bool failsToLoad = false;
+    bool movesThem = true;
+    qint64 failsIn = -1;
+    ProgramOutput output;
+};
+
+Preset oneCircle()
+{
+    Preset preset;
+    preset.circles.resize(1);
+    return preset;
+}
+
+} // namespace
+
+/// A run that a program moves.
+class TestProgramRun final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void programMovesTheCircles();
+    void sceneIsWhatTheProgramMadeOfIt();
+    void lawsMoveWhereTheProgramDoesNot();
+    void runRestsBeforeTheFailingStep();
+    void programThatDoesNotLoadRunsNothing();
+    void restartBeginsTheProgramAnew();
+    void notesBelongToTheirSteps();
+    void notesAreBounded();
+};
+
+void TestProgramRun::programMovesTheCircles()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    simulation.setProgram(&walker);
+    simulation.goTo(3);
+    QCOMPARE(simulation.recording().circles(3)[0].position.x, 3.0);
+    QCOMPARE(simulation.time(), 3.0 / 60.0);
+    QVERIFY(simulation.isProgrammed());
+    // The past is told, not run again.
+    simulation.stepBack();
+    simulation.stepForward();
+    QCOMPARE(simulation.recording().last(), 3);
+    simulation.setProgram(nullptr);
+    QVERIFY(!simulation.isProgrammed());
+    simulation.goTo(3);
+    QCOMPARE(simulation.recording().circles(3)[0].position.x, 0.0);
+}
+
+void TestProgramRun::sceneIsWhatTheProgramMadeOfIt()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    simulation.setProgram(&walker);
+    QCOMPARE(simulation.preset().gravity, (Vec2{0.0, -1.0}));
+    QCOMPARE(simulation.basePreset().gravity, Vec2{});
+    QCOMPARE(simulation.recording().circles(0)[0].velocity, (Vec2{1.0, 0.0}));
+}
+
+void TestProgramRun::lawsMoveWhereTheProgramDoesNot()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    walker.movesThem = false;
+    simulation.setProgram(&walker);
+    simulation.goTo(60);
+    // With the velocity and the gravity that the program has set, by Euler.
+    const Circle &c = simulation.recording().circles(60)[0];
+    QVERIFY(std::abs(c.position.x - 1.0) < 1e-12);
+    QVERIFY(std::abs(c.velocity.y + 1.0) < 1e-12);
+}
+
+void TestProgramRun::runRestsBeforeTheFailingStep()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    walker.failsIn = 5;
+    QSignalSpy failed(&simulation, &Simulation::programFailed);
+    simulation.setProgram(&walker);
+    simulation.start();
+    QTRY_COMPARE(failed.size(), 1);
+    QVERIFY(!simulation.isRunning());
+    QCOMPARE(simulation.current(), 4);
+    QCOMPARE(simulation.recording().last(), 4);
+    QCOMPARE(simulation.programError()->line, 7);
+    // It says so again when asked to go on, and nothing runs.
+    simulation.start();
+    QCOMPARE(failed.size(), 2);
+    QVERIFY(!simulation.isRunning());
+    simulation.goTo(100);
+    QCOMPARE(simulation.recording().last(), 4);
+    // What has happened can still be seen.
+    simulation.seek(1);
+    QCOMPARE(simulation.current(), 1);
+}
+
+void TestProgramRun::programThatDoesNotLoadRunsNothing()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    walker.failsToLoad = true;
+    QSignalSpy failed(&simulation, &Simulation::programFailed);
+    simulation.setProgram(&walker);
+    QCOMPARE(failed.size(), 1);
+    simulation.start();
+    simulation.stepForward();
+    QCOMPARE(simulation.recording().last(), 0);
+    QCOMPARE(simulation.preset(), simulation.basePreset());
+}
+
+void TestProgramRun::restartBeginsTheProgramAnew()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    simulation.setProgram(&walker);
+    simulation.goTo(2);
+    simulation.restart();
+    QCOMPARE(walker.begun, 2);
+    QVERIFY(simulation.notes().lines().empty());
+}
+
+void TestProgramRun::notesBelongToTheirSteps()
+{
+    Simulation simulation(oneCircle());
+    Walker walker;
+    simulation.setProgram(&walker);
+    simulation.goTo(3);
+    const ProgramNotes &notes = simulation.notes();
+    QCOMPARE(notes.lines().size(), 3u);
+    QCOMPARE(notes.lines()[1].step, 2);
+    QCOMPARE(notes.lines()[1].text, QStringLiteral("step"));
+    QCOMPARE(notes.curves().size(), 1u);
+    QCOMPARE(notes.curves()[0].values, (std::vector<double>{1.0, 2.0, 3.0}));
+    QCOMPARE(notes.drawings(2)[0].from.x, 2.0);
+    QVERIFY(notes.drawings(9).empty());
+}
+
+void TestProgramRun::notesAreBounded()
+{
+    ProgramNotes notes;
+    for (int step = 1; step <= 6000; ++step) {
+        ProgramOutput output;
+        output.text = QStringLiteral("a\n");
+        for (int k = 0; k < 40; ++k)
+            output.points.push_back({QStringLiteral("%1").arg(k), 1.0});
+        output.drawings.resize(100);
+        notes.add(step, step / 60.0, output);
+    }
+    QCOMPARE(notes.lines().size(), ProgramNotes::mostLines);
+    QCOMPARE(notes.droppedLines(), 1000);
+    QCOMPARE(notes.curves().size(), ProgramNotes::mostCurves);
+    QVERIFY(notes.drawings(1).empty());
+    QCOMPARE(notes.drawings(6000).size(), 100u);
+}
+
+QTEST_GUILESS_MAIN(TestProgramRun)
+#include "test_program_run.moc"
