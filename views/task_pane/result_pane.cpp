@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/result_pane.h"
 
-#include "views/icons.h"
 #include "views/task_pane/check_row.h"
 #include "views/task_pane/message_text.h"
 #include "views/task_pane/result_cards.h"
 #include "views/theme.h"
 
-#include <QClipboard>
 #include <QEvent>
 #include <QGraphicsOpacityEffect>
-#include <QGridLayout>
-#include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -193,12 +189,6 @@ void ResultPane::addDiagnosis(QVBoxLayout *column, const Diagnosis &diagnosis)
     }
 }
 
-void ResultPane::addRemark(QVBoxLayout *column, const Remark &remark)
-{
-    const HeadedText text = splitHeadline(remark.message);
-    addMarkdown(addCard(column, "card", text.headline), text, m_renderer);
-}
-
 void ResultPane::addMessage(QVBoxLayout *column, const QString &message, const char *kind)
 {
     addText(column, asSentence(message), kind)->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -237,78 +227,6 @@ void ResultPane::addChecks(QVBoxLayout *column)
         column->addWidget(row);
         connect(row, &CheckRow::showMoment, this, &ResultPane::showMoment);
     }
-}
-
-void ResultPane::addSuccess(QVBoxLayout *column)
-{
-    const auto count = static_cast<int>(m_report->checks.size());
-    addText(column,
-            count == 1 ? tr("✓ Passed: the check") : tr("✓ Passed: all %1 checks").arg(count),
-            "successTitle");
-    for (const Remark &remark : m_report->remarks)
-        addRemark(column, remark);
-    if (!m_report->commit.isEmpty())
-        addCommit(column);
-    addWayOn(column);
-    addChecks(column);
-}
-
-/// To the next step, or what is left of the lab.
-void ResultPane::addWayOn(QVBoxLayout *column)
-{
-    if (m_last) {
-        addText(column, tr("That was the last step."), "plain");
-        if (!m_stillOpen.isEmpty())
-            addText(column, tr("Still open: %1").arg(m_stillOpen.join(QStringLiteral(", "))),
-                    "plain");
-        return;
-    }
-    auto *ways = new QHBoxLayout;
-    ways->setSpacing(8);
-    column->addLayout(ways);
-    auto *next = new QPushButton(tr("Next step ▸"));
-    next->setAccessibleName(tr("Next step"));
-    next->setAutoDefault(true); // Return presses it when it has the focus
-    setKind(next, "primary");
-    next->setToolTip(tr("Next step (Ctrl+Page Down)"));
-    ways->addWidget(next);
-    if (m_offersSolution) {
-        auto *solution = new QPushButton(tr("Compare with the reference"));
-        solution->setToolTip(tr("Shows the reference solution beside your program"));
-        ways->addWidget(solution);
-        connect(solution, &QPushButton::clicked, this, &ResultPane::solutionRequested);
-    }
-    ways->addStretch(1);
-    connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
-}
-
-/// The commit message, to take along.
-void ResultPane::addCommit(QVBoxLayout *column)
-{
-    auto *card = new QFrame;
-    setKind(card, "card");
-    auto *grid = new QGridLayout(card);
-    grid->setContentsMargins(12, 8, 8, 8);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(2);
-    grid->setColumnStretch(0, 1);
-    auto *caption = new QLabel(tr("Commit message"));
-    setKind(caption, "muted");
-    auto *message = new QLabel(m_report->commit);
-    message->setWordWrap(true);
-    message->setTextFormat(Qt::PlainText);
-    message->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    message->setAccessibleName(tr("Commit message"));
-    auto *copy = new QPushButton(icon(u"copy"), tr("Copy"));
-    copy->setToolTip(tr("Copy the commit message"));
-    copy->setAccessibleName(tr("Copy the commit message"));
-    setKind(copy, "small");
-    grid->addWidget(caption, 0, 0);
-    grid->addWidget(message, 1, 0);
-    grid->addWidget(copy, 0, 1, 2, 1, Qt::AlignTop);
-    column->addWidget(card);
-    connect(copy, &QPushButton::clicked, this,
-            [text = m_report->commit] { QGuiApplication::clipboard()->setText(text); });
 }
 
 void ResultPane::changeEvent(QEvent *event)

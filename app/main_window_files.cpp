@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include "app/language.h"
+#include "model/preset_json.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+namespace cradle {
+
+// Dialogs of the window.
+
+void MainWindow::openLabFolder()
+{
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
+    if (folder.isEmpty())
+        return;
+    if (const auto error = m_workbench.openLab(folder, currentLanguage()))
+        report(*error);
+}
+
+void MainWindow::openPresetFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a scene"), {},
+                                                      tr("Scenes (*.json);;All files (*)"));
+    if (path.isEmpty())
+        return;
+    if (const auto error = m_workbench.openPreset(path))
+        report(*error);
+}
+
+void MainWindow::savePresetAs()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the scene"), QStringLiteral("scene.json"),
+                                     tr("Scenes (*.json);;All files (*)"));
+    if (path.isEmpty())
+        return;
+    if (const auto error = savePreset(m_workbench.document().own(), path))
+        report(*error);
+}
+
+void MainWindow::showAbout()
+{
+    QMessageBox::about(this, tr("About Cradle"),
+                       tr("<h3>Cradle %1</h3><p>Learn how a physics engine works by writing one."
+                          "</p><p>Free software under the GNU General Public License, version 3 or "
+                          "later. Built with Qt, Lua, QScintilla, MathJax and valijson.</p>")
+                           .arg(QCoreApplication::applicationVersion()));
+}
+
+void MainWindow::showShortcuts()
+{
+    QString rows;
+    for (const QAction *menu : menuBar()->actions()) {
+        for (const QAction *action : menu->menu()->actions()) {
+            if (!action->shortcut().isEmpty())
+                rows +=
+                    QStringLiteral("<tr><td>%1&nbsp;&nbsp;&nbsp;</td><td><b>%2</b></td></tr>")
+                        .arg(action->text().remove(QLatin1Char('&')).toHtmlEscaped(),
+                             action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
+        }
+    }
+    QMessageBox box(QMessageBox::NoIcon, tr("Keyboard shortcuts"),
+                    QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, this);
+    box.exec();
+}
+
+} // namespace cradle

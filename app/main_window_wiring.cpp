@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include "app/code_desk.h"
+#include "app/notice_bar.h"
+#include "views/charts/chart_pane.h"
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+#include "views/console_view.h"
+#include "views/inspector/inspector.h"
+#include "views/scene/scene_view.h"
+#include "views/task_pane/task_pane.h"
+#include "views/timeline.h"
+#include "views/transport_bar.h"
+#include "views/values_table.h"
+
+#include <QDockWidget>
+#include <QSettings>
+
+namespace cradle {
+
+// What follows what: the workbench, the panes and each other.
+
+void MainWindow::wireWorkbench()
+{
+    Workbench *bench = &m_workbench;
+    connect(bench, &Workbench::labChanged, this, [this] { m_taskPane->setLab(m_workbench.lab()); });
+    connect(bench, &Workbench::taskChanged, this, &MainWindow::showTask);
+    connect(bench, &Workbench::progressChanged, this,
+            [this] { m_taskPane->setProgress(m_workbench.passed(), m_workbench.current()); });
+    connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
+    connect(bench, &Workbench::reportStale, this, [this] { m_taskPane->setStale(true); });
+    connect(bench, &Workbench::checkStarted, this, [this] {
+        m_transport->setChecking(true);
+        m_taskPane->setChecking(true);
+    });
+    connect(bench, &Workbench::checkProgressed, this, [this](int done, int total) {
+        m_transport->setCheckProgress(total > 0 ? double(done) / total : 0.0);
+        m_taskPane->setChecking(true, done, total);
+    });
+    connect(bench, &Workbench::checkEnded, this, [this] {
+        m_transport->setChecking(false);
+        m_taskPane->setReport(m_workbench.report());
+    });
+    connect(bench, &Workbench::failed, this, &MainWindow::report);
+    connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
+    connect(bench, &Workbench::ghostChanged, this, &MainWindow::showGhost);
+    connect(&bench->code(), &CodeSession::paused, this, &MainWindow::showPause);
+    connect(&bench->code(), &CodeSession::steppingEnded, this, &MainWindow::showGhost);
+    connect(m_transport, &TransportBar::modeChosen, this, &MainWindow::chooseMode);
+    connect(m_transport, &TransportBar::checkRequested, bench, &Workbench::check);
+    connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
+    connect(m_taskPane, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
+    connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
+    connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
+    connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
+    connect(m_taskPane, &TaskPane::lineRequested, this, &MainWindow::showLine);
+    connect(m_taskPane, &TaskPane::solutionRequested, m_code, &CodePane::solutionRequested);
+}
+
+void MainWindow::wireViews()
+{
+    Simulation *simulation = &m_workbench.simulation();
+    PresetDocument *document = &m_workbench.document();
+    connect(m_scene, &SceneView::selectionChanged, m_inspector, &Inspector::select);
+    connect(m_inspector, &Inspector::selectionChanged, m_scene, &SceneView::select);
+    connect(document, &PresetDocument::visitingChanged, this, &MainWindow::showVisit);
+    connect(m_notice, &NoticeBar::actionTriggered, document, &PresetDocument::leave);
+    for (ChartPane *chart : findChildren<ChartPane *>()) {
+        connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
+            simulation->seek(simulation->recording().indexAt(time));
+        });
+    }
+    connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
+    connect(m_console, &ConsoleView::seekRequested, simulation, &Simulation::seek);
+    connect(m_console, &ConsoleView::lineActivated, this, &MainWindow::showLine);
+    connect(m_console, &ConsoleView::errorShown, this,
+            [this](bool shown) { m_values->markTab(m_console, shown); });
+    connect(simulation, &Simulation::noHitFound, this,
+            [this] { m_notice->showNotice(tr("Nothing hits anything within the next minute.")); });
+}
+
+void MainWindow::showTask()
+{
+    const Task *task = m_workbench.task();
+    m_transport->checkAction()->setEnabled(task != nullptr);
+    m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
+    if (task) {
+        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+    } else {
+        Task scene;
+        scene.title = m_workbench.document().preset().name;
+        scene.instructions =
+            tr("# %1\n\nThis scene belongs to no step: play with it. Choose a step "
+               "above to go back to the lab.")
+                .arg(scene.title.isEmpty() ? tr("A scene of your own") : scene.title);
+        m_taskPane->showTask(scene, 0);
+    }
+    m_notice->hide();
+    if (m_workbench.isFirstStart() && m_workbench.current() == 0) {
+        m_notice->showNotice(
+            m_workbench.mode() == Mode::Code
+                ? tr("Read the step on the left, write your program below the scene, press Run to "
+                     "watch, and Check when you are done.")
+                : tr("Read the step on the left, set the values below the scene, press Run to "
+                     "watch, and Check when you are done."));
+    }
+    retranslate();
+}
+
+/// The pane that the student works with comes to the front; the texts follow.
+void MainWindow::showMode()
+{
+    const bool code = m_workbench.mode() == Mode::Code;
+    auto *codeDock = findChild<QDockWidget *>(QStringLiteral("code"));
+    auto *inspectorDock = findChild<QDockWidget *>(QStringLiteral("inspector"));
+    const bool hasStep = m_workbench.task() != nullptr;
+    m_transport->setModes(hasStep ? QStringList{tr("Explore"), tr("Code")} : QStringList(),
+                          code ? 1 : 0);
+    codeDock->setVisible(code);
+    (code ? codeDock : inspectorDock)->raise();
+    if (const Task *task = m_workbench.task())
+        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+}
+
+void MainWindow::chooseMode(int index)
+{
+    const Mode mode = index == 1 ? Mode::Code : Mode::Explore;
+    m_settings.setValue(QStringLiteral("mode"), index);
+    m_workbench.setMode(mode);
+}
+
+void MainWindow::showGhost()
+{
+    m_scene->setGhost(m_workbench.ghost(), tr("reference"));
+}
+
+/// In the middle of an update the circles are where the program has put them so far.
+void MainWindow::showPause(const StudentScript::Pause &pause)
+{
+    auto soFar = std::make_shared<Recording>();
+    soFar->append({.time = m_workbench.simulation().time(), .step = 0, .circles = pause.circles});
+    m_scene->setGhost(soFar, tr("so far in this step"));
+}
+
+void MainWindow::showLine(int line)
+{
+    findChild<QDockWidget *>(QStringLiteral("code"))->raise();
+    m_code->editor().goToLine(line);
+    m_code->editor().setFocus();
+}
+
+void MainWindow::titleTabs()
+{
+    m_values->setTabTitle(m_console, m_console->windowTitle());
+    m_values->setTabTitle(m_plots, m_plots->windowTitle());
+}
+
+void MainWindow::showReport()
+{
+    m_taskPane->setOffersSolution(m_workbench.mode() == Mode::Code
+                                  && m_workbench.mayShowSolution());
+    m_taskPane->setReport(m_workbench.report());
+    m_desk->showReport();
+    std::vector<Timeline::Mark> marks;
+    const Preset &own = m_workbench.document().own();
+    if (m_workbench.report()) {
+        for (const CheckOutcome &check : m_workbench.report()->checks) {
+            if (!check.passed && check.scene == own && !check.pinned)
+                marks.push_back({.time = static_cast<double>(check.step) * own.timestep,
+                                 .label = tr("Not yet: %1").arg(check.title)});
+        }
+    }
+    m_timeline->setMarks(marks);
+}
+
+void MainWindow::showVisit(bool visiting)
+{
+    if (visiting)
+        m_notice->showNotice(tr("This is a scene of the check, at the moment where it went wrong."),
+                             tr("Back to my scene"));
+    else
+        m_notice->hide();
+}
+
+void MainWindow::report(const Error &error)
+{
+    m_notice->showNotice(error.toString());
+}
+
+} // namespace cradle

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/lab.h"
+#include "tasks/submission.h"
+
+#include <functional>
+#include <optional>
+
+namespace cradle {
+
+/// How a judgement is watched and stopped; both may be left empty.
+struct JudgeHooks {
+    std::function<void(int done, int total)> progress{}; ///< after every scene
+    std::function<bool()> cancelled{};                   ///< asked before every scene
+};
+
+/// Judges \p submission by all checks of \p task, in scenes drawn from \p seed, and says which
+/// known mistake explains a failure. The result depends on nothing else.
+/// \return nullopt if it was cancelled
+[[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
+                                                   const Submission &submission, qint64 seed,
+                                                   const JudgeHooks &hooks = {});
+
+} // namespace cradle
