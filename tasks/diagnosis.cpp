@@ -20,7 +20,7 @@ constexpr std::size_t mostEven = 48;
 /// sound program reaches.
 constexpr double unexplained = 0.05;
 /// Share of the other steps that it may spoil: a student's slip may be smaller than the known one.
-constexpr double spoilt = 0.25;
+constexpr double spoilt = 0.1;
 /// Share of the steps at which a place must show what a remark is about.
 constexpr double oftenInPlace = 0.1;
 
@@ -91,6 +91,7 @@ struct Fit {
         return odd > 0 && static_cast<double>(oddMissed) <= unexplained * static_cast<double>(odd)
                && static_cast<double>(evenMissed) <= spoilt * static_cast<double>(even);
     }
+    [[nodiscard]] bool isContradicted() const { return 2 * oddMissed > odd; }
     [[nodiscard]] bool isBetterThan(const Fit &other) const
     {
         return oddMissed + evenMissed + strange
@@ -98,13 +99,13 @@ struct Fit {
     }
 };
 
-/// How many circles start elsewhere, or otherwise, than the student's.
+/// How many circles start elsewhere, or otherwise, than the student's; and the gravity.
 std::size_t strangeStarts(const Preset &start, const Observation &run)
 {
     std::size_t count = 0;
     for (std::size_t i = 0; i < start.circles.size(); ++i)
         count += start.circles[i].body == run.circle(static_cast<int>(i), 0) ? 0 : 1;
-    return count;
+    return count + (start.gravity == run.variant.preset.gravity ? 0 : 1);
 }
 
 Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Places places)
@@ -118,7 +119,7 @@ Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Pla
             fit.oddMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
         // What cannot explain the odd steps is not worth more time.
         fit.odd += evidence.odd.size();
-        if (static_cast<double>(fit.oddMissed) > unexplained * static_cast<double>(fit.odd) + 2.0)
+        if (2 * fit.oddMissed > fit.odd + 2)
             return fit;
         for (const qint64 k : evidence.even)
             fit.evenMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
@@ -130,65 +131,41 @@ Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Pla
     return fit;
 }
 
-const KnownScript *bestFit(const Task &task, const std::vector<Evidence> &evidence,
-                           OneStep::Places places)
+/// Whether all circles start alike: else what the mistake says of them is not true.
+bool sameStart(const Preset &a, const Preset &b)
 {
-    const KnownScript *best = nullptr;
-    Fit bestFit;
-    for (const KnownScript &mistake : task.mistakes) {
-        const Fit fit = fitOf(mistake.source, evidence, places);
-        if (fit.explains() && (!best || fit.isBetterThan(bestFit))) {
-            best = &mistake;
-            bestFit = fit;
-        }
-    }
-    return best;
+    return std::equal(
+        a.circles.begin(), a.circles.end(), b.circles.begin(), b.circles.end(),
+        [](const PresetCircle &p, const PresetCircle &q) { return p.body == q.body; });
 }
 
-/// The value of a circle that a "start" check asks for.
-bool sameStart(const CheckSpec &check, const Preset &a, const Preset &b)
+/// Whether the program also moves them as the student's does.
+bool samePath(OneStep &known, const Observation &run)
 {
-    const auto asks = [&](const char *key) {
-        return check.parameters.contains(QLatin1String(key));
-    };
-    return std::all_of(check.circles.begin(), check.circles.end(), [&](int circle) {
-        const auto i = static_cast<std::size_t>(circle);
-        if (i >= a.circles.size() || i >= b.circles.size())
+    for (qint64 k = 0; k < run.steps(); ++k) {
+        if (!known.agrees(run, k, OneStep::Places::Free))
             return false;
-        const Circle &p = a.circles[i].body;
-        const Circle &q = b.circles[i].body;
-        return (!asks("position") || p.position == q.position)
-               && (!asks("velocity") || p.velocity == q.velocity)
-               && (!asks("radius") || p.radius == q.radius)
-               && (!asks("density") || p.density == q.density);
-    });
+    }
+    return true;
 }
 
-/// The mistake that starts as the student does; of several, the one whose start is most alike.
+/// The mistake that starts and then moves as the student's program does.
 const KnownScript *sameWrongStart(const Task &task, const FailedCheck &failed)
 {
-    const Preset &own = failed.runs.front().variant.preset;
-    const KnownScript *best = nullptr;
-    int bestDifferent = 0;
+    const Observation &run = failed.runs.front();
     for (const KnownScript &mistake : task.mistakes) {
-        const OneStep known(mistake.source, failed.scenes.front());
-        if (!known.runs() || !sameStart(*failed.check, known.start(), own))
-            continue;
-        int different = 0;
-        for (std::size_t i = 0; i < own.circles.size(); ++i)
-            different += known.start().circles[i].body == own.circles[i].body ? 0 : 1;
-        if (!best || different < bestDifferent) {
-            best = &mistake;
-            bestDifferent = different;
-        }
+        OneStep known(mistake.source, failed.scenes.front());
+        if (known.runs() && sameStart(known.start(), run.variant.preset) && samePath(known, run))
+            return &mistake;
     }
-    return best;
+    return nullptr;
 }
 
 enum class Restitution { Reference, Student };
 
-const KnownScript *explain(const Task &task, const FailedCheck &failed, OneStep::Places places,
-                           Restitution whose)
+/// What the student did in the scenes of one failed check, beside the reference.
+std::vector<Evidence> evidenceOf(const Task &task, const FailedCheck &failed,
+                                 OneStep::Places places, Restitution whose)
 {
     std::vector<Evidence> evidence;
     for (std::size_t i = 0; i < failed.runs.size(); ++i) {
@@ -197,7 +174,69 @@ const KnownScript *explain(const Task &task, const FailedCheck &failed, OneStep:
                                                      : std::nullopt;
         evidence.push_back(compareWithReference(task.solution, failed.scenes[i], run, places, e));
     }
-    return bestFit(task, evidence, places);
+    return evidence;
+}
+
+/// How well \p program explains all failed checks; nothing if one speaks against it.
+std::optional<Fit> fitOfAll(const QString &program, const std::vector<std::vector<Evidence>> &all,
+                            OneStep::Places places)
+{
+    Fit sum;
+    for (const std::vector<Evidence> &evidence : all) {
+        const Fit fit = fitOf(program, evidence, places);
+        // The first failure it must explain, the others it must not contradict.
+        if (&evidence == &all.front() ? !fit.explains() : fit.isContradicted())
+            return std::nullopt;
+        sum.oddMissed += fit.oddMissed;
+        sum.evenMissed += fit.evenMissed;
+        sum.strange += fit.strange;
+    }
+    return sum;
+}
+
+Diagnosis diagnosisOf(const KnownScript &mistake, const FailedCheck &failed)
+{
+    return {.mistake = mistake.name, .message = mistake.message, .check = failed.check->id};
+}
+
+/// Where gravity acts, sound programs differ in the step of a hit. So what was seen without it
+/// decides, if there is any.
+void dropFalling(std::vector<std::vector<Evidence>> &all)
+{
+    const auto falls = [](const std::vector<Evidence> &evidence) {
+        return evidence.front().run->variant.preset.gravity != Vec2{};
+    };
+    if (!std::all_of(all.begin(), all.end(), falls))
+        std::erase_if(all, falls);
+}
+
+/// The mistake that explains every failed check in which the reference does something else.
+std::optional<Diagnosis> explain(const Task &task, const std::vector<FailedCheck> &failed,
+                                 OneStep::Places places, Restitution whose)
+{
+    std::vector<std::vector<Evidence>> all;
+    const FailedCheck *shows = nullptr;
+    for (const FailedCheck &check : failed) {
+        std::vector<Evidence> evidence = evidenceOf(task, check, places, whose);
+        if (std::all_of(evidence.begin(), evidence.end(),
+                        [](const Evidence &each) { return each.odd.empty(); }))
+            continue;
+        all.push_back(std::move(evidence));
+        shows = shows ? shows : &check;
+    }
+    if (!shows)
+        return std::nullopt;
+    dropFalling(all);
+    const KnownScript *best = nullptr;
+    Fit bestFit;
+    for (const KnownScript &mistake : task.mistakes) {
+        const std::optional<Fit> fit = fitOfAll(mistake.source, all, places);
+        if (fit && (!best || fit->isBetterThan(bestFit))) {
+            best = &mistake;
+            bestFit = *fit;
+        }
+    }
+    return best ? std::optional(diagnosisOf(*best, *shows)) : std::nullopt;
 }
 
 /// Whether another integrator than the reference's would be a mistake.
@@ -207,11 +246,6 @@ bool asksForIntegrator(const Task &task)
         return check.kind == QLatin1String("closed_form")
                || check.parameters.contains(QStringLiteral("integrators"));
     });
-}
-
-Diagnosis diagnosisOf(const KnownScript &mistake, const FailedCheck &failed)
-{
-    return {.mistake = mistake.name, .message = mistake.message, .check = failed.check->id};
 }
 
 bool fieldsShow(const Observation &run, const OneStep &reference, const OneStep &known)
@@ -250,28 +284,18 @@ std::optional<Diagnosis> diagnose(const Task &task, const std::vector<FailedChec
     for (const FailedCheck &check : failed) {
         if (check.check->kind != QLatin1String("start"))
             continue;
-        if (const KnownScript *mistake = sameWrongStart(task, check))
-            return diagnosisOf(*mistake, check);
+        const KnownScript *mistake = sameWrongStart(task, check);
+        // From another start what a mistake says of the motion would not be true.
+        return mistake ? std::optional(diagnosisOf(*mistake, check)) : std::nullopt;
     }
-    std::vector<OneStep::Places> passes{OneStep::Places::Exact};
-    const bool free = !asksForIntegrator(task);
-    if (free)
-        passes.push_back(OneStep::Places::Free);
-    for (const auto places : passes) {
-        for (const FailedCheck &check : failed) {
-            if (const KnownScript *mistake = explain(task, check, places, Restitution::Reference))
-                return diagnosisOf(*mistake, check);
-        }
-    }
-    for (const FailedCheck &check : failed) {
-        if (!free)
-            break;
-        // Any restitution below 1 is right where the student chooses it.
-        if (const KnownScript *mistake =
-                explain(task, check, OneStep::Places::Free, Restitution::Student))
-            return diagnosisOf(*mistake, check);
-    }
-    return std::nullopt;
+    if (auto diagnosis = explain(task, failed, OneStep::Places::Exact, Restitution::Reference))
+        return diagnosis;
+    if (asksForIntegrator(task))
+        return std::nullopt;
+    if (auto diagnosis = explain(task, failed, OneStep::Places::Free, Restitution::Reference))
+        return diagnosis;
+    // Any restitution below 1 is right where the student chooses it.
+    return explain(task, failed, OneStep::Places::Free, Restitution::Student);
 }
 
 std::vector<Remark> remarksOn(const Task &task, const Submission &submission, qint64 seed)

@@ -186,7 +186,9 @@ private:
             preset.circles[static_cast<std::size_t>(circle)].body.velocity =
                 speed * fromAngle(degrees);
             parkOthers(preset, static_cast<std::size_t>(circle));
-            add(VariantText::tr("circle %1 at %2°").arg(circle + 1).arg(degrees, 0, 'f', 1),
+            add(VariantText::tr("circle %1 towards %2°")
+                    .arg(circle + 1)
+                    .arg(std::fmod(degrees, 360.0), 0, 'f', 1),
                 preset);
         }
     }

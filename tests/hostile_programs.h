@@ -246,7 +246,7 @@ inline std::vector<HostileProgram> strangePrograms()
         {"our functions replaced",
          inUpdate("vec = nil circle1 = 5 print = nil pcall = error math = nil circles = nil "
                   "square = {} dot = 1"),
-         noKind},
+         runtimeKind},
         {"vec replaced and used", inUpdate("vec = 5 circle1.position = vec(1, 2)"), runtimeKind},
         {"library changed", inUpdate("string.sub = nil table.sort = error local s = ('a'):sub(1)"),
          runtimeKind},
@@ -274,7 +274,7 @@ inline std::vector<HostileProgram> strangePrograms()
         {"addresses",
          inUpdate("local s = tostring(print) .. tostring({}) .. "
                   "string.format('%p', {})"),
-         noKind},
+         runtimeKind},
     };
 }
 

@@ -120,7 +120,7 @@ void TestChecksWalls::restitutionOfTheCheckCounts()
     const Observation o = flight(thrown(10.0), {}, 0.5, rightWays[0]);
     VERIFY_ACCEPTED(judge(check("bounces"), o));
     const QJsonObject elastic{{QStringLiteral("restitution"), 1.0}};
-    VERIFY_REFUSED(judge(check("bounces", {0}, elastic), o), QStringLiteral("with e = 1"));
+    VERIFY_REFUSED(judge(check("bounces", {0}, elastic), o), QStringLiteral("is right"));
 }
 
 void TestChecksWalls::leavingTheSquareIsSeenByStaysInside()

@@ -195,6 +195,14 @@
         <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
         <translation>In Schritt %1 bewegte sich Kreis %2 auf einmal um %3 m; mit seiner Geschwindigkeit kommt er %4 m weit</translation>
     </message>
+    <message>
+        <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CircleEdits</name>
@@ -1014,7 +1022,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Show the &amp;whole square</source>
-        <translation>Ganzes &amp;Quadrat zeigen</translation>
+        <translation>&amp;Ganzes Quadrat zeigen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -1824,6 +1832,54 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>the square can only be read</source>
         <translation>square lässt sich nur lesen</translation>
     </message>
+    <message>
+        <source>this is no text, so it is no program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%p of string.format is not part of the lab&apos;s Lua</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`%1` is local here, so nobody can call it; write function %1(…) without local</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lua has no %2=; write %1 = %1 %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;not equal&quot; is ~= in Lua, not !=</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lua has no ++; write %1 = %1 + 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment begins with -- in Lua</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lua writes `and`, `or`, `not` in words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= assigns; to compare write ==</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>== compares; to assign write =</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names have the letters a to z, digits and _ only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`%1` is given by the lab and cannot be replaced; choose another name for a variable of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Variant</name>
@@ -1836,16 +1892,16 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>Wurf %1</translation>
     </message>
     <message>
-        <source>circle %1 at %2°</source>
-        <translation>Kreis %1 unter %2°</translation>
-    </message>
-    <message>
         <source>drop %1</source>
         <translation>Fall %1</translation>
     </message>
     <message>
         <source>contact at %1°</source>
         <translation>Berührung unter %1°</translation>
+    </message>
+    <message>
+        <source>circle %1 towards %2°</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2314,7 +2370,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>load</source>
         <comment>printed while loading</comment>
-        <translation>Lade</translation>
+        <translation>lädt</translation>
     </message>
 </context>
 <context>
@@ -2863,10 +2919,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Über Cradle</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, MathJax and valijson.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Lerne, wie eine Physik-Engine arbeitet, indem du eine schreibst.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Gebaut mit Qt, MathJax und valijson.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -2921,6 +2973,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>so far in this step</source>
         <translation>bisher in diesem Schritt</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Lerne, wie eine Physik-Engine arbeitet, indem du eine schreibst.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Gebaut mit Qt, Lua, QScintilla, MathJax und valijson.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3090,7 +3146,7 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>Compare with the reference</source>
-        <translation>Mit der Musterlösung vergleichen</translation>
+        <translation>Musterlösung zeigen</translation>
     </message>
     <message>
         <source>Shows the reference solution beside your program</source>

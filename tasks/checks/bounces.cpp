@@ -64,6 +64,11 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     }
     const double kept = dot(before.velocity + o.timestep() * gravity, axis);
     const double after = kept + change;
+    // In the open only a turn is a matter of walls; another acceleration is not.
+    const bool turned =
+        kept * after < 0.0 && std::abs(change) > restingSteps * length(gravity) * o.timestep();
+    if (!turned && !motion::isNearWall(o, circle, step, gravity))
+        return std::nullopt;
     const Wall nearest =
         motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
     if (motion::isNearWall(o, circle, step, gravity)) {
@@ -105,6 +110,14 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double last = -restitution * (into + pull);
     if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
         return std::nullopt;
+    if (restitution == 1.0) {
+        return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it "
+                                    "with %5 m/s; %6 m/s is right")
+                         .arg(QString::number(step + 1), QString::number(circle + 1),
+                              motion::wallName(wall), motion::figure(into + pull),
+                              motion::figureBeside(after, last), motion::figureBeside(last, after)),
+                     last, after);
+    }
     return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it with "
                                 "%5 m/s; −e times %4 m/s with e = %6 is %7 m/s")
                      .arg(QString::number(step + 1), QString::number(circle + 1),

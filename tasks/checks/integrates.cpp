@@ -81,6 +81,13 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
             .arg(QString::number(k + 1), QString::number(i + 1),
                  motion::figureBeside(observed, right), motion::integratorName(wanted),
                  motion::figureBeside(right, observed));
+    if (gravity == Vec2{}) {
+        message =
+            IntegratorText::tr("At step %1 circle %2 moved by %3 m; its velocity times the "
+                               "timestep is %4 m")
+                .arg(QString::number(k + 1), QString::number(i + 1),
+                     motion::figureBeside(observed, right), motion::figureBeside(right, observed));
+    }
     const std::vector<Integrator> instead = agreeing(o, i, k, gravity);
     if (!instead.empty())
         message += IntegratorText::tr(". This is what %1 does").arg(namesOf(instead));

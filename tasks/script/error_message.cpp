@@ -82,6 +82,13 @@ ProgramError errorAtTop(lua_State *L, int status)
             error.line = match.captured(2).toInt();
         message = message.mid(match.capturedLength());
     }
+    for (QChar &letter : message) {
+        // A message is a line on a terminal, too.
+        if (letter.category() == QChar::Other_Control || letter == QChar::ReplacementCharacter)
+            letter = QLatin1Char(' ');
+    }
+    if (message.startsWith(QLatin1String("attempt to load a binary chunk")))
+        message = MessageText::tr("this is no text, so it is no program");
     if (status != LUA_ERRSYNTAX)
         error.message = plain(message);
     else

@@ -35,6 +35,28 @@ int typeName(lua_State *L)
     return 1;
 }
 
+int toText(lua_State *L)
+{
+    luaL_checkany(L, 1);
+    pushText(L, 1);
+    return 1;
+}
+
+/// string.format without addresses. Upvalue: Lua's own.
+int formatText(lua_State *L)
+{
+    checkTime(L);
+    if (QByteArray(luaL_checkstring(L, 1)).contains("%p"))
+        raise(L, LibraryText::tr("%p of string.format is not part of the lab's Lua"));
+    for (int i = 2; i <= lua_gettop(L); ++i) {
+        if (lua_type(L, i) == LUA_TTABLE || lua_type(L, i) == LUA_TFUNCTION) {
+            pushText(L, i);
+            lua_replace(L, i);
+        }
+    }
+    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+}
+
 /// math.randomseed without a number would make every run another.
 int seedRandom(lua_State *L)
 {
@@ -109,7 +131,7 @@ void addBase(lua_State *L)
     lua_call(L, 0, 0); // fills the globals
     lua_pushglobaltable(L);
     lua_newtable(L);
-    for (const char *name : {"ipairs", "select", "tostring", "tonumber", "assert", "error"}) {
+    for (const char *name : {"ipairs", "select", "tonumber", "assert", "error"}) {
         lua_getfield(L, -2, name);
         lua_setfield(L, -2, name);
     }
@@ -118,6 +140,7 @@ void addBase(lua_State *L)
     lua_register(L, "pcall", protectedCall);
     lua_register(L, "pairs", orderedPairs);
     lua_register(L, "type", typeName);
+    lua_register(L, "tostring", toText);
 }
 
 void addMath(lua_State *L)
@@ -137,7 +160,12 @@ void addMath(lua_State *L)
 void addString(lua_State *L)
 {
     luaL_requiref(L, "string", luaopen_string, 0);
+    lua_getfield(L, -1, "format");
+    lua_insert(L, -2);
     keepOnly(L, "string", {"format", "sub", "len", "upper", "lower"});
+    lua_insert(L, -2);
+    lua_pushcclosure(L, formatText, 1);
+    lua_setfield(L, -2, "format");
     // The methods of strings, ("x"):upper(), are the same few.
     lua_pushliteral(L, "");
     lua_getmetatable(L, -1);

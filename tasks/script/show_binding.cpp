@@ -46,7 +46,7 @@ int print(lua_State *L)
             continue;
         }
         std::size_t size = 0;
-        const char *text = luaL_tolstring(L, i, &size);
+        const char *text = pushText(L, i, &size);
         // A text that is too long is not worth a copy.
         count(L, static_cast<qint64>(size));
         if (i > 1)
@@ -153,7 +153,7 @@ int drawText(lua_State *L)
 /// A member of draw that is not there.
 int refuseUnknown(lua_State *L)
 {
-    const QString name = QString::fromUtf8(luaL_tolstring(L, 2, nullptr));
+    const QString name = QString::fromUtf8(pushText(L, 2));
     const QStringList names{QStringLiteral("arrow"), QStringLiteral("line"),
                             QStringLiteral("point"), QStringLiteral("text")};
     const QString near = nearestName(name, names);

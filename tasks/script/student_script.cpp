@@ -105,8 +105,13 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
     beginCount(L);
     const int status = parse(L, m_source);
     endCount(L);
-    if (status != LUA_OK)
-        return errorOf(L, status);
+    if (status != LUA_OK) {
+        ProgramError error = errorOf(L, status);
+        addHint(error, m_source);
+        return error;
+    }
+    if (auto hidden = hiddenEntry(m_source))
+        return hidden;
     watch(L, false);
     if (auto error = call(0))
         return error;

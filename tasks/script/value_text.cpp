@@ -30,6 +30,16 @@ QString shortened(const char *text, std::size_t size)
 
 } // namespace
 
+const char *pushText(lua_State *L, int index, std::size_t *size)
+{
+    const int type = lua_type(L, index);
+    if (type == LUA_TTABLE || type == LUA_TFUNCTION)
+        lua_pushstring(L, lua_typename(L, type));
+    else
+        luaL_tolstring(L, index, nullptr);
+    return lua_tolstring(L, -1, size);
+}
+
 QString describeValue(lua_State *L, int index)
 {
     switch (lua_type(L, index)) {

@@ -29,6 +29,10 @@ void pushVector(lua_State *L, Vec2 value);
 /// The vector that an argument must be; raises an error that names \p what if it is not.
 [[nodiscard]] Vec2 vectorArgument(lua_State *L, int index, const QString &what);
 
+/// Pushes the text of a value as print and tostring show it: as Lua does, but without the address
+/// of a table or a function, which is another one in every run.
+const char *pushText(lua_State *L, int index, std::size_t *size = nullptr);
+
 /// "(2, 0)", "3", "\"text\"", "circle 1", "nil": a value for the reader.
 [[nodiscard]] QString describeValue(lua_State *L, int index);
 /// The same as a function of Lua, for __tostring.

@@ -22,6 +22,8 @@ struct WorldText {
 
 /// So many circles get a name of their own; all are in circles[i].
 constexpr std::size_t mostNamed = 100;
+/// In the registry: the table of the lab's own names.
+constexpr lua_Integer givenKey = 105;
 
 /// What a program is likely to look for, and why it is not there.
 QString whyAbsent(const QString &name)
@@ -55,11 +57,9 @@ QString whyAbsent(const QString &name)
     return {};
 }
 
-QStringList globalNames(lua_State *L)
+/// Appends the keys of the table on the top of the stack, and takes it away.
+void appendKeys(lua_State *L, QStringList &names)
 {
-    QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
-                      QStringLiteral("time"), QStringLiteral("step")};
-    lua_pushglobaltable(L);
     lua_pushnil(L);
     while (lua_next(L, -2) != 0) {
         if (lua_type(L, -2) == LUA_TSTRING)
@@ -67,6 +67,16 @@ QStringList globalNames(lua_State *L)
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
+}
+
+QStringList globalNames(lua_State *L)
+{
+    QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
+                      QStringLiteral("time"), QStringLiteral("step")};
+    lua_pushglobaltable(L);
+    appendKeys(L, names);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, givenKey);
+    appendKeys(L, names);
     names.sort();
     return names;
 }
@@ -167,6 +177,12 @@ int writeGlobal(lua_State *L)
         raise(L, WorldText::tr("`%1` can only be read; choose another name for a variable of "
                                "your own")
                      .arg(QLatin1String(key)));
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL)
+        raise(L, WorldText::tr("`%1` is given by the lab and cannot be replaced; choose another "
+                               "name for a variable of your own")
+                     .arg(QLatin1String(key)));
+    lua_pop(L, 1);
     const bool given = std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0;
     if (!given)
         refuseSlip(L, QString::fromUtf8(key));
@@ -225,6 +241,38 @@ void addSquare(lua_State *L)
     lua_setglobal(L, "square");
 }
 
+/// Puts the lab's own names behind the globals, where they are found but cannot be replaced.
+/// Functions of Lua may be: a program may well have a dot or a print of its own.
+void hideGiven(lua_State *L)
+{
+    lua_pushglobaltable(L);
+    const int globals = lua_gettop(L);
+    lua_newtable(L);
+    const int given = globals + 1;
+    QList<QByteArray> names{"circles", "square", "vec", "draw", "plot"};
+    for (std::size_t i = 0; i < std::min(ScriptHost::of(L).circles.size(), mostNamed); ++i)
+        names.append("circle" + QByteArray::number(i + 1));
+    for (const QByteArray &name : names) {
+        lua_getfield(L, globals, name.constData());
+        lua_setfield(L, given, name.constData());
+        lua_pushnil(L);
+        lua_setfield(L, globals, name.constData());
+    }
+    lua_newtable(L);
+    lua_pushcfunction(L, readGlobal);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, given);
+    lua_newtable(L);
+    lua_pushvalue(L, given);
+    lua_setfield(L, -2, "__index");
+    lua_pushvalue(L, given);
+    lua_pushcclosure(L, writeGlobal, 1);
+    lua_setfield(L, -2, "__newindex");
+    lua_setmetatable(L, globals);
+    lua_rawseti(L, LUA_REGISTRYINDEX, givenKey);
+    lua_pop(L, 1);
+}
+
 } // namespace
 
 void addWorld(lua_State *L)
@@ -237,14 +285,7 @@ void addWorld(lua_State *L)
         lua_setglobal(L, QByteArray("circle" + QByteArray::number(i + 1)).constData());
     }
     addSquare(L);
-    lua_pushglobaltable(L);
-    lua_newtable(L);
-    lua_pushcfunction(L, readGlobal);
-    lua_setfield(L, -2, "__index");
-    lua_pushcfunction(L, writeGlobal);
-    lua_setfield(L, -2, "__newindex");
-    lua_setmetatable(L, -2);
-    lua_pop(L, 1);
+    hideGiven(L);
 }
 
 } // namespace cradle

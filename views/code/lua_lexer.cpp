@@ -7,6 +7,8 @@
 
 #include <Qsci/qsciscintilla.h>
 
+#include <cstring>
+
 namespace cradle {
 
 namespace {
@@ -34,6 +36,13 @@ LuaLexer::Style styleOf(const LuaToken &token, QByteArrayView text, char next)
     if (token.in(text) == "circle2")
         return LuaLexer::Circle2;
     return next == '(' ? LuaLexer::Call : LuaLexer::Plain;
+}
+
+/// Signs that some fonts join to one with what follows; brackets keep one style, or they would not
+/// be matched.
+bool joins(char sign)
+{
+    return std::strchr("<>=~.-/*+:", sign) != nullptr;
 }
 
 } // namespace
@@ -85,7 +94,8 @@ void LuaLexer::styleText(int, int)
             setStyling(static_cast<int>(token.start - at), Plain);
         if (token.kind == LuaToken::Kind::Sign) {
             for (qsizetype k = 0; k < token.length; ++k)
-                setStyling(1, (token.start + k) % 2 == 0 ? Plain : Sign);
+                setStyling(1, joins(text[token.start + k]) && (token.start + k) % 2 != 0 ? Sign
+                                                                                         : Plain);
         } else {
             setStyling(static_cast<int>(token.length), styleOf(token, text, next));
         }

@@ -1,6 +1,6 @@
 -- The circles stop before they touch
 --
--- The rims are still more than 0.1 m apart when both circles stop. Nothing has touched yet: two
+-- When both circles stop, there is still room between their rims. Nothing has touched yet: two
 -- circles meet when the distance of their centres is the sum of their radii, and nothing is
 -- added to that. Look at the right-hand side of your comparison.
 
