@@ -167,7 +167,7 @@ void CodeDesk::showReport()
     }
     m_pane.editor().setSuspect(line);
     if (line > 0)
-        m_pane.editor().goToLine(line);
+        m_pane.editor().revealLine(line);
     showSolutionButton();
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/diagnosis.h"
 
-#include "tasks/checks/motion.h"
-#include "tasks/one_step.h"
+#include "tasks/evidence.h"
 
 #include <QJsonArray>
 
@@ -13,123 +12,8 @@ namespace cradle {
 
 namespace {
 
-/// Steps that are compared in a run: enough to tell mistakes apart, few enough to be quick.
-constexpr std::size_t mostOdd = 24;
-constexpr std::size_t mostEven = 48;
-/// Share of the odd steps that a mistake may fail to explain: what follows from a state that no
-/// sound program reaches.
-constexpr double unexplained = 0.05;
-/// Share of the other steps that it may spoil: a student's slip may be smaller than the known one.
-constexpr double spoilt = 0.1;
 /// Share of the steps at which a place must show what a remark is about.
 constexpr double oftenInPlace = 0.1;
-
-/// Evenly spread over \p all, at most \p most of them.
-std::vector<qint64> thinned(const std::vector<qint64> &all, std::size_t most)
-{
-    if (all.size() <= most)
-        return all;
-    std::vector<qint64> some;
-    for (std::size_t i = 0; i < most; ++i)
-        some.push_back(all[i * all.size() / most]);
-    return some;
-}
-
-/// A run of the student with the steps at which the reference does something else.
-struct Evidence {
-    const Variant *scene = nullptr;
-    const Observation *run = nullptr;
-    std::optional<double> restitution{}; ///< that of the student, where he may choose it
-    std::vector<qint64> odd{};           ///< the reference disagrees
-    std::vector<qint64> even{};          ///< it agrees
-    std::size_t oddInAll = 0;
-};
-
-/// Whether something was hit in the step after \p k.
-bool isEventful(const Observation &run, qint64 k)
-{
-    for (int i = 0; i < run.circleCount(); ++i) {
-        if (motion::isKicked(run, i, k, run.variant.preset.gravity))
-            return true;
-    }
-    return false;
-}
-
-Evidence compareWithReference(const QString &solution, const Variant &scene, const Observation &run,
-                              OneStep::Places places,
-                              std::optional<double> restitution = std::nullopt)
-{
-    Evidence evidence{&scene, &run, restitution, {}, {}, 0};
-    OneStep reference(solution, scene, restitution);
-    if (!reference.runs())
-        return evidence;
-    std::vector<qint64> quiet;
-    for (qint64 k = 0; k < run.steps(); ++k) {
-        if (!reference.agrees(run, k, places))
-            evidence.odd.push_back(k);
-        else
-            (isEventful(run, k) ? evidence.even : quiet).push_back(k);
-    }
-    evidence.oddInAll = evidence.odd.size();
-    evidence.odd = thinned(evidence.odd, mostOdd);
-    evidence.even = thinned(evidence.even, mostEven / 2);
-    for (const qint64 k : thinned(quiet, mostEven / 2))
-        evidence.even.push_back(k);
-    return evidence;
-}
-
-/// How well a known program explains what was seen.
-struct Fit {
-    std::size_t odd = 0;
-    std::size_t oddMissed = 0;
-    std::size_t even = 0;
-    std::size_t evenMissed = 0;
-    std::size_t strange = 0; ///< circles that start otherwise
-
-    [[nodiscard]] bool explains() const
-    {
-        return odd > 0 && static_cast<double>(oddMissed) <= unexplained * static_cast<double>(odd)
-               && static_cast<double>(evenMissed) <= spoilt * static_cast<double>(even);
-    }
-    [[nodiscard]] bool isContradicted() const { return 2 * oddMissed > odd; }
-    [[nodiscard]] bool isBetterThan(const Fit &other) const
-    {
-        return oddMissed + evenMissed + strange
-               < other.oddMissed + other.evenMissed + other.strange;
-    }
-};
-
-/// How many circles start elsewhere, or otherwise, than the student's; and the gravity.
-std::size_t strangeStarts(const Preset &start, const Observation &run)
-{
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < start.circles.size(); ++i)
-        count += start.circles[i].body == run.circle(static_cast<int>(i), 0) ? 0 : 1;
-    return count + (start.gravity == run.variant.preset.gravity ? 0 : 1);
-}
-
-Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Places places)
-{
-    Fit fit;
-    for (const Evidence &evidence : all) {
-        OneStep known(program, *evidence.scene, evidence.restitution);
-        if (!known.runs())
-            continue;
-        for (const qint64 k : evidence.odd)
-            fit.oddMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
-        // What cannot explain the odd steps is not worth more time.
-        fit.odd += evidence.odd.size();
-        if (2 * fit.oddMissed > fit.odd + 2)
-            return fit;
-        for (const qint64 k : evidence.even)
-            fit.evenMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
-        fit.even += evidence.even.size();
-        // In the student's own scene a mistake that starts as he does fits better.
-        if (!evidence.scene->pinned)
-            fit.strange += strangeStarts(known.start(), *evidence.run);
-    }
-    return fit;
-}
 
 /// Whether all circles start alike: else what the mistake says of them is not true.
 bool sameStart(const Preset &a, const Preset &b)

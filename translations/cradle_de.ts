@@ -197,11 +197,11 @@
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schritt %1 kam Kreis %2 mit %4 m/s zu %3 und ging mit %5 m/s; richtig sind %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m</translation>
     </message>
 </context>
 <context>
@@ -1834,51 +1834,51 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>this is no text, so it is no program</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Text, also kein Programm</translation>
     </message>
     <message>
         <source>%p of string.format is not part of the lab&apos;s Lua</source>
-        <translation type="unfinished"></translation>
+        <translation>%p von string.format gehört nicht zum Lua des Labs</translation>
     </message>
     <message>
         <source>`%1` is local here, so nobody can call it; write function %1(…) without local</source>
-        <translation type="unfinished"></translation>
+        <translation>`%1` ist hier local, also kann niemand es aufrufen; schreib function %1(…) ohne local</translation>
     </message>
     <message>
         <source>Lua has no %2=; write %1 = %1 %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Lua hat kein %2=; schreib %1 = %1 %2 %3</translation>
     </message>
     <message>
         <source>&quot;not equal&quot; is ~= in Lua, not !=</source>
-        <translation type="unfinished"></translation>
+        <translation>„ungleich“ ist in Lua ~=, nicht !=</translation>
     </message>
     <message>
         <source>Lua has no ++; write %1 = %1 + 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lua hat kein ++; schreib %1 = %1 + 1</translation>
     </message>
     <message>
         <source>a comment begins with -- in Lua</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Kommentar beginnt in Lua mit --</translation>
     </message>
     <message>
         <source>Lua writes `and`, `or`, `not` in words</source>
-        <translation type="unfinished"></translation>
+        <translation>Lua schreibt `and`, `or`, `not` als Wörter</translation>
     </message>
     <message>
         <source>= assigns; to compare write ==</source>
-        <translation type="unfinished"></translation>
+        <translation>= weist zu; zum Vergleichen schreib ==</translation>
     </message>
     <message>
         <source>== compares; to assign write =</source>
-        <translation type="unfinished"></translation>
+        <translation>== vergleicht; zum Zuweisen schreib =</translation>
     </message>
     <message>
         <source>names have the letters a to z, digits and _ only</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen haben nur die Buchstaben a bis z, Ziffern und _</translation>
     </message>
     <message>
         <source>`%1` is given by the lab and cannot be replaced; choose another name for a variable of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>`%1` ist vom Lab gegeben und lässt sich nicht ersetzen; wähle für eine eigene Variable einen anderen Namen</translation>
     </message>
 </context>
 <context>
@@ -1901,7 +1901,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>circle %1 towards %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis %1 in Richtung %2°</translation>
     </message>
 </context>
 <context>

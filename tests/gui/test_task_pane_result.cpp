@@ -167,7 +167,7 @@ void TestTaskPaneResult::resultLeavesRoomForInstructions_data()
 {
     QTest::addColumn<int>("height");
     QTest::addColumn<int>("steps");
-    QTest::newRow("low") << 590 << 4;
+    QTest::newRow("low") << 590 << 3;
     QTest::newRow("high") << 800 << 5;
 }
 

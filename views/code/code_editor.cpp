@@ -235,6 +235,18 @@ int CodeEditor::currentLine() const
     return line + 1;
 }
 
+void CodeEditor::revealLine(int line)
+{
+    m_area->ensureLineVisible(existing(line));
+    const auto row = static_cast<int>(m_area->SendScintilla(
+        QsciScintillaBase::SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(existing(line))));
+    const auto rows =
+        static_cast<int>(m_area->SendScintilla(QsciScintillaBase::SCI_LINESONSCREEN));
+    const int first = m_area->firstVisibleLine();
+    if (row < first || row >= first + rows)
+        m_area->setFirstVisibleLine(std::max(0, row - rows / 2));
+}
+
 void CodeEditor::goToLine(int line)
 {
     m_area->ensureLineVisible(existing(line));

@@ -43,6 +43,7 @@ public:
     [[nodiscard]] QString wordUnderCursor() const;
     [[nodiscard]] int currentLine() const;
     void goToLine(int line);
+    void revealLine(int line); ///< scrolls there if it must; the cursor stays
     [[nodiscard]] QString selectedText() const;
     void selectAll();
 

@@ -76,6 +76,14 @@ void ResultPane::setStale(bool stale)
     rebuild();
 }
 
+void ResultPane::setPassed(bool passed)
+{
+    if (passed == m_passed)
+        return;
+    m_passed = passed;
+    rebuild();
+}
+
 void ResultPane::setOffersSolution(bool offers)
 {
     if (offers == m_offersSolution)
@@ -110,7 +118,10 @@ void ResultPane::rebuild()
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(12, 0, 12, 12);
     column->setSpacing(6);
-    if (!m_report) {
+    if (!m_report && m_passed) {
+        addText(column, tr("✓ You have passed this step"), "successTitle");
+        addWayOn(column);
+    } else if (!m_report) {
         addText(column, tr("Press Check (Ctrl+Return) when you are done."), "muted");
     } else {
         if (m_stale)

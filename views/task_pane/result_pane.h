@@ -31,6 +31,8 @@ public:
     /// \param stillOpen  numbers of the other steps that are not passed
     void setLast(bool last, const QStringList &stillOpen);
 
+    /// Whether the step was passed, now or some time before.
+    void setPassed(bool passed);
     /// Whether the student's program can be compared with the reference.
     void setOffersSolution(bool offers);
 
@@ -68,6 +70,7 @@ private:
     int m_done = 0;
     int m_total = 0;
     bool m_stale = false;
+    bool m_passed = false;
     bool m_last = false;
     bool m_offersSolution = false;
     QStringList m_stillOpen;

@@ -22,6 +22,7 @@ constexpr int emptyResultHeight = 64; ///< px, while there is none
 constexpr int lowPane = 640;          ///< px; a lower pane shows fewer steps
 constexpr int manySteps = 5;          ///< rows
 constexpr int fewSteps = 4;           ///< rows
+constexpr int fewestSteps = 3;        ///< rows, in a low pane with a report
 
 } // namespace
 
@@ -70,6 +71,7 @@ void TaskPane::setProgress(const std::vector<bool> &passed, int current)
         if (!passed[i] && static_cast<int>(i) != current)
             stillOpen.append(QString::number(i + 1));
     }
+    m_result->setPassed(current >= 0 && passed[static_cast<std::size_t>(current)]);
     m_result->setLast(current >= 0 && current + 1 == static_cast<int>(passed.size()), stillOpen);
 }
 
@@ -97,8 +99,8 @@ void TaskPane::shareHeight()
 {
     const int most = static_cast<int>(resultShare * height());
     const int result = m_hasReport ? std::min(resultHeight, most) : emptyResultHeight;
-    const int steps = m_shared ? m_splitter->sizes().value(0)
-                               : m_steps->heightOf(height() < lowPane ? fewSteps : manySteps);
+    const int rows = height() >= lowPane ? manySteps : m_hasReport ? fewestSteps : fewSteps;
+    const int steps = m_shared ? m_splitter->sizes().value(0) : m_steps->heightOf(rows);
     m_splitter->setSizes({steps, std::max(1, height() - steps - result), result});
 }
 
