@@ -3152,6 +3152,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Shows the reference solution beside your program</source>
         <translation>Zeigt die Musterlösung neben deinem Programm</translation>
     </message>
+    <message>
+        <source>✓ You have passed this step</source>
+        <translation>✓ Diesen Schritt hast du geschafft</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneEditor</name>
