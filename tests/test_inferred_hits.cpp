@@ -164,7 +164,7 @@ void TestInferredHits::wayOfAnsweringDoesNotMatter()
     QCOMPARE(hits.size(), std::size_t{1});
     QCOMPARE(hits[0].kind, Hit::Kind::Wall);
     QCOMPARE(hits[0].b, static_cast<int>(Wall::Bottom));
-    QVERIFY(hits[0].normal == Vec2(0, -1));
+    QVERIFY(hits[0].normal == (Vec2{0, -1}));
     // The velocity changed by this much besides gravity's part.
     COMPARE_NEAR(hits[0].impulse, mass(preset.circles[0].body) * (3.0 + speed + g * dt), 1e-9);
 }
@@ -210,9 +210,9 @@ void TestInferredHits::hitKnowsVelocitiesAndLoss()
     const Hit &hit = hits[0];
     QCOMPARE(hit.kind, Hit::Kind::Circle);
     QVERIFY(hit.a == 0 && hit.b == 1);
-    QVERIFY(hit.normal == Vec2(1, 0));
-    QVERIFY(hit.beforeA == Vec2(2, 0) && hit.afterA == Vec2(0, 0));
-    QVERIFY(hit.beforeB == Vec2(0, 0) && hit.afterB == Vec2(0, 0));
+    QVERIFY(hit.normal == (Vec2{1, 0}));
+    QVERIFY(hit.beforeA == (Vec2{2, 0}) && hit.afterA == (Vec2{0, 0}));
+    QVERIFY(hit.beforeB == (Vec2{0, 0}) && hit.afterB == (Vec2{0, 0}));
     const double m = mass(preset.circles[0].body);
     COMPARE_NEAR(hit.impulse, 2.0 * m, 1e-9);
     COMPARE_NEAR(hit.loss, 2.0 * m, 1e-9);

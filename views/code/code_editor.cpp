@@ -240,8 +240,7 @@ void CodeEditor::revealLine(int line)
     m_area->ensureLineVisible(existing(line));
     const auto row = static_cast<int>(m_area->SendScintilla(
         QsciScintillaBase::SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(existing(line))));
-    const auto rows =
-        static_cast<int>(m_area->SendScintilla(QsciScintillaBase::SCI_LINESONSCREEN));
+    const auto rows = static_cast<int>(m_area->SendScintilla(QsciScintillaBase::SCI_LINESONSCREEN));
     const int first = m_area->firstVisibleLine();
     if (row < first || row >= first + rows)
         m_area->setFirstVisibleLine(std::max(0, row - rows / 2));

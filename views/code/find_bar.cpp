@@ -229,8 +229,8 @@ void FindBar::changeEvent(QEvent *event)
 
 bool FindBar::eventFilter(QObject *watched, QEvent *event)
 {
-    const auto *key = static_cast<QKeyEvent *>(event);
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
         const bool press = event->type() == QEvent::KeyPress;
         switch (key->key()) {
         case Qt::Key_Escape:

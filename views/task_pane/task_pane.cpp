@@ -71,7 +71,8 @@ void TaskPane::setProgress(const std::vector<bool> &passed, int current)
         if (!passed[i] && static_cast<int>(i) != current)
             stillOpen.append(QString::number(i + 1));
     }
-    m_result->setPassed(current >= 0 && passed[static_cast<std::size_t>(current)]);
+    const auto index = static_cast<std::size_t>(current);
+    m_result->setPassed(current >= 0 && index < passed.size() && passed[index]);
     m_result->setLast(current >= 0 && current + 1 == static_cast<int>(passed.size()), stillOpen);
 }
 
