@@ -3,6 +3,8 @@
 #include "model/inferred_hits.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 namespace cradle {
 
@@ -40,13 +42,24 @@ std::vector<Change> changesOf(const Preset &scene, std::span<const Circle> befor
     return changes;
 }
 
-double kineticLoss(const Circle &before, Vec2 after)
+/// Kinetic energy that the hit took, J. Gravity's part of the step, \p fall (m/s), is none of it;
+/// whether the program adds that before the hit or after it is not known, so what is nearer to
+/// nothing counts.
+double kineticLoss(std::initializer_list<std::pair<Circle, Vec2>> beforeAndAfter, Vec2 fall)
 {
-    return 0.5 * mass(before) * (lengthSquared(before.velocity) - lengthSquared(after));
+    double fallFirst = 0.0;
+    double fallLast = 0.0;
+    for (const auto &[before, after] : beforeAndAfter) {
+        const double half = 0.5 * mass(before);
+        fallFirst += half * (lengthSquared(before.velocity + fall) - lengthSquared(after));
+        fallLast += half * (lengthSquared(before.velocity) - lengthSquared(after - fall));
+    }
+    return std::abs(fallFirst) < std::abs(fallLast) ? fallFirst : fallLast;
 }
 
 std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Circle> after,
-                             std::size_t a, std::size_t b, const std::vector<Change> &changes)
+                             std::size_t a, std::size_t b, const std::vector<Change> &changes,
+                             Vec2 fall)
 {
     const Vec2 apart = before[b].position - before[a].position;
     const double gap = length(apart) - before[a].radius - before[b].radius;
@@ -64,12 +77,12 @@ std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Cir
     hit.afterA = after[a].velocity;
     hit.beforeB = before[b].velocity;
     hit.afterB = after[b].velocity;
-    hit.loss = kineticLoss(before[a], hit.afterA) + kineticLoss(before[b], hit.afterB);
+    hit.loss = kineticLoss({{before[a], hit.afterA}, {before[b], hit.afterB}}, fall);
     return hit;
 }
 
 std::optional<Hit> hitAtWall(const Preset &scene, const Circle &before, const Circle &after,
-                             std::size_t i, Wall wall, const Change &change)
+                             std::size_t i, Wall wall, const Change &change, Vec2 fall)
 {
     const Vec2 n = outwardNormal(wall);
     const double gap = scene.halfWidth - before.radius - dot(before.position, n);
@@ -83,7 +96,7 @@ std::optional<Hit> hitAtWall(const Preset &scene, const Circle &before, const Ci
     hit.impulse = -mass(before) * push;
     hit.beforeA = before.velocity;
     hit.afterA = after.velocity;
-    hit.loss = kineticLoss(before, after.velocity);
+    hit.loss = kineticLoss({{before, after.velocity}}, fall);
     return hit;
 }
 
@@ -93,6 +106,7 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
                double dt, qint64 step, double time, std::vector<Hit> &hits)
 {
     std::vector<Change> changes = changesOf(scene, before, after, dt);
+    const Vec2 fall = dt * scene.gravity;
     const auto add = [&](Hit hit) {
         hit.step = step;
         hit.time = time;
@@ -102,7 +116,7 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
     for (std::size_t i = 0; i < before.size(); ++i) {
         Vec2 rest = changes[i].kick;
         for (const Wall wall : allWalls) {
-            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i]))
+            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i], fall))
                 rest -= dot(changes[i].kick, hit->normal) * hit->normal;
         }
         changes[i].byWalls =
@@ -113,7 +127,7 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
             for (std::size_t b = a + 1; b < before.size(); ++b) {
                 if (!changes[a].isOpen() && !changes[b].isOpen())
                     continue;
-                if (const auto hit = hitOfPair(before, after, a, b, changes)) {
+                if (const auto hit = hitOfPair(before, after, a, b, changes, fall)) {
                     add(*hit);
                     changes[a].explained = changes[b].explained = true;
                 }
@@ -124,7 +138,7 @@ void inferHits(const Preset &scene, std::span<const Circle> before, std::span<co
         if (!changes[i].kicked || (changes[i].explained && !changes[i].byWalls))
             continue;
         for (const Wall wall : allWalls) {
-            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i]))
+            if (const auto hit = hitAtWall(scene, before[i], after[i], i, wall, changes[i], fall))
                 add(*hit);
         }
     }
