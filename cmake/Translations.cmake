@@ -15,5 +15,8 @@ qt_add_resources(cradle_app translations PREFIX "/translations"
                  BASE "${CMAKE_BINARY_DIR}" FILES ${qm_files})
 add_custom_target(update_translations
     COMMAND Qt6::lupdate -silent -no-obsolete -locations none -I "${CMAKE_SOURCE_DIR}" ${translated}
-            -ts ${ts_files}
+            -ts "${CMAKE_SOURCE_DIR}/translations/cradle_de.ts"
+    # English needs its plurals only.
+    COMMAND Qt6::lupdate -silent -no-obsolete -locations none -pluralonly -I "${CMAKE_SOURCE_DIR}"
+            ${translated} -ts "${CMAKE_SOURCE_DIR}/translations/cradle_en.ts"
     VERBATIM)
