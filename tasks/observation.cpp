@@ -43,7 +43,7 @@ Observation observe(const Variant &variant, const QString *script,
         }
         o.states.append(world);
     }
-    if (program)
+    if (program && !o.error)
         o.fields = program->ownFields();
     return o;
 }

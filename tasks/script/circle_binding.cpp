@@ -24,6 +24,9 @@ struct CircleText {
 
 constexpr lua_Integer metatableKey = 102;
 
+/// Of a circle that has more fields of the program's own none are told.
+constexpr std::size_t mostFields = 100;
+
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
 /// The engine's fields by their first letters; all others are the program's own.
@@ -80,6 +83,10 @@ int pushOwnField(lua_State *L, int circle, const char *key)
         if (lua_type(L, -2) == LUA_TSTRING)
             known.append(QString::fromUtf8(lua_tostring(L, -2)));
         lua_pop(L, 1);
+        if (known.size() > static_cast<qsizetype>(mostFields)) {
+            lua_pop(L, 1);
+            break;
+        }
     }
     const QString name = QString::fromUtf8(key);
     const QString near = nearestName(name, known);
@@ -260,11 +267,17 @@ std::vector<CircleField> ownFields(lua_State *L)
     for (int i = 0; i < count; ++i) {
         pushCircle(L, i);
         lua_getiuservalue(L, -1, 1);
+        const std::size_t before = fields.size();
         lua_pushnil(L);
         while (lua_next(L, -2) != 0) {
             if (lua_type(L, -2) == LUA_TSTRING && lua_type(L, -1) == LUA_TNUMBER)
                 fields.push_back({i, QString::fromUtf8(lua_tostring(L, -2)), lua_tonumber(L, -1)});
             lua_pop(L, 1);
+            if (fields.size() > before + mostFields) {
+                fields.resize(before);
+                lua_pop(L, 1);
+                break;
+            }
         }
         lua_pop(L, 2);
     }

@@ -22,6 +22,8 @@ struct WorldText {
 
 /// So many circles get a name of their own; all are in circles[i].
 constexpr std::size_t mostNamed = 100;
+/// Names among which the nearest is looked for; a program of the lab has a handful.
+constexpr qsizetype mostNames = 1000;
 /// In the registry: the table of the lab's own names.
 constexpr lua_Integer givenKey = 105;
 
@@ -65,6 +67,10 @@ void appendKeys(lua_State *L, QStringList &names)
         if (lua_type(L, -2) == LUA_TSTRING)
             names.append(QString::fromUtf8(lua_tostring(L, -2)));
         lua_pop(L, 1);
+        if (names.size() > mostNames) {
+            lua_pop(L, 1);
+            break;
+        }
     }
     lua_pop(L, 1);
 }
