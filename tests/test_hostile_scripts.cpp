@@ -42,7 +42,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr qint64 soon = 10'000; ///< ms
 #else
-constexpr qint64 soon = 5'000; // 3 s are promised; the rest is for a busy machine
+constexpr qint64 soon = 3'000;
 #endif
 
 /// Steps in which even what comes slowly shows.
