@@ -153,6 +153,14 @@ QSize StepsList::sizeHint() const
     return {320, heightOf(rowsShown)};
 }
 
+/// The open step stays in sight when the list gets lower.
+void StepsList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (m_current >= 0 && m_current < m_list->count())
+        m_list->scrollToItem(m_list->item(m_current));
+}
+
 void StepsList::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
