@@ -20,6 +20,9 @@ public:
     /// Moves \p world on by \p dt s; time and step of \p world are those after the step.
     void run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits);
 
+    /// Pairs that were in touch in the latest step and may still be.
+    [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const { return m_resting; }
+
 private:
     struct Body {
         double since = 0.0;  ///< s into the step: how far this circle has come

@@ -17,7 +17,7 @@ struct Motion {
     friend constexpr bool operator==(const Motion &, const Motion &) = default;
 };
 
-/// The motion \p dt seconds later under the constant acceleration \p a (m/s²).
+/// The motion of \p m \p dt seconds later under the constant acceleration \p a (m/s²).
 ///
 ///     Euler             x' = x + v h             v' = v + a h
 ///     symplectic Euler  v' = v + a h             x' = x + v' h
@@ -27,7 +27,28 @@ struct Motion {
 /// With uniform gravity one step changes the energy per mass by exactly +½ a² h² (Euler),
 /// −½ a² h² (symplectic Euler), 0 (the others).
 /// Source: Hairer, Lubich, Wanner: Geometric Numerical Integration, 2nd ed., I.1.
-[[nodiscard]] Motion advance(Integrator integrator, Motion motion, Vec2 a, double dt);
+[[nodiscard]] constexpr Motion advance(Integrator integrator, Motion m, Vec2 a, double dt)
+{
+    switch (integrator) {
+    case Integrator::Euler:
+        return {m.position + dt * m.velocity, m.velocity + dt * a};
+    case Integrator::SymplecticEuler: {
+        const Vec2 v = m.velocity + dt * a;
+        return {m.position + dt * v, v};
+    }
+    case Integrator::Verlet:
+        return {m.position + dt * m.velocity + (0.5 * dt * dt) * a, m.velocity + dt * a};
+    case Integrator::RungeKutta4: {
+        // Slopes of the position; those of the velocity are all a, for a does not change.
+        const Vec2 k1 = m.velocity;
+        const Vec2 k2 = m.velocity + 0.5 * dt * a;
+        const Vec2 k3 = k2;
+        const Vec2 k4 = m.velocity + dt * a;
+        return {m.position + (dt / 6.0) * (k1 + 2.0 * k2 + 2.0 * k3 + k4), m.velocity + dt * a};
+    }
+    }
+    return m;
+}
 
 /// c in x(τ) = x + v τ + c a τ², the path that advance() follows as its step τ grows:
 /// 0 Euler, 1 symplectic Euler, ½ the others.

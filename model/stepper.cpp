@@ -4,6 +4,13 @@
 
 namespace cradle {
 
+namespace {
+
+/// So many circles are looked at all together, without a grid.
+constexpr std::size_t fewCircles = 8;
+
+} // namespace
+
 World initialWorld(const Preset &preset)
 {
     World world;
@@ -48,10 +55,30 @@ void Stepper::advanceBy(World &world, double dt, std::vector<Hit> &hits)
 
 void Stepper::move(World &world, double dt, std::vector<Hit> &hits)
 {
-    if (m_rules.laws.timing == Timing::Discrete)
+    switch (m_rules.laws.timing) {
+    case Timing::Discrete:
         m_discrete.run(m_rules, world, dt, hits);
-    else
-        m_continuous.run(m_rules, world, dt, hits);
+        break;
+    case Timing::Continuous:
+        if (world.circles.size() <= fewCircles)
+            m_continuous.run(m_rules, world, dt, hits);
+        else
+            carryOn(m_crowd, world, dt, hits);
+        break;
+    case Timing::Exact:
+        carryOn(m_exact, world, dt, hits);
+        break;
+    }
+}
+
+template <class Solver>
+void Stepper::carryOn(Solver &solver, World &world, double dt, std::vector<Hit> &hits)
+{
+    if (m_left.empty() || m_left != world.circles)
+        solver.start(m_rules, world.circles);
+    solver.advance(dt, world.time, world.step, hits);
+    solver.read(world.circles);
+    m_left = world.circles;
 }
 
 } // namespace cradle

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/continuous_step.h"
+#include "model/continuous_solver.h"
 #include "model/discrete_step.h"
+#include "model/exact_solver.h"
 #include "model/rules.h"
 #include "model/world.h"
 
 namespace cradle {
 
-/// Advances a world by one step under the laws of a preset. Keeps working memory between steps
-/// but nothing of the run, so that any world of that preset may be handed to it.
+/// Advances a world by one step under the laws of a preset. Any world of that preset may be handed
+/// to it; the one that it left at the latest step is carried on at once, as queues and grids are
+/// kept for it, another is begun anew.
 class Stepper
 {
 public:
@@ -25,11 +27,16 @@ public:
 
 private:
     void move(World &world, double dt, std::vector<Hit> &hits);
+    template <class Solver>
+    void carryOn(Solver &solver, World &world, double dt, std::vector<Hit> &hits);
 
     Rules m_rules;
     double m_timestep;
     DiscreteStep m_discrete;
     ContinuousStep m_continuous;
+    ExactSolver m_exact;
+    ContinuousSolver m_crowd;
+    std::vector<Circle> m_left; ///< as a solver of crowds left them at the latest step
 };
 
 } // namespace cradle

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/continuous_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+// Circles that meet in a step are solved in groups.
+
+bool ContinuousSolver::isActive(Slot slot) const
+{
+    return m_places[slot] < m_members.size() && m_members[m_places[slot]].slot == slot;
+}
+
+std::size_t ContinuousSolver::activate(Slot slot)
+{
+    if (!isActive(slot)) {
+        m_places[slot] = static_cast<std::uint32_t>(m_members.size());
+        m_members.push_back({.slot = slot, .group = m_places[slot], .changed = true});
+    }
+    return m_places[slot];
+}
+
+/// The member that stands for the group of another.
+std::size_t ContinuousSolver::groupOf(std::size_t member)
+{
+    while (m_members[member].group != member) {
+        m_members[member].group = m_members[m_members[member].group].group;
+        member = m_members[member].group;
+    }
+    return member;
+}
+
+void ContinuousSolver::join(Slot a, Slot b)
+{
+    const std::size_t first = groupOf(activate(a));
+    const std::size_t second = groupOf(activate(b));
+    if (first == second)
+        return;
+    m_members[std::max(first, second)].group = static_cast<std::uint32_t>(std::min(first, second));
+    m_members[std::min(first, second)].changed = true;
+}
+
+/// Who meets in this step, as far as free flight tells.
+void ContinuousSolver::findGroups()
+{
+    m_members.clear();
+    m_inVain.clear();
+    for (const Candidates &pair : m_resting)
+        join(pair.a, pair.b);
+    for (const Candidates &due : m_due[m_index]) {
+        if (!meetInStep(due))
+            m_inVain.push_back(due);
+        else if (due.b == wall)
+            activate(due.a);
+        else
+            join(due.a, due.b);
+    }
+    m_due[m_index].clear();
+    m_resting.clear();
+}
+
+void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
+{
+    m_found.clear();
+    m_touching.clear();
+    m_runs = 0;
+    while (true) {
+        m_order.clear();
+        for (std::uint32_t i = 0; i < m_members.size(); ++i) {
+            if (m_members[groupOf(i)].changed)
+                m_order.push_back(i);
+        }
+        if (m_order.empty())
+            break;
+        std::sort(m_order.begin(), m_order.end(), [this](std::uint32_t x, std::uint32_t y) {
+            const std::size_t first = groupOf(x);
+            const std::size_t second = groupOf(y);
+            return first != second ? first < second
+                                   : m_ids[m_members[x].slot] < m_ids[m_members[y].slot];
+        });
+        for (std::size_t begin = 0; begin < m_order.size();) {
+            const std::size_t group = groupOf(m_order[begin]);
+            std::size_t end = begin + 1;
+            while (end < m_order.size() && groupOf(m_order[end]) == group)
+                ++end;
+            m_members[group].changed = false;
+            m_members[group].run = ++m_runs;
+            solve(std::span(m_order).subspan(begin, end - begin));
+            begin = end;
+        }
+        for (const std::uint32_t member : m_order) {
+            if (m_members[member].disturbed)
+                widen(member);
+        }
+    }
+    const std::size_t first = hits.size();
+    for (const Found &found : m_found) {
+        if (m_members[groupOf(found.member)].run == found.run)
+            hits.push_back(found.hit);
+    }
+    std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
+                     [](const Hit &x, const Hit &y) { return x.time < y.time; });
+    for (const Touching &touching : m_touching) {
+        if (m_members[groupOf(touching.member)].run == touching.run)
+            m_resting.push_back(touching.pair);
+    }
+}
+
+/// Takes a group through the step, from its start.
+void ContinuousSolver::solve(std::span<const std::uint32_t> members)
+{
+    m_world.time = m_time;
+    m_world.step = m_stepNumber;
+    m_world.circles.clear();
+    m_groupRules.integrators.clear();
+    for (const std::uint32_t member : members) {
+        const Slot slot = m_members[member].slot;
+        m_world.circles.push_back({m_motions[slot].position, m_motions[slot].velocity,
+                                   m_radii[slot], m_densities[m_ids[slot]]});
+        m_groupRules.integrators.push_back(m_integrators[m_ids[slot]]);
+        m_members[member].fastest = lengthSquared(m_motions[slot].velocity);
+    }
+    m_hits.clear();
+    m_step.run(m_groupRules, m_world, m_dt, m_hits);
+
+    const std::uint32_t run = m_members[groupOf(members[0])].run;
+    const auto memberOf = [&](int index) { return members[static_cast<std::size_t>(index)]; };
+    for (Hit hit : m_hits) {
+        Member &a = m_members[memberOf(hit.a)];
+        a.fastest = std::max(a.fastest, lengthSquared(hit.afterA));
+        const std::uint32_t owner = memberOf(hit.a);
+        if (hit.kind == Hit::Kind::Circle) {
+            Member &b = m_members[memberOf(hit.b)];
+            b.fastest = std::max(b.fastest, lengthSquared(hit.afterB));
+            hit.b = static_cast<int>(m_ids[b.slot]);
+        }
+        hit.a = static_cast<int>(m_ids[a.slot]);
+        m_found.push_back({run, owner, hit});
+    }
+    for (const auto &[a, b] : m_step.restingPairs())
+        m_touching.push_back(
+            {run, memberOf(a), {m_members[memberOf(a)].slot, m_members[memberOf(b)].slot}});
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        Member &member = m_members[members[i]];
+        const Circle &circle = m_world.circles[i];
+        member.after = {circle.position, circle.velocity};
+        member.fastest = std::sqrt(std::max(member.fastest, lengthSquared(circle.velocity)));
+        member.disturbed = member.after != freely(member.slot);
+    }
+}
+
+/// A member that has left its free flight takes in whom it could reach before the step ends.
+void ContinuousSolver::widen(std::size_t index)
+{
+    const Member member = m_members[index];
+    if (m_rules.laws.circles == CircleLaw::None)
+        return;
+    const Vec2 place = m_motions[member.slot].position;
+    const double travel = driftIn(m_dt, member.fastest);
+    const double reach = m_radii[member.slot] + travel;
+    const auto consider = [&](Slot other, double otherTravel) {
+        const double near = reach + m_radii[other] + otherTravel;
+        if (other != member.slot && lengthSquared(m_motions[other].position - place) <= near * near)
+            join(member.slot, other);
+    };
+    const auto look = [&](Slot begin, Slot end) {
+        for (Slot other = begin; other < end; ++other)
+            consider(other, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[other].velocity))));
+    };
+    m_grid.visitRuns(place, reach + m_smallRadius + m_drift, look);
+    look(static_cast<Slot>(m_small), static_cast<Slot>(m_motions.size()));
+    // Others that were kicked as hard may come from farther than the grid knows.
+    if (member.fastest > m_fastest) {
+        for (std::size_t i = 0; i < m_members.size(); ++i)
+            consider(m_members[i].slot, driftIn(m_dt, m_members[i].fastest));
+    }
+}
+
+} // namespace cradle

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/exact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cradle {
+
+// How the contacts of one moment answer.
+
+namespace {
+
+/// A rebound from a floor that would rise less than this share of the radius is no rebound.
+constexpr double restHeight = 1e-9;
+/// As many quick hits a disc may have before they count as a lasting contact.
+constexpr int graceHits = 4;
+/// Two that press against each other more slowly than this share of the hop speed lie in touch.
+constexpr double lying = 1e-3;
+/// Rounding of a speed, as a share of it.
+constexpr double rounding = 1e-12;
+
+} // namespace
+
+/// What \p disc has lost of its kinetic energy since it had the velocity \p before, J.
+double ExactSolver::kineticLoss(Vec2 before, const Disc &disc)
+{
+    return 0.5 * (lengthSquared(before) - lengthSquared(disc.velocity)) / disc.inverseMass;
+}
+
+/// Puts \p disc right against \p wall: rounding must not leave it a hair beyond.
+void ExactSolver::setAgainst(Disc &disc, Wall wall) const
+{
+    const Vec2 n = outwardNormal(wall);
+    disc.position -= (dot(disc.position, n) - (m_rules.halfWidth - disc.radius)) * n;
+}
+
+double ExactSolver::pressing(Slot a, Slot b, Vec2 normal) const
+{
+    const Vec2 other = isWall(b) ? Vec2{} : accelerationOf(m_discs[b]);
+    return dot(accelerationOf(m_discs[a]) - other, normal);
+}
+
+double ExactSolver::closingSpeed(Slot a, Slot b, Vec2 normal) const
+{
+    const Vec2 other = isWall(b) ? Vec2{} : m_discs[b].velocity;
+    return dot(m_discs[a].velocity - other, normal);
+}
+
+bool ExactSolver::isQuick(Slot slot) const
+{
+    const Contacts &contacts = m_memory[slot];
+    return contacts.quick >= graceHits && m_eventTime - contacts.last < m_contactTime;
+}
+
+ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double closing) const
+{
+    const CircleLaw law = m_rules.laws.circles;
+    if (isWall(b)) {
+        const double press = dot(m_rules.gravity, normal);
+        const double speed = m_rules.restitution * closing;
+        if (press > 0.0) {
+            const double height = 2.0 * press * restHeight * m_discs[a].radius;
+            return {speed * speed > height ? speed : 0.0, closing * closing <= height};
+        }
+        return m_lossy && isQuick(a) ? Rebound{closing, true} : Rebound{speed, false};
+    }
+    const double e = law == CircleLaw::Impulse ? m_rules.restitution
+                     : law == CircleLaw::Stop  ? 0.0
+                                               : 1.0;
+    const double speed = e * closing;
+    if (m_discs[a].held != m_discs[b].held) {
+        const double press = pressing(a, b, normal);
+        if (press > 0.0) {
+            const double least = std::min(m_discs[a].radius, m_discs[b].radius);
+            const double hop = std::sqrt(2.0 * press * hopHeight * least);
+            if (closing < lying * hop)
+                return {hop, true};
+            if (speed < hop)
+                return {std::min(closing, hop), closing <= hop * (1.0 + rounding)};
+        }
+    }
+    if (m_lossy && (isQuick(a) || isQuick(b)))
+        return {closing, true};
+    return {speed, false};
+}
+
+void ExactSolver::noteHit(Slot slot)
+{
+    Disc &disc = m_discs[slot];
+    ++disc.hits;
+    limitEpoch(std::sqrt(lengthSquared(disc.velocity)));
+    if (!m_lossy)
+        return;
+    Contacts &contacts = m_memory[slot];
+    contacts.quick = m_eventTime - contacts.last < m_contactTime ? contacts.quick + 1 : 0;
+    contacts.last = m_eventTime;
+}
+
+Hit ExactSolver::newHit(Slot a, Slot b, Vec2 normal) const
+{
+    Hit hit{.time = m_startTime + m_eventTime,
+            .step = m_step,
+            .kind = isWall(b) ? Hit::Kind::Wall : Hit::Kind::Circle,
+            .a = static_cast<int>(m_ids[a]),
+            .b = static_cast<int>(isWall(b) ? b - firstWall : m_ids[b]),
+            .normal = normal,
+            .beforeA = m_discs[a].velocity};
+    if (!isWall(b))
+        hit.beforeB = m_discs[b].velocity;
+    return hit;
+}
+
+/// The first circle of a hit is the one that comes first in the list.
+void ExactSolver::report(Hit hit, std::vector<Hit> &hits)
+{
+    if (hit.kind == Hit::Kind::Circle && hit.a > hit.b) {
+        std::swap(hit.a, hit.b);
+        std::swap(hit.beforeA, hit.beforeB);
+        std::swap(hit.afterA, hit.afterB);
+        hit.normal = -hit.normal;
+    }
+    hits.push_back(hit);
+}
+
+void ExactSolver::hitWall(const Event &event, std::vector<Hit> &hits)
+{
+    Disc &disc = m_discs[event.a];
+    const Wall wall = wallOf(event.b);
+    const Vec2 n = outwardNormal(wall);
+    carryTo(disc, m_eventTime);
+    setAgainst(disc, wall);
+    const double closing = dot(disc.velocity, n);
+    const Rebound rebound = reboundOf(event.a, event.b, n, std::max(0.0, closing));
+    Hit hit = newHit(event.a, event.b, n);
+    disc.velocity -= (closing + rebound.speed) * n;
+    if (rebound.speed == 0.0 && dot(m_rules.gravity, n) > 0.0)
+        disc.held |= heldBy(wall);
+    noteHit(event.a);
+    if (!rebound.lasting) {
+        hit.afterA = disc.velocity;
+        hit.impulse = (closing + rebound.speed) / disc.inverseMass;
+        hit.loss = 0.5 * (closing - rebound.speed) * hit.impulse;
+        report(hit, hits);
+    }
+    findEvents(event.a);
+}
+
+void ExactSolver::hitPair(const Event &event, std::vector<Hit> &hits)
+{
+    Disc &a = m_discs[event.a];
+    Disc &b = m_discs[event.b];
+    if ((a.held | b.held) != 0) {
+        takeMoment(event, hits);
+        return;
+    }
+    carryTo(a, m_eventTime);
+    carryTo(b, m_eventTime);
+    const Vec2 d = b.position - a.position;
+    const Vec2 n = d / std::sqrt(lengthSquared(d));
+    const double closing = dot(a.velocity - b.velocity, n);
+    if (closing <= 0.0)
+        return;
+    const Rebound rebound = reboundOf(event.a, event.b, n, closing);
+    Hit hit = newHit(event.a, event.b, n);
+    respond(a, b, n, closing + rebound.speed, rebound.lasting);
+    noteHit(event.a);
+    noteHit(event.b);
+    if (!rebound.lasting) {
+        hit.afterA = a.velocity;
+        hit.afterB = b.velocity;
+        hit.impulse = dot(hit.beforeA - hit.afterA, n) / a.inverseMass;
+        hit.loss = m_rules.laws.circles == CircleLaw::Impulse
+                       ? 0.5 * (closing - rebound.speed) * hit.impulse
+                       : kineticLoss(hit.beforeA, a) + kineticLoss(hit.beforeB, b);
+        report(hit, hits);
+    }
+    findEvents(event.a);
+    findEvents(event.b);
+}
+
+/// Lets the law answer for two discs alone; \p change is by how much the closing speed falls.
+void ExactSolver::respond(Disc &a, Disc &b, Vec2 n, double change, bool lasting) const
+{
+    const CircleLaw law = m_rules.laws.circles;
+    if (law == CircleLaw::Stop && !lasting) {
+        a.velocity = b.velocity = Vec2{};
+    } else if (law == CircleLaw::SwapVelocities && !lasting) {
+        std::swap(a.velocity, b.velocity);
+    } else {
+        const double impulse = change / (weight(a) + weight(b));
+        a.velocity -= (impulse * weight(a)) * n;
+        b.velocity += (impulse * weight(b)) * n;
+    }
+}
+
+} // namespace cradle
