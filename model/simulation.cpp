@@ -190,6 +190,13 @@ void Simulation::advance(double dt)
     m_current = std::max(m_current + 1, m_recording.first());
 }
 
+/// After frames of any length the time goes on from where it is, never back to a multiple.
+bool Simulation::isOnGrid(double dt) const
+{
+    return dt == m_preset.timestep
+           && m_world.time == static_cast<double>(m_world.step) * m_preset.timestep;
+}
+
 /// \return false if the program cannot go on
 bool Simulation::appendStep(double dt)
 {
@@ -200,7 +207,7 @@ bool Simulation::appendStep(double dt)
     }
     if (m_program && m_program->moves())
         return appendProgramStep(dt);
-    if (dt == m_preset.timestep && !m_frameTime)
+    if (isOnGrid(dt))
         m_stepper.advance(m_world, m_hits);
     else
         m_stepper.advanceBy(m_world, dt, m_hits);
@@ -214,7 +221,7 @@ bool Simulation::appendProgramStep(double dt)
     m_error = m_program->advance(next, dt);
     ++next.step;
     next.time =
-        m_frameTime ? m_world.time + dt : static_cast<double>(next.step) * m_preset.timestep;
+        isOnGrid(dt) ? static_cast<double>(next.step) * m_preset.timestep : m_world.time + dt;
     m_notes.add(next.step, next.time, m_program->takeOutput());
     if (m_error) {
         fail(*m_error);

@@ -73,6 +73,8 @@ signals:
 
 private:
     void advance(double dt);
+    /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
+    [[nodiscard]] bool isOnGrid(double dt) const;
     bool appendStep(double dt);
     bool appendProgramStep(double dt);
     void begin();
