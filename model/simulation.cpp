@@ -68,6 +68,14 @@ void Simulation::begin()
     m_recording.clear();
     m_recording.append(m_world);
     m_current = 0;
+    if (m_shadow)
+        beginShadow();
+}
+
+void Simulation::beginShadow()
+{
+    m_shadow.emplace(m_scene, isProgrammed() ? m_programLaws.value_or(m_scene.laws) : m_scene.laws);
+    m_shadow->follow(m_recording);
 }
 
 /// The state before the step that could not be made is the newest; there the run rests.
@@ -182,11 +190,25 @@ void Simulation::setFrameTime(bool on)
     m_clock.setFrameTime(on);
 }
 
+void Simulation::setShadowed(bool on)
+{
+    if (on == m_shadow.has_value())
+        return;
+    if (on)
+        beginShadow();
+    else
+        m_shadow.reset();
+    emit shadowChanged();
+    emit frameReady();
+}
+
 void Simulation::advance(double dt)
 {
     // In the past, go along the recording: what has happened happens again.
     if (m_current == m_recording.last() && !appendStep(dt))
         return;
+    if (m_shadow)
+        m_shadow->follow(m_recording);
     m_current = std::max(m_current + 1, m_recording.first());
 }
 

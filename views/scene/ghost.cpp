@@ -63,14 +63,6 @@ std::vector<Circle> circlesAt(const Recording &recording, double time)
     return circles;
 }
 
-double greatestDistance(std::span<const Circle> circles, std::span<const Circle> ghost)
-{
-    double greatest = 0.0;
-    for (std::size_t i = 0; i < std::min(circles.size(), ghost.size()); ++i)
-        greatest = std::max(greatest, length(circles[i].position - ghost[i].position));
-    return greatest;
-}
-
 void addGhost(DrawList &list, std::span<const Circle> circles, std::span<const Circle> ghost,
               const std::vector<QColor> &colours, const Camera &camera)
 {

@@ -15,10 +15,6 @@ namespace cradle {
 /// the other; none before its first and after its last frame.
 [[nodiscard]] std::vector<Circle> circlesAt(const Recording &recording, double time);
 
-/// The greatest distance (m) of a circle from the one of the same number in \p ghost.
-[[nodiscard]] double greatestDistance(std::span<const Circle> circles,
-                                      std::span<const Circle> ghost);
-
 /// Adds the broken outlines of the circles of \p ghost that can be told from the real ones, and
 /// what is between the two.
 /// \param colours  of the circles

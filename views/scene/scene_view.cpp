@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_view.h"
 
+#include "model/measurements.h"
 #include "views/scene/ghost.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/raster_painter.h"
