@@ -127,6 +127,12 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     addOption(MenuText::tr("&Drawings of the program"), &SceneOptions::programDrawings);
     addOption(MenuText::tr("&Names"), &SceneOptions::names);
     addOption(MenuText::tr("&Grid"), &SceneOptions::grid);
+    QAction *exact = add(menu, MenuText::tr("&Exact motion beside the run"),
+                         QKeySequence(Qt::CTRL | Qt::Key_E), &window, &MainWindow::showExactMotion);
+    exact->setCheckable(true);
+    exact->setChecked(window.workbench().simulation().shadow() != nullptr);
+    exact->setToolTip(MenuText::tr("Outlines where every circle would be without any error of "
+                                   "the integrator, the program or the timestep"));
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
     add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
@@ -136,6 +142,7 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
 void addView(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&View"));
+    menu->setToolTipsVisible(true);
     addSceneOptions(window, menu);
     menu->addSeparator();
 

@@ -50,7 +50,8 @@ public slots:
     void chooseTheme(cradle::ThemeChoice choice);
     void chooseLanguage(const QString &code);
     void chooseRenderer(cradle::Renderer renderer);
-    void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by
+    void showExactMotion(bool shown); ///< beside the run
+    void unlockPanes(bool unlocked);  ///< gives the panes title bars to move them by
     void resetLayout();
     void openLabFolder();
     void openPresetFile();

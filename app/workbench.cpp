@@ -217,6 +217,7 @@ void Workbench::openTaskAt(int index)
     m_code.setActive(false); // the old program does not meet the new scene
     m_document.open(task()->preset, progress().edited);
     m_code.open(m_lab, index);
+    m_simulation.setProgramLaws(task()->laws);
     m_code.setActive(m_wantedMode == Mode::Code);
     m_saveSoon.start();
     emit modeChanged();

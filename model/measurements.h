@@ -25,4 +25,25 @@ struct Totals {
 /// The sum over all circles.
 [[nodiscard]] Totals measure(std::span<const Circle> circles, Vec2 gravity, double halfWidth);
 
+/// How far a run is from another run of the same circles, above all from the exact one.
+struct Deviation {
+    double greatest = 0.0;       ///< max |x_i − y_i|, m
+    double rootMeanSquare = 0.0; ///< √(1/N Σ |x_i − y_i|²), m
+    double energy = 0.0;         ///< total energy of the run minus that of the other, J
+
+    friend bool operator==(const Deviation &, const Deviation &) = default;
+};
+
+/// The deviation of \p run from \p exact; both have the same number of circles, and without any it
+/// is zero. Explicit Euler falls behind the exact parabola by ½ g h t and gains ½ m g² h² a step,
+/// symplectic Euler is as far ahead of it and loses as much.
+/// \param gravity in m/s² \param halfWidth in m
+[[nodiscard]] Deviation deviation(std::span<const Circle> run, std::span<const Circle> exact,
+                                  Vec2 gravity, double halfWidth);
+
+/// The greatest distance (m) of a circle from the one of the same number in \p other; 0 without
+/// any.
+[[nodiscard]] double greatestDistance(std::span<const Circle> circles,
+                                      std::span<const Circle> other);
+
 } // namespace cradle

@@ -68,6 +68,14 @@ void Simulation::begin()
     m_recording.clear();
     m_recording.append(m_world);
     m_current = 0;
+    if (m_shadow)
+        beginShadow();
+}
+
+void Simulation::beginShadow()
+{
+    m_shadow.emplace(m_scene, isProgrammed() ? m_programLaws.value_or(m_scene.laws) : m_scene.laws);
+    m_shadow->follow(m_recording);
 }
 
 /// The state before the step that could not be made is the newest; there the run rests.
@@ -182,12 +190,33 @@ void Simulation::setFrameTime(bool on)
     m_clock.setFrameTime(on);
 }
 
+void Simulation::setShadowed(bool on)
+{
+    if (on == m_shadow.has_value())
+        return;
+    if (on)
+        beginShadow();
+    else
+        m_shadow.reset();
+    emit shadowChanged();
+    emit frameReady();
+}
+
 void Simulation::advance(double dt)
 {
     // In the past, go along the recording: what has happened happens again.
     if (m_current == m_recording.last() && !appendStep(dt))
         return;
+    if (m_shadow)
+        m_shadow->follow(m_recording);
     m_current = std::max(m_current + 1, m_recording.first());
+}
+
+/// After frames of any length the time goes on from where it is, never back to a multiple.
+bool Simulation::isOnGrid(double dt) const
+{
+    return dt == m_preset.timestep
+           && m_world.time == static_cast<double>(m_world.step) * m_preset.timestep;
 }
 
 /// \return false if the program cannot go on
@@ -200,7 +229,7 @@ bool Simulation::appendStep(double dt)
     }
     if (m_program && m_program->moves())
         return appendProgramStep(dt);
-    if (dt == m_preset.timestep && !m_frameTime)
+    if (isOnGrid(dt))
         m_stepper.advance(m_world, m_hits);
     else
         m_stepper.advanceBy(m_world, dt, m_hits);
@@ -214,7 +243,7 @@ bool Simulation::appendProgramStep(double dt)
     m_error = m_program->advance(next, dt);
     ++next.step;
     next.time =
-        m_frameTime ? m_world.time + dt : static_cast<double>(next.step) * m_preset.timestep;
+        isOnGrid(dt) ? static_cast<double>(next.step) * m_preset.timestep : m_world.time + dt;
     m_notes.add(next.step, next.time, m_program->takeOutput());
     if (m_error) {
         fail(*m_error);

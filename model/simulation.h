@@ -4,6 +4,7 @@
 
 #include "model/program_notes.h"
 #include "model/recording.h"
+#include "model/shadow_run.h"
 #include "model/simulation_clock.h"
 #include "model/stepper.h"
 
@@ -40,6 +41,8 @@ public:
     [[nodiscard]] bool atStart() const { return m_recording.step(m_current) == 0; }
     [[nodiscard]] double speed() const { return m_clock.speed(); }
     [[nodiscard]] bool usesFrameTime() const { return m_frameTime; }
+    /// The exact motion beside the run; null if it is not wanted.
+    [[nodiscard]] const ShadowRun *shadow() const { return m_shadow ? &*m_shadow : nullptr; }
 
     /// Starts again from \p preset, which must have no fault; runs on if it was running.
     void setPreset(const Preset &preset);
@@ -48,6 +51,9 @@ public:
     void setProgram(Program *program);
     /// Both at once.
     void setRun(const Preset &preset, Program *program);
+    /// The laws that programs are asked to follow, from the next start on: the exact motion beside
+    /// one obeys them. With none, and where no program moves the circles, it obeys the scene's.
+    void setProgramLaws(const std::optional<Laws> &laws) { m_programLaws = laws; }
 
 public slots:
     void start();
@@ -61,21 +67,26 @@ public slots:
     void seekNextHit(); ///< pauses; runs on to the next hit, or stays if none comes in a minute
     void setSpeed(double speed); ///< bounded to slowest … fastest
     void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did
+    void setShadowed(bool on);   ///< runs the exact motion beside the run, from its start
 
 signals:
     void noHitFound();    ///< seekNextHit() looked in vain and stays where it was
     void frameReady();    ///< the moment shown or the recording changed: repaint once
     void restarted();     ///< the recording was begun anew; frameReady follows
     void presetChanged(); ///< restarted and frameReady follow
+    void shadowChanged(); ///< there is a shadow now, or none any more; frameReady follows
     /// The program cannot go on; the run is paused on the state before. After restarted.
     void programFailed(const cradle::ProgramError &error);
     void runningChanged(bool running);
 
 private:
     void advance(double dt);
+    /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
+    [[nodiscard]] bool isOnGrid(double dt) const;
     bool appendStep(double dt);
     bool appendProgramStep(double dt);
     void begin();
+    void beginShadow();
     void fail(const ProgramError &error);
 
     Preset m_preset;
@@ -86,6 +97,8 @@ private:
     Stepper m_stepper;
     World m_world; ///< the newest state
     Recording m_recording;
+    std::optional<Laws> m_programLaws;
+    std::optional<ShadowRun> m_shadow; ///< follows the recording
     SimulationClock m_clock;
     std::vector<Hit> m_hits; ///< of the step that runs
     qint64 m_current = 0;

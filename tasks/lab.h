@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace cradle {
@@ -56,7 +57,8 @@ struct Task {
     QString solution{};      ///< the reference program; empty if there is none
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
-    bool extra = false; ///< not in the original lab
+    bool extra = false;         ///< not in the original lab
+    std::optional<Laws> laws{}; ///< that it asks for: those of the scene that passes it
 };
 
 /// A lab; a plain value.

@@ -10,6 +10,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QStringDecoder>
 
@@ -97,6 +98,19 @@ std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titl
     return checks;
 }
 
+/// The laws that the step asks for, where the lab has a scene that passes it.
+std::optional<Laws> lawsOf(const QString &folder, Lab &lab)
+{
+    const QString path = folder + QStringLiteral("/solution-preset.json");
+    if (!QFileInfo::exists(path))
+        return std::nullopt;
+    const Result<Preset> solution = readPreset(path);
+    if (solution)
+        return solution->laws;
+    lab.findings.push_back(solution.error());
+    return std::nullopt;
+}
+
 void readTask(const QString &folder, const QString &language, Lab &lab)
 {
     const QString path = folder + QStringLiteral("/task.json");
@@ -138,6 +152,7 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
+    task.laws = lawsOf(folder, lab);
     readScripts(*json, words, task, lab);
     lab.tasks.push_back(task);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_reader.h"
 
+#include "model/preset_json.h"
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,6 +19,7 @@ private slots:
     void readsALab();
     void readsTheStudentsLanguage();
     void takesItsOwnLanguageWhereThereIsNoOther();
+    void lawsAreThoseOfTheSceneThatPasses();
     void refusesALabWithoutAUsableIndex_data();
     void refusesALabWithoutAUsableIndex();
     void leavesABrokenStepOutAndSaysWhy_data();
@@ -118,6 +121,23 @@ void TestLabReader::takesItsOwnLanguageWhereThereIsNoOther()
     const Lab french = *readLab(fixture(QStringLiteral("good")), QStringLiteral("fr"));
     QVERIFY(french.findings.empty());
     QCOMPARE(french.tasks[0].title, QStringLiteral("Begin"));
+}
+
+void TestLabReader::lawsAreThoseOfTheSceneThatPasses()
+{
+    const QTemporaryDir folder;
+    copyLab(folder.path());
+    const auto first = [&] { return readLab(folder.path())->tasks[0]; };
+    QVERIFY(!first().laws);
+    const QString solution = folder.filePath(QStringLiteral("S1/solution-preset.json"));
+    Preset preset = first().preset;
+    preset.laws = {WallLaw::Reflect, CircleLaw::Stop, Timing::Discrete};
+    write(solution, writePreset(preset));
+    QVERIFY(first().laws == preset.laws);
+    QVERIFY(first().preset.laws != preset.laws);
+    write(solution, "{}");
+    QVERIFY(!first().laws);
+    QCOMPARE(readLab(folder.path())->findings.size(), std::size_t{1});
 }
 
 void TestLabReader::refusesALabWithoutAUsableIndex_data()

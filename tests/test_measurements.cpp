@@ -33,6 +33,8 @@ private slots:
     void potentialEnergyCountsBothPartsOfGravity();
     void allTogetherAreTheSum();
     void ofNoCirclesIsNothing();
+    void deviationByHand();
+    void deviationOfTheSameIsNone();
     void hitsSayWhatTheyTook_data();
     void hitsSayWhatTheyTook();
     void aCornerIsNotCountedTwice_data();
@@ -73,6 +75,25 @@ void TestMeasurements::allTogetherAreTheSum()
 void TestMeasurements::ofNoCirclesIsNothing()
 {
     QVERIFY(measure(std::span<const Circle>(), {0, -g}, 4.0) == Totals{});
+}
+
+void TestMeasurements::deviationByHand()
+{
+    const std::array run{two({3, 4}, {2, 0}), six({0, 1}, {0, 1})};
+    const std::array exact{two({0, 0}, {0, 1}), six({0, 0}, {0, 1})};
+    const Deviation off = deviation(run, exact, {0, -10}, 4.0);
+    COMPARE_NEAR(off.greatest, 5.0, 1e-14);
+    COMPARE_NEAR(off.rootMeanSquare, std::sqrt((25.0 + 1.0) / 2.0), 1e-14);
+    // Kinetic 4 − 1 J, potential 2 kg · 10 m/s² · 4 m and 6 kg · 10 m/s² · 1 m.
+    COMPARE_NEAR(off.energy, 3.0 + 80.0 + 60.0, 1e-11);
+    COMPARE_NEAR(greatestDistance(run, exact), 5.0, 1e-14);
+}
+
+void TestMeasurements::deviationOfTheSameIsNone()
+{
+    const std::array circles{two({3, 4}, {2, 0}), six({0, 1}, {0, 1})};
+    QVERIFY(deviation(circles, circles, {0, -10}, 4.0) == Deviation{});
+    QVERIFY(deviation({}, {}, {0, -10}, 4.0) == Deviation{});
 }
 
 void TestMeasurements::hitsSayWhatTheyTook_data()

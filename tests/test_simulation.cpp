@@ -75,6 +75,7 @@ private slots:
     void steppingPauses();
     void runsByItself();
     void frameTimeStepsAsLongAsTheFrames();
+    void timeGoesOnAfterFrameTime();
     void hitsAreRecordedWithTheirSteps();
     void aLongRunOfACrowdDropsItsOldestSteps();
     void theSameRunTwiceIsTheSame();
@@ -370,6 +371,23 @@ void TestSimulation::frameTimeStepsAsLongAsTheFrames()
     const double before = simulation.time();
     simulation.stepForward();
     COMPARE_NEAR(simulation.time() - before, dt, 1e-12);
+}
+
+void TestSimulation::timeGoesOnAfterFrameTime()
+{
+    // At eight times the speed a frame lasts some 0.13 s: three of them are many timesteps.
+    Simulation simulation(metronome());
+    simulation.setFrameTime(true);
+    simulation.setSpeed(Simulation::fastest);
+    QSignalSpy frames(&simulation, &Simulation::frameReady);
+    simulation.start();
+    while (simulation.recording().last() < 3)
+        QVERIFY(frames.wait());
+    simulation.pause();
+    simulation.setFrameTime(false);
+    const double before = simulation.time();
+    stepForward(simulation, 2);
+    COMPARE_NEAR(simulation.time() - before, 2.0 * dt, 1e-12);
 }
 
 void TestSimulation::hitsAreRecordedWithTheirSteps()

@@ -373,6 +373,35 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
+    <name>Deviation</name>
+    <message>
+        <source>%1 m</source>
+        <comment>a distance</comment>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>up to %1 m (rms %2 m)</source>
+        <translation>bis zu %1 m (quadr. Mittel %2 m)</translation>
+    </message>
+    <message>
+        <source>%1 J</source>
+        <comment>an energy, with its sign</comment>
+        <translation>%1 J</translation>
+    </message>
+    <message>
+        <source>Off the exact motion: %1, %2.</source>
+        <comment>energy, distance</comment>
+        <translation>Neben der exakten Bewegung: %1, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>Ghost</name>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+</context>
+<context>
     <name>GlPainter</name>
     <message>
         <source>No OpenGL context can be made here</source>
@@ -1099,6 +1128,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>&amp;Reference of the lab&apos;s Lua</source>
         <translation>&amp;Referenz: das Lua des Labs</translation>
+    </message>
+    <message>
+        <source>&amp;Exact motion beside the run</source>
+        <translation>&amp;Exakte Bewegung neben dem Lauf</translation>
+    </message>
+    <message>
+        <source>Outlines where every circle would be without any error of the integrator, the program or the timestep</source>
+        <translation>Umrisse dort, wo jeder Kreis ohne jeden Fehler des Integrators, des Programms oder des Zeitschritts wäre</translation>
     </message>
 </context>
 <context>
@@ -3249,6 +3286,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>ghost: %1 · %2 m apart</source>
         <translation>Geist: %1 · %2 m entfernt</translation>
     </message>
+    <message>
+        <source>No exact motion beside more than %1 circles</source>
+        <translation>Keine exakte Bewegung neben mehr als %1 Kreisen</translation>
+    </message>
+    <message>
+        <source>No exact motion: the circles overlap or lie outside at the start</source>
+        <translation>Keine exakte Bewegung: Die Kreise überlappen sich am Anfang oder liegen außerhalb</translation>
+    </message>
+    <message>
+        <source>Exact motion; the run is %1 m off</source>
+        <translation>Exakte Bewegung; der Lauf liegt %1 m daneben</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SolutionView</name>
@@ -3511,6 +3560,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <comment>number unit</comment>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Abstand von der exakten Bewegung</translation>
+    </message>
+    <message>
+        <source>Total energy more than in the exact motion</source>
+        <translation>Gesamtenergie über der exakten Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ValuesPane</name>
@@ -3566,6 +3623,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>%1 •</source>
         <comment>a tab with news</comment>
         <translation>%1 •</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Abstand von der exakten Bewegung</translation>
     </message>
 </context>
 <context>

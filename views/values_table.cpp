@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/values_table.h"
 
+#include "views/charts/deviation_text.h"
 #include "views/charts/frame_throttle.h"
 #include "views/charts/hit_columns.h"
 #include "views/charts/hits_model.h"
@@ -44,12 +45,14 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     , m_values(makeNumberTable(m_valuesModel, ValuesModel::unitRole))
     , m_hits(makeNumberTable(m_hitsModel, HitsModel::unitRole))
     , m_sentence(new SentenceLabel)
+    , m_exact(new SentenceLabel)
     , m_noHits(new QLabel(m_hits->viewport()))
     , m_copyAction(new QAction(this))
     , m_copyAllAction(new QAction(this))
     , m_throttle(new FrameThrottle(simulation, this))
 {
     setKind(m_sentence, "muted");
+    setKind(m_exact, "muted");
     m_noHits->setWordWrap(true);
     m_noHits->setAlignment(Qt::AlignCenter);
     setKind(m_noHits, "muted");
@@ -61,6 +64,7 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_values, 1);
     column->addWidget(m_sentence);
+    column->addWidget(m_exact);
     column->addStretch();
     m_tabs->addTab(valuesTab, QString());
     m_tabs->addTab(m_hits, QString());
@@ -155,7 +159,11 @@ void ValuesPane::refreshValues()
     const int first = std::max(0, m_values->rowAt(0));
     const int below = m_values->rowAt(m_values->viewport()->height() - 1);
     m_valuesModel->refresh(first, below >= 0 ? below : m_valuesModel->rowCount() - 1);
+    const QString exact = describeDeviation(m_simulation);
+    m_exact->setSentence(exact);
+    m_exact->setVisible(!exact.isEmpty());
     m_sentence->setSentence(hitSentence());
+    fitSentences();
 }
 
 QString ValuesPane::hitSentence() const
@@ -190,7 +198,7 @@ void ValuesPane::fitValues()
     // Room for the usual numbers, so that widths rest while numbers change.
     const QFontMetrics figures(columnFont());
     const int figure = figures.horizontalAdvance(u'0');
-    for (int column = 0; column < ValuesModel::Count; ++column) {
+    for (int column = 0; column < m_valuesModel->columnCount(); ++column) {
         const int places = column < ValuesModel::Mass    ? ValuesModel::narrowPlaces
                            : column == ValuesModel::Mass ? massPlaces
                                                          : ValuesModel::widePlaces;
@@ -210,8 +218,15 @@ void ValuesPane::fitHeights()
     const int header = m_values->horizontalHeader()->sizeHint().height();
     m_values->setMaximumHeight(header + rows + (scrolls ? bar : 0));
     m_values->setMinimumHeight(std::min(m_values->maximumHeight(), header + numberRowHeight));
+    fitSentences();
+}
+
+void ValuesPane::fitSentences()
+{
     const QSize tab = m_sentence->parentWidget()->size();
-    m_sentence->fitInto({tab.width(), tab.height() - m_values->maximumHeight()});
+    const int room = tab.height() - m_values->maximumHeight();
+    m_exact->fitInto({tab.width(), room});
+    m_sentence->fitInto({tab.width(), room - (m_exact->isHidden() ? 0 : m_exact->height())});
 }
 
 void ValuesPane::copySelection()
@@ -268,6 +283,7 @@ void ValuesPane::retranslate()
     m_values->setAccessibleName(tr("Values of the circles at the moment shown"));
     m_hits->setAccessibleName(tr("Hits; Enter shows the moment"));
     m_sentence->setAccessibleName(tr("Last hit"));
+    m_exact->setAccessibleName(tr("Distance from the exact motion"));
     m_noHits->setText(tr("No hits yet: press Run or Next hit"));
     m_copyAction->setText(tr("Copy"));
     m_copyAllAction->setText(tr("Copy all"));

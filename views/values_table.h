@@ -67,6 +67,7 @@ private:
     void refreshHits();
     void fitValues();
     void fitHeights();
+    void fitSentences();
     void retranslate();
     void seekHit(const QModelIndex &index);
     [[nodiscard]] QTableView *shownTable() const;
@@ -78,7 +79,8 @@ private:
     QTableView *m_values;
     QTableView *m_hits;
     SentenceLabel *m_sentence;
-    QLabel *m_noHits; ///< in place of an empty list
+    SentenceLabel *m_exact; ///< below it
+    QLabel *m_noHits;       ///< in place of an empty list
     QAction *m_copyAction;
     QAction *m_copyAllAction;
     FrameThrottle *m_throttle;

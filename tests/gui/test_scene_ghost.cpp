@@ -55,6 +55,7 @@ private slots:
     void ghostEndsWithItsRecording();
     void sameRunShowsNoOutline();
     void chipsDoNotCoverEachOther();
+    void exactOutlineIsFiner();
     void crowdOfGhostsIsBounded();
     void paintersLookAlike();
 };
@@ -170,6 +171,23 @@ void TestSceneGhost::chipsDoNotCoverEachOther()
     const QRectF lower = chipRect(second, viewport, {});
     QVERIFY(!upper.intersects(lower));
     QCOMPARE(upper.right(), lower.right());
+}
+
+void TestSceneGhost::exactOutlineIsFiner()
+{
+    const std::vector<Circle> circles(1, Circle{});
+    const std::vector<Circle> ghost(1, Circle{.position = {0.5, 0.0}});
+    const std::vector<QColor> colours(1, QColor(Qt::red));
+    DrawList dashed;
+    DrawList dotted;
+    const Camera camera = lookAt(twoCircles()).camera;
+    addGhost(dashed, circles, ghost, colours, camera);
+    addGhost(dotted, circles, ghost, colours, camera, Outline::Dotted);
+    QVERIFY(2 * dotted.arrows.size() > 3 * dashed.arrows.size());
+    const auto dash = [](const DrawList &list) {
+        return length(list.arrows[0].to - list.arrows[0].from);
+    };
+    QVERIFY(dash(dotted) < 0.5 * dash(dashed));
 }
 
 void TestSceneGhost::crowdOfGhostsIsBounded()

@@ -37,7 +37,18 @@ constexpr std::array<ColumnText, ValuesModel::Count> columnTexts{{
     {QT_TRANSLATE_NOOP("cradle::ValuesModel", "kinetic"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "J"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Kinetic energy")},
+    {"Δr", QT_TRANSLATE_NOOP("cradle::ValuesModel", "m"),
+     QT_TRANSLATE_NOOP("cradle::ValuesModel", "Distance from the exact motion")},
+    {"ΔE", QT_TRANSLATE_NOOP("cradle::ValuesModel", "J"),
+     QT_TRANSLATE_NOOP("cradle::ValuesModel", "Total energy more than in the exact motion")},
 }};
+
+/// The exact circles of the moment shown; none where they are not there.
+std::span<const Circle> exactCircles(const Simulation &simulation)
+{
+    const ShadowRun *shadow = simulation.shadow();
+    return shadow ? shadow->circles(simulation.current()) : std::span<const Circle>{};
+}
 
 } // namespace
 
@@ -46,6 +57,7 @@ ValuesModel::ValuesModel(const Simulation &simulation, QObject *parent)
     , m_simulation(simulation)
 {
     connect(&simulation, &Simulation::restarted, this, &ValuesModel::reload);
+    connect(&simulation, &Simulation::shadowChanged, this, &ValuesModel::reload);
     reload();
 }
 
@@ -53,7 +65,7 @@ void ValuesModel::refresh(int firstRow, int lastRow)
 {
     m_sum.reset();
     if (firstRow <= lastRow)
-        emit dataChanged(index(firstRow, 0), index(lastRow, Count - 1), {Qt::DisplayRole});
+        emit dataChanged(index(firstRow, 0), index(lastRow, columnCount() - 1), {Qt::DisplayRole});
 }
 
 void ValuesModel::reload()
@@ -78,7 +90,9 @@ int ValuesModel::rowCount(const QModelIndex &parent) const
 
 int ValuesModel::columnCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : Count;
+    if (parent.isValid())
+        return 0;
+    return m_simulation.shadow() && m_simulation.shadow()->isPossible() ? Count : Offset;
 }
 
 std::optional<double> ValuesModel::number(int row, int column) const
@@ -107,8 +121,21 @@ std::optional<double> ValuesModel::number(int row, int column) const
     case Kinetic:
         return 0.5 * mass(c) * lengthSquared(c.velocity);
     default:
-        return std::nullopt;
+        return offsetOf(c, row, column);
     }
+}
+
+std::optional<double> ValuesModel::offsetOf(const Circle &circle, int row, int column) const
+{
+    const auto exact = exactCircles(m_simulation);
+    const auto i = static_cast<std::size_t>(row);
+    if (i >= exact.size())
+        return std::nullopt;
+    if (column == Offset)
+        return length(circle.position - exact[i].position);
+    const Preset &preset = m_simulation.preset();
+    return measure(circle, preset.gravity, preset.halfWidth).total()
+           - measure(exact[i], preset.gravity, preset.halfWidth).total();
 }
 
 std::optional<double> ValuesModel::sumOf(int column) const
@@ -119,6 +146,9 @@ std::optional<double> ValuesModel::sumOf(int column) const
         m_sum = Sum{.totals = measure(circles, preset.gravity, preset.halfWidth)};
         for (const Circle &circle : circles)
             m_sum->mass += mass(circle);
+        if (const auto exact = exactCircles(m_simulation); !exact.empty())
+            m_sum->energyOffset =
+                deviation(circles, exact, preset.gravity, preset.halfWidth).energy;
     }
     switch (column) {
     case Mass:
@@ -129,6 +159,8 @@ std::optional<double> ValuesModel::sumOf(int column) const
         return m_sum->totals.momentum.y;
     case Kinetic:
         return m_sum->totals.kinetic;
+    case EnergyOffset:
+        return m_sum->energyOffset;
     default:
         return std::nullopt;
     }
@@ -164,12 +196,12 @@ QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int r
 {
     if (orientation == Qt::Vertical)
         return circleHeader(section, role);
-    if (section < 0 || section >= Count)
+    if (section < 0 || section >= columnCount())
         return {};
     const ColumnText &text = columnTexts[static_cast<std::size_t>(section)];
     switch (role) {
     case Qt::DisplayRole:
-        return section == Kinetic ? tr(text.symbol) : QString::fromLatin1(text.symbol);
+        return section == Kinetic ? tr(text.symbol) : QString::fromUtf8(text.symbol);
     case unitRole:
         return tr(text.unit);
     case Qt::ToolTipRole:

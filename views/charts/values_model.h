@@ -11,12 +11,26 @@
 namespace cradle {
 
 /// The numbers of every circle at the moment shown, and their sum in the last row. They are read
-/// from the recording when they are painted.
+/// from the recording when they are painted. The columns from Offset on are there only where the
+/// exact motion runs beside the run.
 class ValuesModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { X, Y, VelocityX, VelocityY, Mass, Speed, MomentumX, MomentumY, Kinetic, Count };
+    enum Column {
+        X,
+        Y,
+        VelocityX,
+        VelocityY,
+        Mass,
+        Speed,
+        MomentumX,
+        MomentumY,
+        Kinetic,
+        Offset,       ///< distance from the exact motion
+        EnergyOffset, ///< total energy more than in the exact motion
+        Count
+    };
     /// Characters of a number of the columns before the mass, and of those after it.
     static constexpr int narrowPlaces = 8;
     static constexpr int widePlaces = 11;
@@ -26,7 +40,7 @@ public:
 
     /// The moment shown has changed.
     void refresh(int firstRow, int lastRow);
-    /// The preset, the language or the colours have changed.
+    /// The preset, the language, the colours or the columns have changed.
     void reload();
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -43,10 +57,13 @@ private:
     [[nodiscard]] std::optional<double> sumOf(int column) const;
     [[nodiscard]] QVariant circleHeader(int row, int role) const;
 
+    [[nodiscard]] std::optional<double> offsetOf(const Circle &circle, int row, int column) const;
+
     /// Of all circles at the moment shown.
     struct Sum {
         Totals totals{};
-        double mass = 0.0; ///< kg
+        double mass = 0.0;                    ///< kg
+        std::optional<double> energyOffset{}; ///< J
     };
 
     const Simulation &m_simulation;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/recording.h"
-#include "views/scene/camera.h"
-#include "views/scene/draw_list.h"
+#include "views/scene/scene_builder.h"
+#include "views/scene/scene_draft.h"
 
 #include <span>
 #include <vector>
@@ -15,14 +15,19 @@ namespace cradle {
 /// the other; none before its first and after its last frame.
 [[nodiscard]] std::vector<Circle> circlesAt(const Recording &recording, double time);
 
-/// The greatest distance (m) of a circle from the one of the same number in \p ghost.
-[[nodiscard]] double greatestDistance(std::span<const Circle> circles,
-                                      std::span<const Circle> ghost);
+/// How an outline is broken: the exact motion is told from any other ghost by it.
+enum class Outline { Dashed, Dotted };
 
 /// Adds the broken outlines of the circles of \p ghost that can be told from the real ones, and
 /// what is between the two.
 /// \param colours  of the circles
 void addGhost(DrawList &list, std::span<const Circle> circles, std::span<const Circle> ghost,
-              const std::vector<QColor> &colours, const Camera &camera);
+              const std::vector<QColor> &colours, const Camera &camera,
+              Outline outline = Outline::Dashed);
+
+/// Adds the ghosts of \p moment, each with a word for what it is beside the outline that is
+/// farthest off.
+void addGhosts(SceneDraft &draft, const SceneMoment &moment, const std::vector<QColor> &colours,
+               const Camera &camera);
 
 } // namespace cradle

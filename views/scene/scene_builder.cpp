@@ -285,7 +285,7 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
     }
     if (look.refused)
         addRefused(list, *look.refused, moment);
-    addGhost(list, circles, moment.ghost, colours, look.camera);
+    addGhosts(draft, moment, colours, look.camera);
     const auto drawings = options.programDrawings ? moment.drawings : std::span<const Drawing>{};
     addDrawnTexts(draft, drawings, look.camera);
     if (drawings.size() <= manyDrawings)

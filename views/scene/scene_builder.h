@@ -37,7 +37,9 @@ struct SceneMoment {
     qint64 current; ///< index into the recording
     bool running;   ///< hits then fade instead of staying while their step is shown
     std::span<const Drawing> drawings{}; ///< of a program, in this step
-    std::vector<Circle> ghost{};         ///< where another run has the circles; empty: none
+    std::span<const Circle> exact{};     ///< where the exact motion has the circles; empty: none
+    std::vector<Circle> ghost{};         ///< where another run has them; empty: none
+    QString ghostLabel{};                ///< a word for what that run is
 
     SceneMoment(const Preset &scene, const Recording &run, qint64 index, bool isRunning);
     explicit SceneMoment(const Simulation &simulation);

@@ -19,7 +19,6 @@ namespace {
 
 constexpr int noticeMilliseconds = 2000;
 constexpr double zoomStep = 1.25;
-constexpr std::size_t mostDescribed = 20; ///< circles; a longer list helps nobody
 
 bool hasNoScreen()
 {
@@ -158,46 +157,15 @@ const ScenePicture &SceneView::picture()
 
 SceneMoment SceneView::moment() const
 {
-    SceneMoment moment(m_document.simulation());
-    if (m_ghost)
+    const Simulation &simulation = m_document.simulation();
+    SceneMoment moment(simulation);
+    if (simulation.shadow())
+        moment.exact = simulation.shadow()->circles(moment.current);
+    if (m_ghost) {
         moment.ghost = circlesAt(*m_ghost, moment.recording.time(moment.current));
-    return moment;
-}
-
-QString SceneView::ghostText(const SceneMoment &moment) const
-{
-    if (moment.ghost.empty())
-        return {};
-    const auto circles = moment.recording.circles(moment.current);
-    const double apart = greatestDistance(circles, moment.ghost);
-    return tr("ghost: %1 · %2 m apart")
-        .arg(m_ghostLabel, QString::number(apart, apart < 1000.0 ? 'f' : 'g', 3));
-}
-
-std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
-{
-    std::vector<Chip> chips;
-    const Recording &recording = moment.recording;
-    if (const QString text = ghostText(moment); !text.isEmpty())
-        chips.push_back({.text = text});
-    if (recording.hasDropped()) {
-        const int seconds = static_cast<int>(std::lround(recording.time(recording.first())));
-        chips.push_back({.text = seconds < 60 ? tr("first %1 s dropped").arg(seconds)
-                                              : tr("first %1 min dropped").arg(seconds / 60),
-                         .row = static_cast<int>(chips.size())});
+        moment.ghostLabel = m_ghostLabel;
     }
-    if (m_editor.circleCount() == 0)
-        chips.push_back(
-            {Chip::Place::Centre, tr("Add a circle: Edit → Add circle (Ctrl+Shift+N)")});
-    if (!m_dragValue.isEmpty())
-        chips.push_back({.place = Chip::Place::Pointer,
-                         .text = m_dragValue,
-                         .warning = m_refused.has_value(),
-                         .pointer = m_press.last});
-    if (const QString &text = m_refusal.isEmpty() ? m_notice : m_refusal; !text.isEmpty())
-        chips.push_back(
-            {.place = Chip::Place::Bottom, .text = text, .warning = true, .pointer = m_press.last});
-    return chips;
+    return moment;
 }
 
 void SceneView::notice(const QString &text)
@@ -206,30 +174,6 @@ void SceneView::notice(const QString &text)
     if (!text.isEmpty())
         m_noticeTimer.start(noticeMilliseconds);
     refresh();
-}
-
-void SceneView::describe()
-{
-    const Simulation &simulation = m_document.simulation();
-    if (simulation.isRunning())
-        return;
-    const auto circles = simulation.recording().circles(simulation.current());
-    QStringList parts;
-    for (std::size_t i = 0; i < std::min(circles.size(), mostDescribed); ++i)
-        parts << tr("%1 at %2 m")
-                     .arg(circleName(m_document.preset(), static_cast<int>(i)),
-                          pairText(circles[i].position));
-    if (circles.size() > mostDescribed)
-        parts << tr("and %n more", nullptr, static_cast<int>(circles.size() - mostDescribed));
-    if (m_editor.selected() >= 0)
-        parts << tr("selected: %1").arg(circleName(m_document.preset(), m_editor.selected()));
-    if (const QString ghost = ghostText(moment()); !ghost.isEmpty())
-        parts << ghost;
-    if (!m_notice.isEmpty())
-        parts << m_notice;
-    const QString text = circles.empty() ? tr("No circles") : parts.join(QStringLiteral("; "));
-    if (text != accessibleDescription())
-        setAccessibleDescription(text);
 }
 
 QImage SceneView::renderToImage(QSize size, qreal dpr) const

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/scene/scene_view.h"
+
+#include "model/measurements.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+// What the scene says in words: over the picture, and to those who do not see it.
+
+namespace {
+
+constexpr std::size_t mostDescribed = 20; ///< circles; a longer list helps nobody
+
+QString metres(double length)
+{
+    return QString::number(length, length < 1000.0 ? 'f' : 'g', 3);
+}
+
+} // namespace
+
+QString SceneView::ghostText(const SceneMoment &moment) const
+{
+    if (moment.ghost.empty())
+        return {};
+    const auto circles = moment.recording.circles(moment.current);
+    return tr("ghost: %1 · %2 m apart")
+        .arg(m_ghostLabel, metres(greatestDistance(circles, moment.ghost)));
+}
+
+QString SceneView::exactText(const SceneMoment &moment) const
+{
+    const ShadowRun *shadow = m_document.simulation().shadow();
+    const auto circles = moment.recording.circles(moment.current);
+    if (!shadow || circles.empty())
+        return {};
+    if (circles.size() > ShadowRun::mostCircles)
+        return tr("No exact motion beside more than %1 circles").arg(ShadowRun::mostCircles);
+    if (!shadow->isPossible())
+        return tr("No exact motion: the circles overlap or lie outside at the start");
+    return tr("Exact motion; the run is %1 m off")
+        .arg(metres(greatestDistance(circles, moment.exact)));
+}
+
+std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
+{
+    std::vector<Chip> chips;
+    const Recording &recording = moment.recording;
+    for (const QString &text : {exactText(moment), ghostText(moment)}) {
+        if (!text.isEmpty())
+            chips.push_back({.text = text, .row = static_cast<int>(chips.size())});
+    }
+    if (recording.hasDropped()) {
+        const int seconds = static_cast<int>(std::lround(recording.time(recording.first())));
+        chips.push_back({.text = seconds < 60 ? tr("first %1 s dropped").arg(seconds)
+                                              : tr("first %1 min dropped").arg(seconds / 60),
+                         .row = static_cast<int>(chips.size())});
+    }
+    if (m_editor.circleCount() == 0)
+        chips.push_back(
+            {Chip::Place::Centre, tr("Add a circle: Edit → Add circle (Ctrl+Shift+N)")});
+    if (!m_dragValue.isEmpty())
+        chips.push_back({.place = Chip::Place::Pointer,
+                         .text = m_dragValue,
+                         .warning = m_refused.has_value(),
+                         .pointer = m_press.last});
+    if (const QString &text = m_refusal.isEmpty() ? m_notice : m_refusal; !text.isEmpty())
+        chips.push_back(
+            {.place = Chip::Place::Bottom, .text = text, .warning = true, .pointer = m_press.last});
+    return chips;
+}
+
+void SceneView::describe()
+{
+    const Simulation &simulation = m_document.simulation();
+    if (simulation.isRunning())
+        return;
+    const auto circles = simulation.recording().circles(simulation.current());
+    QStringList parts;
+    for (std::size_t i = 0; i < std::min(circles.size(), mostDescribed); ++i)
+        parts << tr("%1 at %2 m")
+                     .arg(circleName(m_document.preset(), static_cast<int>(i)),
+                          pairText(circles[i].position));
+    if (circles.size() > mostDescribed)
+        parts << tr("and %n more", nullptr, static_cast<int>(circles.size() - mostDescribed));
+    if (m_editor.selected() >= 0)
+        parts << tr("selected: %1").arg(circleName(m_document.preset(), m_editor.selected()));
+    const SceneMoment seen = moment();
+    for (const QString &ghost : {exactText(seen), ghostText(seen)}) {
+        if (!ghost.isEmpty())
+            parts << ghost;
+    }
+    if (!m_notice.isEmpty())
+        parts << m_notice;
+    const QString text = circles.empty() ? tr("No circles") : parts.join(QStringLiteral("; "));
+    if (text != accessibleDescription())
+        setAccessibleDescription(text);
+}
+
+} // namespace cradle
