@@ -71,9 +71,9 @@ void ContinuousStep::addSupports()
     if (std::none_of(m_contacts.begin(), m_contacts.end(),
                      [](const Contact &contact) { return contact.rests; }))
         return;
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
-            if (m_bodies[i].touched && isHeld(i, wall))
+            if (isHeld(i, wall))
                 m_contacts.push_back({.a = static_cast<int>(i), .normal = outwardNormal(wall)});
         }
     }

@@ -27,7 +27,9 @@ void ContinuousStep::findRestingPairs()
         return;
     const auto &circles = m_world->circles;
     for (std::size_t i = 0; i < circles.size(); ++i) {
-        for (std::size_t j = i + 1; j < circles.size(); ++j) {
+        for (const std::uint32_t j : neighboursOf(i)) {
+            if (j < i)
+                continue;
             const Vec2 d = circles[j].position - circles[i].position;
             const double near = (circles[i].radius + circles[j].radius) * (1.0 + touching);
             if (lengthSquared(d) > near * near)
@@ -42,8 +44,9 @@ void ContinuousStep::findRestingPairs()
 /// Notes that two stay in touch; they move alike from now on, whatever their integrators.
 void ContinuousStep::rest(std::pair<int, int> pair)
 {
-    if (std::find(m_resting.begin(), m_resting.end(), pair) == m_resting.end())
-        m_resting.push_back(pair);
+    const auto place = std::lower_bound(m_resting.begin(), m_resting.end(), pair);
+    if (place == m_resting.end() || *place != pair)
+        m_resting.insert(place, pair);
     m_bodies[at(pair.first)].integrator = Integrator::Verlet;
     m_bodies[at(pair.second)].integrator = Integrator::Verlet;
 }
@@ -61,10 +64,8 @@ bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
 void ContinuousStep::findAccelerations()
 {
     m_contacts.clear();
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    for (const std::size_t i : m_touched) {
         Body &body = m_bodies[i];
-        if (!body.touched)
-            continue;
         body.acceleration = m_rules->gravity;
         for (const Wall wall : allWalls) {
             if (!isHeld(i, wall))

@@ -19,6 +19,9 @@ constexpr double roundedSpeed = 1e-13;
 /// twice as many the step ends where it is: a bound on the work, met only by inelastic collapse.
 constexpr int momentsPerCircle = 50;
 constexpr int momentsAtLeast = 500;
+/// So many are looked at all together.
+constexpr std::size_t fewBodies = 8;
+constexpr double rounding = 1e-9;
 
 std::size_t at(int index)
 {
@@ -45,6 +48,7 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
             })->time;
         takeEventsAt(m_now);
         resolve(hits);
+        foreseeSpeeds();
         findAccelerations();
     }
     // Circles with an event left over have met the bound on the work; they wait where they are.
@@ -62,6 +66,7 @@ void ContinuousStep::begin()
     m_now = 0.0;
     m_plastic = false;
     m_events.clear();
+    m_touched.clear();
     m_bodies.assign(m_world->circles.size(), Body{});
     m_inverseMasses.resize(m_bodies.size());
     double fastest = 0.0;
@@ -71,11 +76,80 @@ void ContinuousStep::begin()
         // An exchange of normal parts is what equal masses do.
         const bool equal = m_rules->laws.circles == CircleLaw::SwapNormal;
         m_inverseMasses[i] = equal ? 1.0 : 1.0 / mass(m_world->circles[i]);
-        m_bodies[i].touched = true;
+        touch(i);
     }
     m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
+    m_places.clear();
+    for (const Circle &c : m_world->circles)
+        m_places.push_back(c.position);
+    findNeighbours(fastest);
     findRestingPairs();
     findAccelerations();
+}
+
+/// Finds who can meet whom in this step, at speeds up to twice \p fastest (m/s). Where something
+/// gets faster than that they are found again.
+void ContinuousStep::findNeighbours(double fastest)
+{
+    m_foreseenSpeed = 2.0 * (fastest + length(m_rules->gravity) * m_dt);
+    const double travel = m_dt * (m_foreseenSpeed + length(m_rules->gravity) * m_dt);
+    const std::size_t count = m_bodies.size();
+    m_firstNeighbour.assign(1, 0);
+    m_neighbours.clear();
+    double widest = 0.0;
+    for (const Circle &c : m_world->circles)
+        widest = std::max(widest, c.radius);
+    const bool few = count <= fewBodies;
+    if (!few)
+        m_grid.build(count, [this](std::size_t i) { return m_places[i]; });
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double radius = m_world->circles[i].radius;
+        const auto look = [&](std::uint32_t j) {
+            const double near = radius + m_world->circles[j].radius + 2.0 * travel;
+            if (j != i && (few || lengthSquared(m_places[j] - m_places[i]) <= near * near))
+                m_neighbours.push_back(j);
+        };
+        if (few) {
+            for (std::uint32_t j = 0; j < count; ++j)
+                look(j);
+        } else {
+            m_grid.visitRuns(m_places[i], (radius + widest + 2.0 * travel) * (1.0 + rounding),
+                             [&](std::uint32_t begin, std::uint32_t end) {
+                                 for (std::uint32_t slot = begin; slot < end; ++slot)
+                                     look(m_grid.sorted()[slot]);
+                             });
+        }
+        m_firstNeighbour.push_back(static_cast<std::uint32_t>(m_neighbours.size()));
+    }
+}
+
+/// Looks again for neighbours if a body has become faster than was foreseen.
+void ContinuousStep::foreseeSpeeds()
+{
+    double fastest = 0.0;
+    for (const std::size_t i : m_touched)
+        fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
+    fastest = std::sqrt(fastest) + length(m_rules->gravity) * m_dt;
+    if (m_bodies.size() <= fewBodies || fastest <= m_foreseenSpeed)
+        return;
+    findNeighbours(fastest);
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+        touch(i);
+}
+
+/// Notes that the events of a body must be found again.
+void ContinuousStep::touch(std::size_t body)
+{
+    if (m_bodies[body].touched)
+        return;
+    m_bodies[body].touched = true;
+    m_touched.push_back(body);
+}
+
+std::span<const std::uint32_t> ContinuousStep::neighboursOf(std::size_t body) const
+{
+    return std::span(m_neighbours)
+        .subspan(m_firstNeighbour[body], m_firstNeighbour[body + 1] - m_firstNeighbour[body]);
 }
 
 Path ContinuousStep::pathFrom(std::size_t body, double time) const
@@ -94,9 +168,7 @@ void ContinuousStep::findEvents()
     });
     const bool walls = m_rules->laws.walls == WallLaw::Reflect;
     const bool circles = m_rules->laws.circles != CircleLaw::None;
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        if (!m_bodies[i].touched)
-            continue;
+    for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
             if (!walls || isHeld(i, wall))
                 continue;
@@ -108,14 +180,16 @@ void ContinuousStep::findEvents()
                     timeToLine(gap, dot(path.velocity, n), dot(path.curve, n), m_dt - m_now))
                 m_events.push_back({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true});
         }
-        for (std::size_t j = 0; circles && j < m_bodies.size(); ++j) {
+        if (!circles)
+            continue;
+        for (const std::uint32_t j : neighboursOf(i)) {
             if (j > i || !m_bodies[j].touched)
-                if (j != i)
-                    findPairEvent(std::min(i, j), std::max(i, j));
+                findPairEvent(std::min<std::size_t>(i, j), std::max<std::size_t>(i, j));
         }
     }
-    for (Body &body : m_bodies)
-        body.touched = false;
+    for (const std::size_t i : m_touched)
+        m_bodies[i].touched = false;
+    m_touched.clear();
 }
 
 void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
@@ -132,7 +206,7 @@ void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
         || std::abs(d.y) > distance + end * (std::abs(v.y) + end * std::abs(k.y)))
         return;
     const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
-    const bool resting = std::find(m_resting.begin(), m_resting.end(), pair) != m_resting.end();
+    const bool resting = std::binary_search(m_resting.begin(), m_resting.end(), pair);
     if (resting && std::abs(closingSpeed(contactOf(pair))) <= m_slow)
         return;
     if (const auto s = timeToDistance(a, b, distance, end))
@@ -159,18 +233,18 @@ void ContinuousStep::takeEventsAt(double time)
         if (event.time > time + simultaneous * m_dt)
             continue;
         m_taken.push_back(event);
-        m_bodies[at(event.a)].touched = true;
+        touch(at(event.a));
         if (!event.wall)
-            m_bodies[at(event.b)].touched = true;
+            touch(at(event.b));
     }
     std::sort(m_taken.begin(), m_taken.end(), [](const Event &x, const Event &y) {
         return std::tuple(x.wall, x.a, x.b) < std::tuple(y.wall, y.a, y.b);
     });
     touchRestingNeighbours();
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        if (m_bodies[i].touched)
-            carryTo(i, time);
-    }
+    // In the order of the bodies, so that sums do not depend on that of the events.
+    std::sort(m_touched.begin(), m_touched.end());
+    for (const std::size_t i : m_touched)
+        carryTo(i, time);
 }
 
 /// What rests on a body that is hit is split at the hit, too: the forces between them change.
@@ -181,7 +255,8 @@ void ContinuousStep::touchRestingNeighbours()
         grown = false;
         for (const auto &[a, b] : m_resting) {
             if (m_bodies[at(a)].touched != m_bodies[at(b)].touched) {
-                m_bodies[at(a)].touched = m_bodies[at(b)].touched = true;
+                touch(at(a));
+                touch(at(b));
                 grown = true;
             }
         }

@@ -4,6 +4,7 @@
 
 #include "model/collision_detection.h"
 #include "model/contact_solver.h"
+#include "model/disc_grid.h"
 #include "model/rules.h"
 #include "model/world.h"
 
@@ -40,6 +41,10 @@ private:
 
     // Motion and events: continuous_step.cpp
     void begin();
+    void findNeighbours(double fastest);
+    [[nodiscard]] std::span<const std::uint32_t> neighboursOf(std::size_t body) const;
+    void foreseeSpeeds();
+    void touch(std::size_t body);
     void findEvents();
     void findPairEvent(std::size_t i, std::size_t j);
     void takeEventsAt(double time);
@@ -68,13 +73,19 @@ private:
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
     double m_dt = 0.0;
-    double m_now = 0.0;     ///< s into the step
-    double m_slow = 0.0;    ///< m/s; closing speeds up to this are rest
-    bool m_plastic = false; ///< too many hits in one step: no more rebounds
+    double m_now = 0.0;           ///< s into the step
+    double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
+    bool m_plastic = false;       ///< too many hits in one step: no more rebounds
+    double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
     std::vector<Body> m_bodies;
+    std::vector<Vec2> m_places;                  ///< at the start of the step, m
+    DiscGrid m_grid;                             ///< of the places
+    std::vector<std::uint32_t> m_firstNeighbour; ///< of each body in m_neighbours, and the end
+    std::vector<std::uint32_t> m_neighbours;
     std::vector<double> m_inverseMasses;
-    std::vector<Event> m_events; ///< all that lie inside the step, in no order
-    std::vector<Event> m_taken;  ///< those of this moment
+    std::vector<std::size_t> m_touched; ///< bodies, in order once a moment is taken
+    std::vector<Event> m_events;        ///< all that lie inside the step, in no order
+    std::vector<Event> m_taken;         ///< those of this moment
     std::vector<Contact> m_contacts;
     std::vector<Hit> m_hits;                    ///< one per contact of this moment
     std::vector<Vec2> m_changes;                ///< of the velocities, m/s
