@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Cradle authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by ./run and ./test: what they need of Debian 12, and how to get it.
+# Sourced by ./run, ./test and bench/compare: what they need of Debian 12, and how to get it.
 
 build_packages=(
     g++ cmake ninja-build ccache mold git
@@ -11,6 +11,7 @@ build_packages=(
     librapidcheck-dev) # the tests are configured with the rest
 run_packages=(libgl1-mesa-dri qt6-qpa-plugins fonts-inter fonts-jetbrains-mono)
 test_packages=(clang libclang-rt-14-dev clang-format xvfb xauth libxml2-utils perl)
+bench_packages=(libbenchmark-dev libbox2d-dev libchipmunk-dev python3) # for the preset bench
 
 # need_packages NAME...: installs those that are missing; present ones cost no time.
 need_packages() {
