@@ -14,7 +14,7 @@ bool ContinuousSolver::isActive(Slot slot) const
     return m_places[slot] < m_members.size() && m_members[m_places[slot]].slot == slot;
 }
 
-std::size_t ContinuousSolver::activate(Slot slot)
+std::uint32_t ContinuousSolver::activate(Slot slot)
 {
     if (!isActive(slot)) {
         m_places[slot] = static_cast<std::uint32_t>(m_members.size());
@@ -24,7 +24,7 @@ std::size_t ContinuousSolver::activate(Slot slot)
 }
 
 /// The member that stands for the group of another.
-std::size_t ContinuousSolver::groupOf(std::size_t member)
+std::uint32_t ContinuousSolver::groupOf(std::uint32_t member)
 {
     while (m_members[member].group != member) {
         m_members[member].group = m_members[m_members[member].group].group;
@@ -35,11 +35,11 @@ std::size_t ContinuousSolver::groupOf(std::size_t member)
 
 void ContinuousSolver::join(Slot a, Slot b)
 {
-    const std::size_t first = groupOf(activate(a));
-    const std::size_t second = groupOf(activate(b));
+    const std::uint32_t first = groupOf(activate(a));
+    const std::uint32_t second = groupOf(activate(b));
     if (first == second)
         return;
-    m_members[std::max(first, second)].group = static_cast<std::uint32_t>(std::min(first, second));
+    m_members[std::max(first, second)].group = std::min(first, second);
     m_members[std::min(first, second)].changed = true;
 }
 
@@ -70,39 +70,38 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
     while (true) {
         m_order.clear();
         for (std::uint32_t i = 0; i < m_members.size(); ++i) {
-            if (m_members[groupOf(i)].changed)
-                m_order.push_back(i);
+            const std::uint32_t group = groupOf(i);
+            if (m_members[group].changed)
+                m_order.push_back({group, m_ids[m_members[i].slot], i});
         }
         if (m_order.empty())
             break;
-        std::sort(m_order.begin(), m_order.end(), [this](std::uint32_t x, std::uint32_t y) {
-            const std::size_t first = groupOf(x);
-            const std::size_t second = groupOf(y);
-            return first != second ? first < second
-                                   : m_ids[m_members[x].slot] < m_ids[m_members[y].slot];
-        });
+        std::sort(m_order.begin(), m_order.end());
         for (std::size_t begin = 0; begin < m_order.size();) {
-            const std::size_t group = groupOf(m_order[begin]);
+            const std::uint32_t group = m_order[begin].group;
             std::size_t end = begin + 1;
-            while (end < m_order.size() && groupOf(m_order[end]) == group)
+            while (end < m_order.size() && m_order[end].group == group)
                 ++end;
             m_members[group].changed = false;
             m_members[group].run = ++m_runs;
             solve(std::span(m_order).subspan(begin, end - begin));
             begin = end;
         }
-        for (const std::uint32_t member : m_order) {
-            if (m_members[member].disturbed)
-                widen(member);
+        for (const Place &place : m_order) {
+            if (m_members[place.member].disturbed)
+                widen(place.member);
         }
     }
-    const std::size_t first = hits.size();
-    for (const Found &found : m_found) {
-        if (m_members[groupOf(found.member)].run == found.run)
-            hits.push_back(found.hit);
-    }
-    std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
-                     [](const Hit &x, const Hit &y) { return x.time < y.time; });
+    // In the order of time, those of one moment as they were found.
+    std::erase_if(m_found, [this](const Found &found) {
+        return m_members[groupOf(found.member)].run != found.run;
+    });
+    m_sequence.clear();
+    for (std::uint32_t i = 0; i < m_found.size(); ++i)
+        m_sequence.emplace_back(m_found[i].hit.time, i);
+    std::sort(m_sequence.begin(), m_sequence.end());
+    for (const auto &[time, i] : m_sequence)
+        hits.push_back(m_found[i].hit);
     for (const Touching &touching : m_touching) {
         if (m_members[groupOf(touching.member)].run == touching.run)
             m_resting.push_back(touching.pair);
@@ -110,24 +109,24 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
 }
 
 /// Takes a group through the step, from its start.
-void ContinuousSolver::solve(std::span<const std::uint32_t> members)
+void ContinuousSolver::solve(std::span<const Place> places)
 {
     m_world.time = m_time;
     m_world.step = m_stepNumber;
     m_world.circles.clear();
     m_groupRules.integrators.clear();
-    for (const std::uint32_t member : members) {
-        const Slot slot = m_members[member].slot;
+    for (const Place &place : places) {
+        const Slot slot = m_members[place.member].slot;
         m_world.circles.push_back({m_motions[slot].position, m_motions[slot].velocity,
                                    m_radii[slot], m_densities[m_ids[slot]]});
         m_groupRules.integrators.push_back(m_integrators[m_ids[slot]]);
-        m_members[member].fastest = lengthSquared(m_motions[slot].velocity);
+        m_members[place.member].fastest = lengthSquared(m_motions[slot].velocity);
     }
     m_hits.clear();
     m_step.run(m_groupRules, m_world, m_dt, m_hits);
 
-    const std::uint32_t run = m_members[groupOf(members[0])].run;
-    const auto memberOf = [&](int index) { return members[static_cast<std::size_t>(index)]; };
+    const std::uint32_t run = m_members[places[0].group].run;
+    const auto memberOf = [&](int index) { return places[static_cast<std::size_t>(index)].member; };
     for (Hit hit : m_hits) {
         Member &a = m_members[memberOf(hit.a)];
         a.fastest = std::max(a.fastest, lengthSquared(hit.afterA));
@@ -143,8 +142,8 @@ void ContinuousSolver::solve(std::span<const std::uint32_t> members)
     for (const auto &[a, b] : m_step.restingPairs())
         m_touching.push_back(
             {run, memberOf(a), {m_members[memberOf(a)].slot, m_members[memberOf(b)].slot}});
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        Member &member = m_members[members[i]];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        Member &member = m_members[places[i].member];
         const Circle &circle = m_world.circles[i];
         member.after = {circle.position, circle.velocity};
         member.fastest = std::sqrt(std::max(member.fastest, lengthSquared(circle.velocity)));
@@ -166,12 +165,19 @@ void ContinuousSolver::widen(std::size_t index)
         if (other != member.slot && lengthSquared(m_motions[other].position - place) <= near * near)
             join(member.slot, other);
     };
+    // Most are farther than even the fastest could come.
+    const double foreseen =
+        driftIn(m_dt, m_fastest + m_gravity * static_cast<double>(m_index) * m_dt);
+    const double far = reach + m_smallRadius + foreseen;
     const auto look = [&](Slot begin, Slot end) {
-        for (Slot other = begin; other < end; ++other)
-            consider(other, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[other].velocity))));
+        for (Slot other = begin; other < end; ++other) {
+            if (lengthSquared(m_motions[other].position - place) <= far * far)
+                consider(other, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[other].velocity))));
+        }
     };
     m_grid.visitRuns(place, reach + m_smallRadius + m_drift, look);
-    look(static_cast<Slot>(m_small), static_cast<Slot>(m_motions.size()));
+    for (auto giant = static_cast<Slot>(m_small); giant < m_motions.size(); ++giant)
+        consider(giant, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[giant].velocity))));
     // Others that were kicked as hard may come from farther than the grid knows.
     if (member.fastest > m_fastest) {
         for (std::size_t i = 0; i < m_members.size(); ++i)

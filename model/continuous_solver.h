@@ -62,6 +62,13 @@ private:
         std::uint32_t member = 0;
         Hit hit{};
     };
+    /// A member, group by group and in the order of the circles.
+    struct Place {
+        std::uint32_t group = 0;
+        std::uint32_t id = 0;
+        std::uint32_t member = 0;
+        friend auto operator<=>(const Place &, const Place &) = default;
+    };
     struct Touching {
         std::uint32_t run = 0;
         std::uint32_t member = 0;
@@ -78,6 +85,9 @@ private:
     // When who can meet: continuous_schedule.cpp
     void scheduleAll();
     void scheduleAround(Slot slot);
+    template <class Visit>
+    void sieve(Slot a, Slot begin, Slot end, double slack, Visit visit) const;
+    [[nodiscard]] double slack(bool disturbed) const;
     void schedulePair(Slot a, Slot b, bool disturbed);
     void scheduleWalls(Slot slot);
     void putDown(double time, Slot a, Slot b);
@@ -87,11 +97,11 @@ private:
     // Groups: continuous_groups.cpp
     void findGroups();
     void solveGroups(std::vector<Hit> &hits);
-    void solve(std::span<const std::uint32_t> members);
+    void solve(std::span<const Place> places);
     void widen(std::size_t index);
     void join(Slot a, Slot b);
-    std::size_t groupOf(std::size_t member);
-    std::size_t activate(Slot slot);
+    std::uint32_t groupOf(std::uint32_t member);
+    std::uint32_t activate(Slot slot);
     [[nodiscard]] bool isActive(Slot slot) const;
 
     Rules m_rules{};
@@ -128,7 +138,8 @@ private:
     std::vector<Candidates> m_resting;                    ///< stay in touch from step to step
     std::vector<Member> m_members;                        ///< of this step
     std::vector<Candidates> m_inVain;                     ///< did not meet after all
-    std::vector<std::uint32_t> m_order;                   ///< members, group by group
+    std::vector<Place> m_order;
+    std::vector<std::pair<double, std::uint32_t>> m_sequence; ///< of the hits found, by time
     std::vector<Found> m_found;
     std::vector<Touching> m_touching;
     std::uint32_t m_runs = 0;

@@ -71,13 +71,14 @@ void ContinuousStep::begin()
     m_inverseMasses.resize(m_bodies.size());
     double fastest = 0.0;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        fastest = std::max(fastest, length(m_world->circles[i].velocity));
+        fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
         m_bodies[i].integrator = m_rules->integrators[i];
         // An exchange of normal parts is what equal masses do.
         const bool equal = m_rules->laws.circles == CircleLaw::SwapNormal;
         m_inverseMasses[i] = equal ? 1.0 : 1.0 / mass(m_world->circles[i]);
         touch(i);
     }
+    fastest = std::sqrt(fastest);
     m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
     m_places.clear();
     for (const Circle &c : m_world->circles)
@@ -169,13 +170,17 @@ void ContinuousStep::findEvents()
     const bool walls = m_rules->laws.walls == WallLaw::Reflect;
     const bool circles = m_rules->laws.circles != CircleLaw::None;
     for (const std::size_t i : m_touched) {
+        const Path path = pathFrom(i, m_now);
+        const double end = m_dt - m_now;
+        const double reach = end
+                             * (std::abs(path.velocity.x) + std::abs(path.velocity.y)
+                                + end * (std::abs(path.curve.x) + std::abs(path.curve.y)));
         for (const Wall wall : allWalls) {
-            if (!walls || isHeld(i, wall))
-                continue;
             const Vec2 n = outwardNormal(wall);
-            const Path path = pathFrom(i, m_now);
             const double gap =
                 m_rules->halfWidth - m_world->circles[i].radius - dot(path.position, n);
+            if (!walls || gap > reach + m_rules->halfWidth * rounding || isHeld(i, wall))
+                continue;
             if (const auto s =
                     timeToLine(gap, dot(path.velocity, n), dot(path.curve, n), m_dt - m_now))
                 m_events.push_back({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true});
