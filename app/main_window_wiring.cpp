@@ -88,6 +88,9 @@ void MainWindow::showTask()
     m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
     if (task) {
         m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+        // An example brought the speeds to the front; the few circles of a step have none to show.
+        if (m_values->tabs().currentWidget() == m_speeds)
+            m_values->tabs().setCurrentIndex(0);
     } else {
         showLooseScene();
     }

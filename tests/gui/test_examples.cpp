@@ -145,6 +145,11 @@ void TestExamples::stepIsOneClickAway()
     open.bench.openTask(QStringLiteral("L42T5"));
     QCOMPARE(open.preset(), edited);
     QVERIFY(!open.bench.example());
+    // The speeds that the gas brought to the front go back with it.
+    auto &tabs = open.window.findChild<ValuesPane *>()->tabs();
+    open.window.openExample(Example::Gas);
+    open.bench.openTask(QStringLiteral("L42T5"));
+    QCOMPARE(tabs.currentIndex(), 0);
 }
 
 void TestExamples::textsFollowTheLanguage()

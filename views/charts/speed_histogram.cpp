@@ -94,7 +94,7 @@ SpeedBins SpeedHistogram::binsOf(const GasState &gas) const
     const qint64 first = recording.indexAt(recording.time(last) - meanSeconds);
     // Moments at multiples of the stride, so that the same ones stay in while the run goes on.
     const qint64 stride = std::max<qint64>(1, (last - first) / mostMoments);
-    for (qint64 i = (first / stride + 1) * stride; i < last; i += stride)
+    for (qint64 i = (first + stride - 1) / stride * stride; i < last; i += stride)
         bins.add(recording.circles(i), gas);
     bins.add(circles(), gas);
     return bins;
