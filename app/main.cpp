@@ -55,6 +55,10 @@ struct Options {
     QCommandLineOption theme{QStringLiteral("theme"),
                              QCoreApplication::translate("Main", "system, light or dark"),
                              QStringLiteral("NAME")};
+    QCommandLineOption example{
+        QStringLiteral("example"),
+        QCoreApplication::translate("Main", "open this scene of Lab → Example scenes"),
+        QStringLiteral("NAME")};
     QCommandLineOption mode{
         QStringLiteral("mode"),
         QCoreApplication::translate("Main", "work on steps by this: explore or code"),
@@ -127,6 +131,19 @@ std::optional<Error> openNamed(Workbench &bench, const QString &path, const QStr
     return isLab ? std::nullopt : bench.takePreset(path);
 }
 
+/// Opens the example called \p name. \return what is wrong with that
+std::optional<Error> openExampleNamed(Workbench &bench, const QString &name)
+{
+    if (const auto example = exampleFromId(name))
+        return bench.openExample(*example);
+    QStringList ids;
+    for (const Example each : allExamples)
+        ids.append(idOf(each));
+    return Error{.message =
+                     QCoreApplication::translate("Main", "there is no example %1; there are %2")
+                         .arg(name, ids.join(QStringLiteral(", ")))};
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -155,8 +172,8 @@ int main(int argc, char **argv)
     parser.addPositionalArgument(
         QStringLiteral("LAB-DIR or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
-    parser.addOptions({options.step, options.language, options.theme, options.mode, options.script,
-                       options.screenshot, options.at, options.size});
+    parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
+                       options.script, options.screenshot, options.at, options.size});
     if (!parser.parse(QApplication::arguments()))
         return complain(QStringLiteral("cradle: ") + parser.errorText());
     if (parser.isSet(help))
@@ -207,6 +224,10 @@ int main(int argc, char **argv)
     if (const auto error =
             openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step)))
         return complain(QStringLiteral("cradle: ") + error->toString());
+    if (parser.isSet(options.example)) {
+        if (const auto error = openExampleNamed(bench, parser.value(options.example)))
+            return complain(QStringLiteral("cradle: ") + error->toString());
+    }
     if (parser.isSet(options.script)) {
         if (const auto error = bench.takeScript(parser.value(options.script)))
             return complain(QStringLiteral("cradle: ") + error->toString());

@@ -33,6 +33,16 @@ QAction *add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Tar
     return action;
 }
 
+void addExamples(MainWindow &window, QMenu *menu)
+{
+    QMenu *scenes = menu->addMenu(MenuText::tr("&Example scenes"));
+    for (const Example example : allExamples) {
+        QAction *action = scenes->addAction(titleOf(example));
+        QObject::connect(action, &QAction::triggered, &window,
+                         [w = &window, example] { w->openExample(example); });
+    }
+}
+
 void addLab(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Lab"));
@@ -48,6 +58,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
         &MainWindow::openLabFolder);
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
         &MainWindow::openPresetFile);
+    addExamples(window, menu);
     add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
     menu->addSeparator();

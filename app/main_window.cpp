@@ -9,6 +9,7 @@
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/plots_chart.h"
+#include "views/charts/speed_histogram.h"
 #include "views/code/code_pane.h"
 #include "views/console_view.h"
 #include "views/inspector/inspector.h"
@@ -113,6 +114,8 @@ void MainWindow::makePanes()
     auto *plots = new PlotsChart(simulation, m_curves, this);
     m_plots = plots;
     m_values->addTab(plots, plots->windowTitle());
+    m_speeds = new SpeedHistogram(simulation, this);
+    m_values->addTab(m_speeds, m_speeds->windowTitle());
     unlockPanes(false);
 }
 
@@ -192,9 +195,12 @@ void MainWindow::resetLayout()
 
 void MainWindow::retranslate()
 {
-    const QString scene =
-        m_workbench.task() ? m_workbench.lab().title : m_workbench.document().preset().name;
-    setWindowTitle(scene);
+    if (m_workbench.task())
+        setWindowTitle(m_workbench.lab().title);
+    else if (const auto example = m_workbench.example())
+        setWindowTitle(titleOf(*example));
+    else
+        setWindowTitle(m_workbench.document().preset().name);
     const std::pair<const char *, QString> titles[] = {
         {"task", tr("Step")},         {"code", tr("lab.lua")},  {"inspector", tr("Inspector")},
         {"momentum", tr("Momentum")}, {"energy", tr("Energy")}, {"values", tr("Values")}};

@@ -55,6 +55,7 @@ public slots:
     void resetLayout();
     void openLabFolder();
     void openPresetFile();
+    void openExample(cradle::Example example);
     void savePresetAs();
     void showAbout();
     void showShortcuts();
@@ -71,6 +72,7 @@ private:
     void arrangePanes();
     void retranslate();
     void showTask();
+    void showLooseScene();
     void showReport();
     void showVisit(bool visiting);
     void showMode();
@@ -92,6 +94,7 @@ private:
     CodeDesk *m_desk = nullptr;
     ConsoleView *m_console = nullptr;
     QWidget *m_plots = nullptr;
+    QWidget *m_speeds = nullptr;
     NoticeBar *m_notice = nullptr;
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;

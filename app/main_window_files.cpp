@@ -34,6 +34,12 @@ void MainWindow::openPresetFile()
         report(*error);
 }
 
+void MainWindow::openExample(Example example)
+{
+    if (const auto error = m_workbench.openExample(example))
+        report(*error);
+}
+
 void MainWindow::savePresetAs()
 {
     const QString path =

@@ -88,14 +88,11 @@ void MainWindow::showTask()
     m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
     if (task) {
         m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+        // An example brought the speeds to the front; the few circles of a step have none to show.
+        if (m_values->tabs().currentWidget() == m_speeds)
+            m_values->tabs().setCurrentIndex(0);
     } else {
-        Task scene;
-        scene.title = m_workbench.document().preset().name;
-        scene.instructions =
-            tr("# %1\n\nThis scene belongs to no step: play with it. Choose a step "
-               "above to go back to the lab.")
-                .arg(scene.title.isEmpty() ? tr("A scene of your own") : scene.title);
-        m_taskPane->showTask(scene, 0);
+        showLooseScene();
     }
     m_notice->hide();
     if (m_workbench.isFirstStart() && m_workbench.current() == 0) {
@@ -107,6 +104,25 @@ void MainWindow::showTask()
                      "watch, and Check when you are done."));
     }
     retranslate();
+}
+
+/// An example tells what there is to see, and the tab that shows it comes to the front.
+void MainWindow::showLooseScene()
+{
+    Task scene;
+    if (const auto example = m_workbench.example()) {
+        scene.title = titleOf(*example);
+        scene.instructions = QStringLiteral("# %1\n\n%2").arg(scene.title, textOf(*example));
+        if (showsSpeeds(*example))
+            m_values->tabs().setCurrentWidget(m_speeds);
+    } else {
+        scene.title = m_workbench.document().preset().name;
+        scene.instructions =
+            tr("# %1\n\nThis scene belongs to no step: play with it. Choose a step "
+               "above to go back to the lab.")
+                .arg(scene.title.isEmpty() ? tr("A scene of your own") : scene.title);
+    }
+    m_taskPane->showTask(scene, 0);
 }
 
 /// The pane that the student works with comes to the front; the texts follow.
@@ -155,6 +171,7 @@ void MainWindow::titleTabs()
 {
     m_values->setTabTitle(m_console, m_console->windowTitle());
     m_values->setTabTitle(m_plots, m_plots->windowTitle());
+    m_values->setTabTitle(m_speeds, m_speeds->windowTitle());
 }
 
 void MainWindow::showReport()

@@ -126,16 +126,32 @@ std::optional<Error> Workbench::openPreset(const QString &path)
     const Result<Preset> preset = readPreset(path);
     if (!preset)
         return preset.error();
+    openScene(*preset, std::nullopt);
+    return std::nullopt;
+}
+
+std::optional<Error> Workbench::openExample(Example example)
+{
+    const Result<Preset> preset = readPreset(fileOf(example));
+    if (!preset)
+        return preset.error();
+    openScene(*preset, example);
+    return std::nullopt;
+}
+
+void Workbench::openScene(const Preset &preset, std::optional<Example> example)
+{
     cancelCheck();
+    m_simulation.pause();
     m_current = -1;
+    m_example = example;
     m_report.reset();
     m_code.close();
     setGhost(nullptr);
-    m_document.open(*preset);
+    m_document.open(preset);
     emit taskChanged();
     emit modeChanged();
     emit reportChanged();
-    return std::nullopt;
 }
 
 bool Workbench::openTask(const QString &id)
@@ -211,6 +227,7 @@ void Workbench::openTaskAt(int index)
     cancelCheck();
     m_simulation.pause();
     m_current = index;
+    m_example.reset();
     m_report.reset();
     m_store.lab(m_lab.id).currentTask = task()->id;
     setGhost(nullptr);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/code_session.h"
+#include "app/examples.h"
 #include "tasks/checker.h"
 #include "tasks/mode.h"
 #include "tasks/progress.h"
@@ -25,6 +26,8 @@ public:
     [[nodiscard]] const Lab &lab() const { return m_lab; }
     [[nodiscard]] int current() const { return m_current; } ///< −1: a scene without a step
     [[nodiscard]] const Task *task() const;                 ///< nullptr for a scene without a step
+    /// The example that is open, if one is.
+    [[nodiscard]] std::optional<Example> example() const { return m_example; }
     [[nodiscard]] Simulation &simulation() { return m_simulation; }
     [[nodiscard]] PresetDocument &document() { return m_document; }
     [[nodiscard]] CodeSession &code() { return m_code; }
@@ -47,6 +50,8 @@ public:
     void setLanguage(const QString &language);
     /// Opens a scene that belongs to no step.
     std::optional<Error> openPreset(const QString &path);
+    /// Opens a scene that ships with the program, in the same way.
+    std::optional<Error> openExample(cradle::Example example);
     bool openTask(const QString &id);
     /// Takes a scene as the student's own of the current step; it can be undone.
     std::optional<Error> takePreset(const QString &path);
@@ -80,6 +85,7 @@ signals:
     void failed(const cradle::Error &error); ///< something could not be saved or read
 
 private:
+    void openScene(const Preset &preset, std::optional<Example> example);
     void keepEdited();
     void finishCheck(const CheckReport &report);
     void showFirstFailure();
@@ -92,6 +98,7 @@ private:
     ProgressStore m_store;
     Lab m_lab;
     int m_current = -1;
+    std::optional<Example> m_example;
     bool m_firstStart = false;
     Simulation m_simulation;
     PresetDocument m_document;

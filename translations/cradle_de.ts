@@ -395,6 +395,51 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
+
+No hit is aimed at anything, yet within a second or two the speeds spread until they lie along one curve, that of Maxwell and Boltzmann. No energy is lost: only how the circles share it changes.
+
+- Go back on the timeline: the curve is the same all the time, as it depends on the mean energy alone.
+- Set the restitution to 0.99: the gas cools, and the curve moves to the left.
+- The colours say which half a circle comes from. They mix much more slowly than the speeds.</source>
+        <translation>Tausend gleiche Kreise starten mit demselben Tempo, 2 m/s, in alle Richtungen. Drücke Starten und sieh unten rechts das Tempo an.
+
+Kein Stoß zielt auf etwas, und doch verteilt sich das Tempo in ein, zwei Sekunden so, dass es auf einer Kurve liegt, der von Maxwell und Boltzmann. Energie geht keine verloren: Nur wie die Kreise sie teilen, ändert sich.
+
+- Geh auf der Zeitleiste zurück: Die Kurve ist immer dieselbe, denn sie hängt nur von der mittleren Energie ab.
+- Setze die Stoßzahl auf 0,99: Das Gas kühlt ab, und die Kurve rückt nach links.
+- Die Farben sagen, aus welcher Hälfte ein Kreis kommt. Sie mischen sich viel langsamer als das Tempo.</translation>
+    </message>
+    <message>
+        <source>A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of its mass. Press Run and watch the energy.
+
+A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here more than half of all energy goes at one blow: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, thousands of times in a moment. Together they stop the heavy circle almost dead. That is called inelastic collapse.
+
+- Go back on the timeline to the blow, and step through it with → and ←.
+- Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
+        <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke Starten und sieh die Energie an.
+
+Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier mehr als die Hälfte aller Energie auf einen Schlag: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, tausende Male in einem Moment. Zusammen halten sie den schweren Kreis fast ganz an. Das heißt inelastischer Kollaps.
+
+- Geh auf der Zeitleiste zum Schlag zurück und mit → und ← Schritt für Schritt hindurch.
+- Setze die Stoßzahl auf 1: Das Bett wird zu einem Gas unter einem Kolben und wirft ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Gas</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Piston drop</source>
+        <translation>Fallender Kolben</translation>
+    </message>
+    <message>
+        <source>This scene belongs to no step. Choose a step above to go back to the lab.</source>
+        <translation>Diese Szene gehört zu keinem Schritt. Wähle oben einen Schritt, um zum Lab zurückzukehren.</translation>
+    </message>
+</context>
+<context>
     <name>Ghost</name>
     <message>
         <source>exact</source>
@@ -946,6 +991,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>cradle: --mode %1: explore or code is right</source>
         <translation>cradle: --mode %1: richtig ist explore oder code</translation>
     </message>
+    <message>
+        <source>open this scene of Lab → Example scenes</source>
+        <translation>diese Szene aus Lab → Beispielszenen öffnen</translation>
+    </message>
+    <message>
+        <source>there is no example %1; there are %2</source>
+        <translation>es gibt kein Beispiel %1; es gibt %2</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -1136,6 +1189,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>Outlines where every circle would be without any error of the integrator, the program or the timestep</source>
         <translation>Umrisse dort, wo jeder Kreis ohne jeden Fehler des Integrators, des Programms oder des Zeitschritts wäre</translation>
+    </message>
+    <message>
+        <source>&amp;Example scenes</source>
+        <translation>&amp;Beispielszenen</translation>
     </message>
 </context>
 <context>
@@ -3312,6 +3369,73 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Close the reference solution</source>
         <translation>Die Musterlösung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SpeedHistogram</name>
+    <message>
+        <source>Speeds</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>A distribution of speeds takes %1 circles or more: Lab → Example scenes → Gas has 1000</source>
+        <translation>Eine Verteilung des Tempos braucht mindestens %1 Kreise: Lab → Beispielszenen → Gas hat 1000</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: press Run</source>
+        <translation>Noch bewegt sich nichts: Drücke Starten</translation>
+    </message>
+    <message>
+        <source>%1 · v √(m/m̄) · kT = %2 J</source>
+        <translation>%1 · v √(m/m̄) · kT = %2 J</translation>
+    </message>
+    <message>
+        <source>%1 · kT = %2 J</source>
+        <translation>%1 · kT = %2 J</translation>
+    </message>
+    <message>
+        <source>share per %1 m/s, mean of 1 s</source>
+        <translation>Anteil je %1 m/s, Mittel über 1 s</translation>
+    </message>
+    <message>
+        <source>Maxwell–Boltzmann</source>
+        <translation>Maxwell-Boltzmann</translation>
+    </message>
+    <message>
+        <source>In equilibrium: distance from the curve %1, chance allows %2.</source>
+        <translation>Im Gleichgewicht: Abstand von der Kurve %1, der Zufall erlaubt %2.</translation>
+    </message>
+    <message>
+        <source>Not in equilibrium: distance from the curve %1, chance allows %2.</source>
+        <translation>Nicht im Gleichgewicht: Abstand von der Kurve %1, der Zufall erlaubt %2.</translation>
+    </message>
+    <message>
+        <source>Histogram of the speeds, m/s</source>
+        <translation>Histogramm des Tempos, m/s</translation>
+    </message>
+    <message>
+        <source>Distance from equilibrium</source>
+        <translation>Abstand vom Gleichgewicht</translation>
+    </message>
+    <message>
+        <source>The distance of Kolmogorov and Smirnov, at the moment shown: the greatest difference between the share of circles slower than a speed and what the curve says. Of a hundred gases in equilibrium one is further away by chance.</source>
+        <translation>Der Abstand von Kolmogorow und Smirnow im gezeigten Moment: der größte Unterschied zwischen dem Anteil der Kreise, die langsamer sind als ein Tempo, und dem, was die Kurve sagt. Von hundert Gasen im Gleichgewicht ist eines durch Zufall weiter entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SpeedPlot</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>%1 % faster</source>
+        <translation>%1 % schneller</translation>
     </message>
 </context>
 <context>

@@ -64,13 +64,16 @@ private:
     void retranslate();
     void addEndLabels(std::vector<Label> &labels) const;
     void addMarkLabels(std::vector<Label> &labels) const;
-    void addHitLabels(std::vector<Label> &labels) const;
+    void addHitLabels(std::vector<Label> &labels, const std::vector<HitColumn> &all) const;
     void addLabel(std::vector<Label> &labels, double x, const QString &text,
                   const QColor &colour) const;
     void addHitLabel(std::vector<Label> &labels, const HitColumn &column) const;
-    void drawHits(QPainter &painter) const;
+    void drawHits(QPainter &painter, const std::vector<HitColumn> &columns) const;
     void drawMarks(QPainter &painter) const;
     [[nodiscard]] std::vector<Mark> recordedMarks() const; ///< the run has come so far
+    [[nodiscard]] std::vector<Label> labelsAt(const std::vector<HitColumn> &columns) const;
+    /// Whether more than \p part of the columns of the bar have hits.
+    [[nodiscard]] bool isFuller(const std::vector<HitColumn> &columns, double part) const;
     [[nodiscard]] QRectF bar() const;
     [[nodiscard]] QFont smallFont() const;
     [[nodiscard]] std::vector<HitColumn> columns() const;

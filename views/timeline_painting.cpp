@@ -24,6 +24,9 @@ constexpr double sideInset = 8.0;    ///< px that labels keep from the ends
 constexpr double labelGap = 10.0;    ///< px between two labels, at least
 constexpr double retryStep = 16.0;   ///< px to the next hit that may find room for its label
 constexpr double crowdedPart = 0.15; ///< of the columns have hits
+constexpr double fullPart = 0.5;     ///< of the columns: the number of a hit tells nothing
+constexpr std::size_t fewHits = 4;   ///< in a column: with no more in any, none stands out
+constexpr double leastReach = 3.0;   ///< px of a mark of one hit where they crowd
 constexpr int totalHeight = 56;      ///< px
 constexpr int textPixels = 11;
 
@@ -60,10 +63,15 @@ std::vector<HitColumn> Timeline::columns() const
 
 std::vector<Timeline::Label> Timeline::labels() const
 {
+    return labelsAt(columns());
+}
+
+std::vector<Timeline::Label> Timeline::labelsAt(const std::vector<HitColumn> &columns) const
+{
     std::vector<Label> all;
     addMarkLabels(all);
     addEndLabels(all);
-    addHitLabels(all);
+    addHitLabels(all, columns);
     return all;
 }
 
@@ -117,16 +125,17 @@ void Timeline::addHitLabel(std::vector<Label> &labels, const HitColumn &column) 
              readableOn(theme().along, theme().panel));
 }
 
-void Timeline::addHitLabels(std::vector<Label> &labels) const
+void Timeline::addHitLabels(std::vector<Label> &labels, const std::vector<HitColumn> &all) const
 {
     const Recording &recording = m_simulation.recording();
-    const std::vector<HitColumn> all = columns();
     // The hit that is shown keeps its label, whatever the others find room for.
     const auto shown = lastHit(recording.hits(), recording.step(m_simulation.current()));
     for (const HitColumn &column : all) {
         if (shown && *shown >= column.first && *shown < column.first + column.count)
             addHitLabel(labels, column);
     }
+    if (isFuller(all, fullPart))
+        return;
     double free = 0.0;
     for (const HitColumn &column : all) {
         const double x = bar().left() + column.x;
@@ -139,20 +148,34 @@ void Timeline::addHitLabels(std::vector<Label> &labels) const
     }
 }
 
-void Timeline::drawHits(QPainter &painter) const
+bool Timeline::isFuller(const std::vector<HitColumn> &columns, double part) const
 {
+    return static_cast<double>(columns.size()) > part * bar().width();
+}
+
+void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns) const
+{
+    const double left = bar().left();
+    const double middle = bar().center().y();
+    // Where they crowd, thinner and lower ones leave the bar to be seen; the more hits, the higher.
+    const bool crowded = isFuller(columns, crowdedPart);
+    std::size_t most = fewHits;
+    for (const HitColumn &column : columns)
+        most = std::max(most, column.count);
+    QList<QRectF> rects;
+    rects.reserve(static_cast<qsizetype>(columns.size()));
+    for (const HitColumn &column : columns) {
+        const double x = std::round(left + column.x);
+        const double part =
+            std::log1p(static_cast<double>(column.count)) / std::log1p(static_cast<double>(most));
+        const double reach =
+            crowded ? std::round(leastReach + (hitReach - leastReach) * part) : hitReach;
+        rects.emplaceBack(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0,
+                          2.0 * reach);
+    }
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().along);
-    const double middle = bar().center().y();
-    const std::vector<HitColumn> all = columns();
-    // Where they crowd, thinner and lower ones leave the bar to be seen.
-    const bool crowded = static_cast<double>(all.size()) > crowdedPart * bar().width();
-    const double reach = crowded ? 0.5 * hitReach : hitReach;
-    for (const HitColumn &column : all) {
-        const double x = std::round(bar().left() + column.x);
-        painter.drawRect(
-            QRectF(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0, 2.0 * reach));
-    }
+    painter.drawRects(rects);
 }
 
 void Timeline::drawMarks(QPainter &painter) const
@@ -170,6 +193,11 @@ void Timeline::paintEvent(QPaintEvent *)
     const Theme &colours = theme();
     QPainter painter(this);
     painter.fillRect(rect(), colours.panel);
+    const std::vector<HitColumn> all = columns();
+    // Many hits lie behind the bar, which is to be seen through them; a few on it.
+    const bool behind = isFuller(all, fullPart);
+    if (behind)
+        drawHits(painter, all);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.controlBorder);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -180,7 +208,8 @@ void Timeline::paintEvent(QPaintEvent *)
     painter.setBrush(colours.square);
     painter.drawRoundedRect(past, 2.0, 2.0);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    drawHits(painter);
+    if (!behind)
+        drawHits(painter, all);
     painter.setRenderHint(QPainter::Antialiasing);
     drawMarks(painter);
 
@@ -197,7 +226,7 @@ void Timeline::paintEvent(QPaintEvent *)
 
     painter.setFont(smallFont());
     const double ascent = std::round(QFontMetricsF(smallFont()).ascent());
-    for (const Label &label : labels()) {
+    for (const Label &label : labelsAt(all)) {
         painter.setPen(label.colour);
         painter.drawText(label.rect.topLeft() + QPointF(0.0, ascent), label.text);
     }

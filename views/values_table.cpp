@@ -30,9 +30,10 @@ namespace cradle {
 
 namespace {
 
-constexpr int cellPad = 10;    ///< px left and right of a number together
-constexpr int massPlaces = 7;  ///< characters of a mass
-constexpr int fittedRows = 64; ///< the columns of the hits fit these many of them
+constexpr int titleInterval = 250; ///< ms from one count of hits to the next, while it runs
+constexpr int cellPad = 10;        ///< px left and right of a number together
+constexpr int massPlaces = 7;      ///< characters of a mass
+constexpr int fittedRows = 64;     ///< the columns of the hits fit these many of them
 
 } // namespace
 
@@ -69,6 +70,7 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     m_tabs->addTab(valuesTab, QString());
     m_tabs->addTab(m_hits, QString());
     m_tabs->setDocumentMode(true);
+    setKind(m_tabs->tabBar(), "narrow");
     auto *whole = new QVBoxLayout(this);
     whole->setContentsMargins({});
     whole->addWidget(m_tabs);
@@ -145,9 +147,13 @@ void ValuesPane::refresh()
     m_hitsModel->update();
     const qint64 count = m_hitsModel->hitCount();
     const QString title = count > 0 ? tr("Hits %L1").arg(count) : tr("Hits");
-    // A new text lays all the tabs out again.
-    if (m_tabs->tabText(1) != title)
+    // A new text lays all the tabs out again, and the window with them.
+    const bool rests = m_simulation.isRunning() && m_sinceTitle.isValid()
+                       && m_sinceTitle.elapsed() < titleInterval;
+    if (m_tabs->tabText(1) != title && !rests) {
         m_tabs->setTabText(1, title);
+        m_sinceTitle.start();
+    }
     if (m_tabs->currentIndex() == 0)
         refreshValues();
     else if (m_tabs->currentIndex() == 1)

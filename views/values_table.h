@@ -4,6 +4,7 @@
 
 #include "model/simulation.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include <vector>
@@ -85,7 +86,8 @@ private:
     QAction *m_copyAllAction;
     FrameThrottle *m_throttle;
     std::vector<Tab> m_added;
-    int m_fittedHits = 0; ///< rows whose texts the columns were fitted to
+    QElapsedTimer m_sinceTitle; ///< the tab of the hits got its title
+    int m_fittedHits = 0;       ///< rows whose texts the columns were fitted to
 };
 
 } // namespace cradle

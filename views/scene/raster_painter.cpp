@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/raster_painter.h"
 
+#include "views/scene/disc_stamps.h"
 #include "views/scene/scene_labels.h"
 #include "views/scene/stroke_geometry.h"
 
 #include <QPainter>
 #include <QPainterPath>
+
+#include <optional>
 
 namespace cradle {
 
@@ -15,32 +18,51 @@ namespace {
 constexpr double plateOpacity = 0.78;
 constexpr double plateRounding = 3.0; ///< px
 
+/// A level or upright line covers whole pixels: as a rectangle it is the same, and needs no
+/// smoothing, which takes most of a frame where a grid has many lines.
+std::optional<QRectF> rectOf(const QLineF &line, double width)
+{
+    const double half = 0.5 * width;
+    if (line.x1() == line.x2())
+        return QRectF(line.x1() - half, line.y1(), width, line.dy()).normalized();
+    if (line.y1() == line.y2())
+        return QRectF(line.x1(), line.y1() - half, line.dx(), width).normalized();
+    return std::nullopt;
+}
+
 void paintLines(QPainter &painter, const DrawList &list, const Camera &camera)
 {
     const double dpr = painter.device()->devicePixelRatioF();
     for (const DrawList::Line &line : list.lines) {
+        const QLineF pixels = pixelLine(line, camera, dpr);
+        const bool dashed = line.dash != DrawList::Dash{};
+        const auto rect = rectOf(pixels, line.width);
+        if (rect && !dashed) {
+            painter.fillRect(*rect, line.colour);
+            continue;
+        }
         QPen pen(line.colour, line.width, Qt::SolidLine, Qt::FlatCap);
         // QPen counts dashes in widths of the pen.
-        if (line.dash != DrawList::Dash{})
+        if (dashed)
             pen.setDashPattern({line.dash.on / line.width, line.dash.off / line.width});
         painter.setPen(pen);
-        painter.drawLine(pixelLine(line, camera, dpr));
+        painter.drawLine(pixels);
     }
 }
 
 void paintDiscs(QPainter &painter, const DrawList &list, const Camera &camera)
 {
     const QRectF viewport({}, camera.viewport());
+    const bool crowded = list.discs.size() >= DiscStamps::crowd;
+    DiscStamps stamps;
     for (const DrawList::Disc &disc : list.discs) {
         const QPointF centre = camera.toPixels(disc.centre);
         const double radius = disc.radius * camera.pixelsPerMetre();
         const double reach = radius + disc.outlineWidth;
         if (!viewport.adjusted(-reach, -reach, reach, reach).contains(centre))
             continue;
-        painter.setPen(disc.outlineWidth > 0.0 ? QPen(disc.outline, disc.outlineWidth)
-                                               : QPen(Qt::NoPen));
-        painter.setBrush(disc.fill.isValid() ? QBrush(disc.fill) : QBrush(Qt::NoBrush));
-        painter.drawEllipse(centre, radius, radius);
+        if (!crowded || !stamps.stamp(painter, disc, centre, radius))
+            paintDisc(painter, disc, centre, radius);
     }
 }
 
