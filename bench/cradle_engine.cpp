@@ -7,21 +7,26 @@ namespace cradle {
 
 namespace {
 
-/// The model as the window drives it: a world, its stepper, and the hits of a step.
+/// A solver of crowds. Like its peers it keeps the state, and hands it out when asked.
+template <class Solver>
 class CradleEngine final : public GasEngine
 {
 public:
-    CradleEngine(Preset preset, Timing timing, int stepsPerFrame)
+    CradleEngine(Preset preset, int stepsPerFrame)
         : m_stepsPerFrame(stepsPerFrame)
-        , m_world(initialWorld(preset))
-        , m_stepper(withTiming(std::move(preset), timing, stepsPerFrame))
+        , m_timestep(1.0 / (60.0 * stepsPerFrame))
+        , m_circles(initialWorld(preset).circles)
     {
+        for (PresetCircle &circle : preset.circles)
+            circle.integrator = Integrator::Verlet;
+        m_solver.start(rulesOf(preset), m_circles);
     }
 
     void step() override
     {
+        ++m_step;
         m_hits.clear();
-        m_stepper.advance(m_world, m_hits);
+        m_solver.advance(m_timestep, static_cast<double>(m_step) * m_timestep, m_step, m_hits);
         m_hitCount += static_cast<qint64>(m_hits.size());
     }
     [[nodiscard]] int stepsPerFrame() const override { return m_stepsPerFrame; }
@@ -29,24 +34,19 @@ public:
 
     void read(std::vector<Motion> &motions) const override
     {
+        std::vector<Circle> circles = m_circles;
+        m_solver.read(circles);
         motions.clear();
-        for (const Circle &circle : m_world.circles)
+        for (const Circle &circle : circles)
             motions.push_back({circle.position, circle.velocity});
     }
 
 private:
-    static Preset withTiming(Preset preset, Timing timing, int stepsPerFrame)
-    {
-        preset.laws.timing = timing;
-        preset.timestep = 1.0 / (60.0 * stepsPerFrame);
-        for (PresetCircle &circle : preset.circles)
-            circle.integrator = Integrator::Verlet;
-        return preset;
-    }
-
     int m_stepsPerFrame;
-    World m_world;
-    Stepper m_stepper;
+    double m_timestep; // s
+    qint64 m_step = 0;
+    std::vector<Circle> m_circles; // at the start
+    Solver m_solver;
     std::vector<Hit> m_hits;
     qint64 m_hitCount = 0;
 };
@@ -55,12 +55,12 @@ private:
 
 std::unique_ptr<GasEngine> makeExact(const Preset &gas)
 {
-    return std::make_unique<CradleEngine>(gas, Timing::Exact, 1);
+    return std::make_unique<CradleEngine<ExactSolver>>(gas, 1);
 }
 
 std::unique_ptr<GasEngine> makeContinuous(const Preset &gas)
 {
-    return std::make_unique<CradleEngine>(gas, Timing::Continuous, 4);
+    return std::make_unique<CradleEngine<ContinuousSolver>>(gas, 4);
 }
 
 } // namespace cradle
