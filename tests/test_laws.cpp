@@ -5,9 +5,7 @@
 #include "model/contact_solver.h"
 #include "model/measurements.h"
 #include "model/preset_json.h"
-#include "tests/scenes.h"
-
-#include <rapidcheck.h>
+#include "tests/generators.h"
 
 #include <algorithm>
 
@@ -18,21 +16,6 @@ namespace {
 
 /// More hits than a few circles have in 5 s, unless they hand the same push to and fro.
 constexpr std::size_t manyHits = 2000;
-
-/// A number from low to high in a million steps, 0 and the ends among them.
-double numberIn(double low, double high)
-{
-    constexpr int parts = 1'000'000;
-    // At the full size from the first case on, or the first ones would all be near low.
-    const int part = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, parts + 1));
-    return low + (high - low) * part / parts;
-}
-
-Vec2 vectorIn(double bound)
-{
-    const double x = numberIn(-bound, bound);
-    return {x, numberIn(-bound, bound)};
-}
 
 Vec2 unitVector()
 {
@@ -103,16 +86,6 @@ Preset fewCircles(Laws laws)
     return preset;
 }
 
-bool close(double a, double b, double tolerance)
-{
-    return std::abs(a - b) <= tolerance;
-}
-
-bool close(Vec2 a, Vec2 b, double tolerance)
-{
-    return close(a.x, b.x, tolerance) && close(a.y, b.y, tolerance);
-}
-
 /// Σ m |v|, the size that an error of the momentum is measured by.
 double sizeOfMomentum(const World &world)
 {
@@ -162,10 +135,7 @@ private slots:
 
 void TestLaws::initTestCase()
 {
-    // The same cases every time, unless others are asked for. Not shrunk: a smaller scene need
-    // not be a simpler one, and a run takes its time.
-    if (!qEnvironmentVariableIsSet("RC_PARAMS"))
-        qputenv("RC_PARAMS", "seed=20260101 noshrink=1");
+    useFixedCases();
 }
 
 void TestLaws::impulseKeepsMomentum()
