@@ -128,6 +128,7 @@ void ExactSolver::beginEpoch()
     for (Contacts &contacts : m_memory)
         contacts.last -= m_epochEnd;
     m_now -= m_epochEnd;
+    m_eventTime = 0.0;
     m_startTime += m_epochEnd;
     m_events.clear();
     sortDiscs();
@@ -201,7 +202,6 @@ void ExactSolver::advance(double dt, double time, qint64 step, std::vector<Hit> 
         if (!m_events.empty() && m_events.front().time <= std::min(m_now, m_epochEnd)) {
             takeNext(hits);
         } else if (m_epochEnd < m_now) {
-            m_eventTime = 0.0;
             beginEpoch();
         } else {
             return;
