@@ -31,22 +31,28 @@ struct Polynomial {
     }
 };
 
-/// The root of a continuous function between low and high, where its signs differ.
-double bisect(const Polynomial &p, double low, double high)
+/// The root of \p p, which has the slope \p slope, between low and high, where its signs differ:
+/// Newton's steps, and halvings where they would leave the bracket.
+double rootBetween(const Polynomial &p, const Polynomial &slope, double low, double high)
 {
     const bool lowIsPositive = p.at(low) > 0.0;
-    // 200 halvings end at neighbouring doubles whatever the interval.
+    double s = 0.5 * (low + high);
+    // Halvings alone end at neighbouring doubles after 200, whatever the interval.
     for (int i = 0; i < 200; ++i) {
-        const double middle = 0.5 * (low + high);
-        if (middle <= low || middle >= high)
+        const double value = p.at(s);
+        ((value > 0.0) == lowIsPositive ? low : high) = s;
+        double next = s - value / slope.at(s);
+        if (!(next > low && next < high))
+            next = 0.5 * (low + high);
+        if (next == s || next <= low || next >= high)
             break;
-        ((p.at(middle) > 0.0) == lowIsPositive ? low : high) = middle;
+        s = next;
     }
-    return high;
+    return s;
 }
 
 /// The ends of [0, end] and all places between where \p p changes sign, in order: between the
-/// places where its derivative changes sign p is monotonic, so bisection finds each of them.
+/// places where its derivative changes sign p is monotonic, so each is found.
 struct Marks {
     std::array<double, 6> s{};
     std::size_t count = 0;
@@ -59,10 +65,11 @@ Marks signChanges(const Polynomial &p, double end)
     Marks marks;
     marks.add(0.0);
     if (p.degree > 0) {
-        const Marks turns = signChanges(p.derivative(), end);
+        const Polynomial slope = p.derivative();
+        const Marks turns = signChanges(slope, end);
         for (std::size_t i = 1; i < turns.count; ++i) {
             if ((p.at(turns.s[i - 1]) > 0.0) != (p.at(turns.s[i]) > 0.0))
-                marks.add(bisect(p, turns.s[i - 1], turns.s[i]));
+                marks.add(rootBetween(p, slope, turns.s[i - 1], turns.s[i]));
         }
     }
     marks.add(end);
@@ -113,6 +120,10 @@ std::optional<double> timeToDistance(const Path &a, const Path &b, double distan
         return s <= end ? std::optional(s) : std::nullopt;
     }
 
+    // Too far apart to come that near, whatever the direction.
+    const double travel = end * (length(v) + end * length(k));
+    if (gap > travel * (travel + 2.0 * distance))
+        return std::nullopt;
     const Polynomial f{{gap, -2.0 * approach, lengthSquared(v) + 2.0 * dot(d, k), 2.0 * dot(v, k),
                         lengthSquared(k)}};
     const Marks marks = signChanges(f, end);

@@ -77,7 +77,7 @@ void ExactSolver::search(Slot a, VisitRuns visitRuns)
             const double sum = first.radius + second.radius;
             bool mayMeet = lengthSquared(d) - sum * sum < span * dot(d, first.velocity - v);
             if constexpr (Falling)
-                mayMeet = mayMeet || first.held != second.held;
+                mayMeet = mayMeet || (first.held | second.held) != 0;
             if constexpr (!Fresh)
                 mayMeet = mayMeet && b != a;
             near[count] = b;
