@@ -121,7 +121,7 @@ std::optional<double> timeToDistance(const Path &a, const Path &b, double distan
     }
 
     // Too far apart to come that near, whatever the direction.
-    const double travel = end * (length(v) + end * length(k));
+    const double travel = end * (std::sqrt(lengthSquared(v)) + end * std::sqrt(lengthSquared(k)));
     if (gap > travel * (travel + 2.0 * distance))
         return std::nullopt;
     const Polynomial f{{gap, -2.0 * approach, lengthSquared(v) + 2.0 * dot(d, k), 2.0 * dot(v, k),

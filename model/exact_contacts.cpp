@@ -14,12 +14,10 @@ namespace {
 
 /// A rebound from a floor that would rise less than this share of the radius is no rebound.
 constexpr double restHeight = 1e-9;
-/// As many quick hits a disc may have before they count as a lasting contact.
-constexpr int graceHits = 4;
-/// Two that press against each other more slowly than this share of the hop speed lie in touch.
-constexpr double lying = 1e-3;
-/// Rounding of a speed, as a share of it.
-constexpr double rounding = 1e-12;
+/// A rebound from a disc that would rise less than this share of the smaller radius loses nothing.
+constexpr double hopHeight = 1e-4;
+/// Two that lie on each other are kept hopping to this share of the smaller radius.
+constexpr double lyingHeight = 1e-5;
 
 } // namespace
 
@@ -48,54 +46,55 @@ double ExactSolver::closingSpeed(Slot a, Slot b, Vec2 normal) const
     return dot(m_discs[a].velocity - other, normal);
 }
 
-bool ExactSolver::isQuick(Slot slot) const
+/// When e < 1: the speed up to which discs rebound from each other without loss, m/s. So their hits
+/// cannot come ever faster, and real ones lose less the slower they are, too.
+/// Source: Bizon et al., Phys. Rev. Lett. 80 (1998) 57; Ramírez et al., Phys. Rev. E 60 (1999)
+/// 4465.
+double ExactSolver::softSpeed(double radius) const
 {
-    const Contacts &contacts = m_memory[slot];
-    return contacts.quick >= graceHits && m_eventTime - contacts.last < m_contactTime;
+    if (!m_lossy)
+        return 0.0;
+    return m_gravity > 0.0 ? std::sqrt(2.0 * m_gravity * hopHeight * radius) : m_quiet;
 }
 
 ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double closing) const
 {
     const CircleLaw law = m_rules.laws.circles;
+    const Disc &disc = m_discs[a];
     if (isWall(b)) {
         const double press = dot(m_rules.gravity, normal);
         const double speed = m_rules.restitution * closing;
         if (press > 0.0) {
-            const double height = 2.0 * press * restHeight * m_discs[a].radius;
-            return {speed * speed > height ? speed : 0.0, closing * closing <= height};
+            const double height = 2.0 * press * restHeight * disc.radius;
+            const bool shakes = m_lossy && m_lasting[a] && closing <= softSpeed(disc.radius);
+            return {speed * speed > height ? speed : 0.0, shakes || closing * closing <= height};
         }
-        return m_lossy && isQuick(a) ? Rebound{closing, true} : Rebound{speed, false};
+        const double soft = softSpeed(disc.radius);
+        return closing <= soft ? Rebound{closing, true} : Rebound{speed, false};
     }
     const double e = law == CircleLaw::Impulse ? m_rules.restitution
                      : law == CircleLaw::Stop  ? 0.0
                                                : 1.0;
-    const double speed = e * closing;
-    if (m_discs[a].held != m_discs[b].held) {
-        const double press = pressing(a, b, normal);
-        if (press > 0.0) {
-            const double least = std::min(m_discs[a].radius, m_discs[b].radius);
-            const double hop = std::sqrt(2.0 * press * hopHeight * least);
-            if (closing < lying * hop)
-                return {hop, true};
-            if (speed < hop)
-                return {std::min(closing, hop), closing <= hop * (1.0 + rounding)};
-        }
+    const double radius = std::min(disc.radius, m_discs[b].radius);
+    const double soft = softSpeed(radius);
+    const bool isSoft = closing <= soft;
+    const double speed = isSoft ? closing : e * closing;
+    // Two that lie on each other would meet again at once, without end.
+    if (disc.held != m_discs[b].held && pressing(a, b, normal) > 0.0) {
+        const double hop = std::sqrt(2.0 * m_gravity * lyingHeight * radius);
+        if (speed < hop)
+            return {hop, isSoft};
     }
-    if (m_lossy && (isQuick(a) || isQuick(b)))
-        return {closing, true};
-    return {speed, false};
+    return {speed, isSoft};
 }
 
-void ExactSolver::noteHit(Slot slot)
+void ExactSolver::noteHit(Slot slot, bool lasting)
 {
     Disc &disc = m_discs[slot];
     ++disc.hits;
     limitEpoch(std::sqrt(lengthSquared(disc.velocity)));
-    if (!m_lossy)
-        return;
-    Contacts &contacts = m_memory[slot];
-    contacts.quick = m_eventTime - contacts.last < m_contactTime ? contacts.quick + 1 : 0;
-    contacts.last = m_eventTime;
+    if (m_lossy)
+        m_lasting[slot] = lasting;
 }
 
 Hit ExactSolver::newHit(Slot a, Slot b, Vec2 normal) const
@@ -137,7 +136,7 @@ void ExactSolver::hitWall(const Event &event, std::vector<Hit> &hits)
     disc.velocity -= (closing + rebound.speed) * n;
     if (rebound.speed == 0.0 && dot(m_rules.gravity, n) > 0.0)
         disc.held |= heldBy(wall);
-    noteHit(event.a);
+    noteHit(event.a, rebound.lasting);
     if (!rebound.lasting) {
         hit.afterA = disc.velocity;
         hit.impulse = (closing + rebound.speed) / disc.inverseMass;
@@ -165,8 +164,8 @@ void ExactSolver::hitPair(const Event &event, std::vector<Hit> &hits)
     const Rebound rebound = reboundOf(event.a, event.b, n, closing);
     Hit hit = newHit(event.a, event.b, n);
     respond(a, b, n, closing + rebound.speed, rebound.lasting);
-    noteHit(event.a);
-    noteHit(event.b);
+    noteHit(event.a, rebound.lasting);
+    noteHit(event.b, rebound.lasting);
     if (!rebound.lasting) {
         hit.afterA = a.velocity;
         hit.afterB = b.velocity;

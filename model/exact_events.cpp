@@ -19,7 +19,6 @@ constexpr double roundedSpeed = 1e-13;
 constexpr double crowded = 20.0;
 constexpr double shorter = 0.75;
 constexpr double leastDrift = 0.5;
-
 } // namespace
 
 void ExactSolver::push(double time, Slot a, Slot b)
@@ -28,7 +27,7 @@ void ExactSolver::push(double time, Slot a, Slot b)
                         .a = a,
                         .b = b,
                         .hitsA = m_discs[a].hits,
-                        .hitsB = isWall(b) ? 0 : m_discs[b].hits});
+                        .hitsB = isDisc(b) ? m_discs[b].hits : 0});
     std::push_heap(m_events.begin(), m_events.end(), later);
 }
 
@@ -57,7 +56,7 @@ void ExactSolver::search(Slot a, VisitRuns visitRuns)
     const Disc *discs = m_discs.data();
     const Vec2 g = m_rules.gravity;
     const double time = m_eventTime;
-    const double span = 2.0 * (m_epochEnd - time);
+    const double span = 2.0 * (m_horizon - time);
     // Without branches, as most cannot meet within the epoch: their distance at s is at least
     // √(d² − 2 s approach).
     visitRuns([&](Slot begin, Slot end) {
@@ -91,6 +90,7 @@ void ExactSolver::search(Slot a, VisitRuns visitRuns)
 
 void ExactSolver::findFirstEvents()
 {
+    m_horizon = m_epochEnd;
     if (m_walls) {
         for (Slot a = 0; a < m_discs.size(); ++a)
             findWallEvent(a);
@@ -130,6 +130,11 @@ void ExactSolver::findFirstPairs()
 
 void ExactSolver::findEvents(Slot a)
 {
+    // Discs in a lasting contact will be hit again soon: farther on is not worth the search.
+    m_horizon =
+        m_lossy && m_lasting[a] ? std::min(m_epochEnd, m_eventTime + m_lastingSearch) : m_epochEnd;
+    if (m_horizon < m_epochEnd)
+        push(m_horizon, a, lookAgain);
     if (m_walls)
         findWallEvent(a);
     if (!m_pairs)
@@ -149,7 +154,7 @@ void ExactSolver::findEvents(Slot a)
 /// How far a disc can come until the epoch ends, m.
 double ExactSolver::travelOf(const Disc &disc) const
 {
-    const double left = m_epochEnd - m_eventTime;
+    const double left = m_horizon - m_eventTime;
     const double speed = std::sqrt(lengthSquared(disc.velocity));
     return std::min(2.0 * m_drift, left * (speed + 0.5 * left * m_gravity));
 }
@@ -167,7 +172,7 @@ void ExactSolver::findWallEvent(Slot a)
         if ((disc.held & heldBy(wall)) != 0)
             continue;
         const auto s = timeToLine(room - dot(disc.position, n), dot(disc.velocity, n),
-                                  0.5 * dot(acceleration, n), m_epochEnd - m_eventTime);
+                                  0.5 * dot(acceleration, n), m_horizon - m_eventTime);
         if (s)
             push(m_eventTime + *s, a, wallSlot(wall));
     }
@@ -179,7 +184,7 @@ void ExactSolver::findPairEvent(Slot a, Slot b)
     const Disc &first = m_discs[a];
     const Disc &second = m_discs[b];
     const double s = m_eventTime - second.clock;
-    const double left = m_epochEnd - m_eventTime;
+    const double left = m_horizon - m_eventTime;
     const double distance = first.radius + second.radius;
     if (first.held != second.held) {
         Disc other = second;

@@ -48,10 +48,15 @@ void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
 {
     m_touched.clear();
     m_meetings.clear();
+    m_contacts.clear();
     meet(event.a, event.b);
     while (!m_events.empty() && m_events.front().time <= event.time + m_moment) {
         const Event next = pop();
-        if (!isVoid(next))
+        if (isVoid(next))
+            continue;
+        if (next.b == lookAgain)
+            touch(next.a);
+        else
             meet(next.a, next.b);
     }
     // What touches these and closes, too, joins them; so does what touches those.
@@ -70,8 +75,10 @@ void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
         answerInTurn(hits);
     else
         answerTogether(hits);
+    const bool lasting =
+        std::all_of(m_contacts.begin(), m_contacts.end(), [](const Contact &c) { return c.rests; });
     for (const Slot slot : m_touched)
-        noteHit(slot);
+        noteHit(slot, lasting);
     for (const Slot slot : m_touched)
         findEvents(slot);
 }

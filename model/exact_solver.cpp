@@ -16,9 +16,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double driftShare = 0.65;
 /// Rounding of places and speeds parts hits of one moment by less than this many of their units.
 constexpr double roundings = 64.0 * std::numeric_limits<double>::epsilon();
-/// Without gravity hits that follow within this share of a disc's flight over its neighbour's
-/// distance are a lasting contact.
-constexpr double contactShare = 1e-6;
+/// Without gravity: hits below this share of the speed that there was at the start lose nothing.
+constexpr double quietShare = 1e-6;
+/// A disc in a lasting contact looks ahead about as long as a fall by this many radii takes.
+constexpr double searchHeight = 5e-3;
 
 } // namespace
 
@@ -57,7 +58,6 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
         if (!giants)
             m_small = m_discs.size();
     }
-    m_memory.assign(m_lossy ? count : 0, Contacts{});
     setScales();
     m_now = 0.0;
     m_epochEnd = 0.0;
@@ -85,11 +85,8 @@ void ExactSolver::setScales()
     const double spacing = span / std::sqrt(count);
     m_drift = m_widestDrift = driftShare * spacing;
     const double speed = std::sqrt(std::max(0.0, squares - lengthSquared(mean)));
-    m_contactTime = 0.0;
-    if (m_gravity > 0.0)
-        m_contactTime = std::sqrt(8.0 * hopHeight * smallest / m_gravity);
-    else if (speed > 0.0)
-        m_contactTime = contactShare * spacing / speed;
+    m_quiet = quietShare * speed;
+    m_lastingSearch = m_gravity > 0.0 ? std::sqrt(searchHeight * smallest / m_gravity) : infinity;
 }
 
 Vec2 ExactSolver::accelerationOf(const Disc &disc) const
@@ -125,8 +122,7 @@ void ExactSolver::beginEpoch()
         extent = std::max({extent, std::abs(disc.position.x), std::abs(disc.position.y)});
         fastest = std::max(fastest, lengthSquared(disc.velocity));
     }
-    for (Contacts &contacts : m_memory)
-        contacts.last -= m_epochEnd;
+    m_lasting.assign(m_lossy ? m_discs.size() : 0, false);
     m_now -= m_epochEnd;
     m_eventTime = 0.0;
     m_startTime += m_epochEnd;
@@ -154,7 +150,6 @@ void ExactSolver::sortDiscs()
             continue;
         const Disc disc = m_discs[first];
         const std::uint32_t id = m_ids[first];
-        const Contacts contacts = m_lossy ? m_memory[first] : Contacts{};
         std::size_t slot = first;
         while (true) {
             m_moved[slot] = true;
@@ -162,8 +157,6 @@ void ExactSolver::sortDiscs()
             const bool last = from == first;
             m_discs[slot] = last ? disc : m_discs[from];
             m_ids[slot] = last ? id : m_ids[from];
-            if (m_lossy)
-                m_memory[slot] = last ? contacts : m_memory[from];
             if (last)
                 break;
             slot = from;
@@ -190,7 +183,7 @@ void ExactSolver::limitEpoch(double speed)
 bool ExactSolver::isVoid(const Event &event) const
 {
     return m_discs[event.a].hits != event.hitsA
-           || (!isWall(event.b) && m_discs[event.b].hits != event.hitsB);
+           || (isDisc(event.b) && m_discs[event.b].hits != event.hitsB);
 }
 
 void ExactSolver::advance(double dt, double time, qint64 step, std::vector<Hit> &hits)
@@ -215,6 +208,11 @@ void ExactSolver::takeNext(std::vector<Hit> &hits)
     if (isVoid(event))
         return;
     m_eventTime = event.time;
+    if (event.b == lookAgain) {
+        carryTo(m_discs[event.a], m_eventTime);
+        findEvents(event.a);
+        return;
+    }
     if (!m_events.empty() && m_events.front().time <= event.time + m_moment)
         takeMoment(event, hits);
     else if (isWall(event.b))

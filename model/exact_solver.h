@@ -56,11 +56,6 @@ private:
         std::uint32_t hitsA = 0;
         std::uint32_t hitsB = 0;
     };
-    /// What inelastic discs remember of their latest hits.
-    struct Contacts {
-        double last = -std::numeric_limits<double>::infinity(); ///< when, s into the epoch
-        int quick = 0; ///< hits in a row that followed within the contact duration
-    };
     /// How two answer.
     struct Rebound {
         double speed = 0.0;   ///< at which they part, m/s
@@ -72,11 +67,10 @@ private:
         Slot b = 0; ///< disc, or firstWall + Wall
         friend bool operator==(const Meeting &, const Meeting &) = default;
     };
-    /// The height from which a hop onto what is held may be elastic, as a share of the radius.
-    static constexpr double hopHeight = 1e-5;
-
     static constexpr Slot firstWall = 0xfffffff0U;
+    static constexpr Slot lookAgain = 0xffffffefU; ///< as a partner: the search went only so far
     static constexpr bool isWall(Slot b) { return b >= firstWall; }
+    static constexpr bool isDisc(Slot b) { return b < lookAgain; }
     static constexpr Slot wallSlot(Wall wall) { return firstWall + static_cast<Slot>(wall); }
     static constexpr Wall wallOf(Slot b) { return static_cast<Wall>(b - firstWall); }
     static constexpr std::uint32_t heldBy(Wall wall) { return 1U << static_cast<unsigned>(wall); }
@@ -107,7 +101,6 @@ private:
     void findFirstPairs();
     [[nodiscard]] double travelOf(const Disc &disc) const;
     void findPairEvent(Slot a, Slot b);
-    [[nodiscard]] std::optional<double> timeToMeet(const Disc &a, const Disc &b) const;
     void push(double time, Slot a, Slot b);
     Event pop();
 
@@ -115,10 +108,10 @@ private:
     void hitPair(const Event &event, std::vector<Hit> &hits);
     void hitWall(const Event &event, std::vector<Hit> &hits);
     void respond(Disc &a, Disc &b, Vec2 n, double change, bool lasting) const;
-    void noteHit(Slot slot);
+    void noteHit(Slot slot, bool lasting);
     void setAgainst(Disc &disc, Wall wall) const;
     [[nodiscard]] Rebound reboundOf(Slot a, Slot b, Vec2 normal, double closing) const;
-    [[nodiscard]] bool isQuick(Slot slot) const;
+    [[nodiscard]] double softSpeed(double radius) const;
     [[nodiscard]] double pressing(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] double closingSpeed(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] Hit newHit(Slot a, Slot b, Vec2 normal) const;
@@ -143,10 +136,12 @@ private:
     bool m_lossy = false;       ///< e < 1 or a law that stops: hits may come ever quicker
     std::size_t m_small = 0;    ///< discs in the grid; the few giants follow them
     double m_smallRadius = 0;   ///< the largest in the grid, m
-    double m_contactTime = 0;   ///< within this after a hit the next may be elastic, s
+    double m_quiet = 0;         ///< without gravity: slower hits lose nothing, m/s
+    double m_lastingSearch = 0; ///< how far ahead a disc in a lasting contact looks, s
     double m_drift = 0;         ///< how far a disc may move in an epoch, m
     double m_widestDrift = 0;   ///< the most that is worth while, m
     double m_now = 0;           ///< s into the epoch
+    double m_horizon = 0;       ///< until when events are looked for, s into the epoch
     double m_epochEnd = 0;      ///< s into the epoch
     double m_foreseenSpeed = 0; ///< the greatest of m_foreseenAt, m/s
     double m_foreseenAt = 0;    ///< s into the epoch
@@ -158,7 +153,7 @@ private:
     DiscGrid m_grid;
     std::vector<Disc> m_discs;        ///< in the order of the grid
     std::vector<std::uint32_t> m_ids; ///< which circle a slot holds
-    std::vector<Contacts> m_memory;   ///< of each slot, if lossy
+    std::vector<bool> m_lasting;      ///< of each slot, if lossy: its latest hit was no real one
     std::vector<Event> m_events;      ///< a heap, the earliest first
     std::vector<bool> m_moved;        ///< while sorting
     // Of this moment; bodies of contacts are places in m_touched.

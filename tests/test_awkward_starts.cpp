@@ -24,6 +24,8 @@ constexpr double position = 1e-9;
 constexpr double squeeze = 0.1;
 /// Of the energy's size, by which roundings may let it grow.
 constexpr double energyRounding = 1e-11;
+/// Of a radius: how high circles that lie on each other hop in exact timing.
+constexpr double lying = 1e-5;
 
 /// The largest overlap there is, each divided by what is allowed for its pair; a sweep along x.
 double deepestOverlap(const std::vector<Circle> &circles, Timing timing)
@@ -60,6 +62,16 @@ double farthestOutside(const std::vector<Circle> &circles)
         farthest = std::max(farthest, out + c.radius - halfWidth);
     }
     return farthest;
+}
+
+/// What exact timing may give to circles that lie on each other, so that they hop by 1e-5 of a
+/// radius instead of meeting without end; a circle lies on up to three others.
+double energyOfHops(const Preset &preset)
+{
+    double sum = 0.0;
+    for (const PresetCircle &c : preset.circles)
+        sum += 3.0 * mass(c.body) * length(preset.gravity) * lying * c.body.radius;
+    return preset.laws.timing == Timing::Exact && preset.circles.size() > 1 ? sum : 0.0;
 }
 
 /// Kinetic energy, and the potential one of the whole height: what errors are measured by.
@@ -131,6 +143,7 @@ void TestAwkwardStarts::nothingGoesWrong()
     QVERIFY(!findFault(preset).has_value());
     const QDeadlineTimer deadline(patience * 1000);
     const double rounding = energyRounding * sizeOfEnergy(preset);
+    const double hops = energyOfHops(preset);
 
     Run run(preset);
     double least = measure(run.world.circles, preset.gravity, halfWidth).total();
@@ -142,7 +155,7 @@ void TestAwkwardStarts::nothingGoesWrong()
         COMPARE_NEAR(std::max(0.0, farthestOutside(run.world.circles)), 0.0, position);
         COMPARE_NEAR(deepestOverlap(run.world.circles, preset.laws.timing), 0.0, 1.0);
         const double energy = measure(run.world.circles, preset.gravity, halfWidth).total();
-        COMPARE_NEAR(std::max(0.0, energy - least), 0.0, rounding);
+        COMPARE_NEAR(std::max(0.0, energy - least), 0.0, rounding + hops);
         if (preset.restitution == 1.0)
             COMPARE_NEAR(std::min(0.0, energy - least), 0.0, rounding);
         least = std::min(least, energy);
@@ -215,9 +228,12 @@ void TestAwkwardStarts::whatRestsStays()
     Run run(preset);
     run.steps(300);
     QVERIFY(run.hits.empty());
+    const bool stacked = QByteArray(QTest::currentDataTag()) == "resting on each other, exact";
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
-        COMPARE_NEAR(length(run[i].position - preset.circles[i].body.position), 0.0, 1e-12);
-        COMPARE_NEAR(length(run[i].velocity), 0.0, 1e-12);
+        const double hop = stacked ? lying * preset.circles[i].body.radius : 0.0;
+        const double place = length(run[i].position - preset.circles[i].body.position);
+        COMPARE_NEAR(place, 0.0, 1e-12 + (1.0 + 1e-9) * hop);
+        COMPARE_NEAR(length(run[i].velocity), 0.0, 1e-12 + 1.001 * std::sqrt(2.0 * g * hop));
     }
 }
 
