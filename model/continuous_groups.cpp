@@ -111,6 +111,10 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
 /// Takes a group through the step, from its start.
 void ContinuousSolver::solve(std::span<const Place> places)
 {
+    if (places.size() == 2
+        && solvePair(m_members[places[0].member], m_members[places[1].member],
+                     m_members[places[0].group].run))
+        return;
     m_world.time = m_time;
     m_world.step = m_stepNumber;
     m_world.circles.clear();
@@ -175,7 +179,7 @@ void ContinuousSolver::widen(std::size_t index)
                 consider(other, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[other].velocity))));
         }
     };
-    m_grid.visitRuns(place, reach + m_smallRadius + m_drift, look);
+    m_grid.visitRuns(place, reach + m_smallRadius + driftAfter(m_index + 1), look);
     for (auto giant = static_cast<Slot>(m_small); giant < m_motions.size(); ++giant)
         consider(giant, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[giant].velocity))));
     // Others that were kicked as hard may come from farther than the grid knows.

@@ -12,6 +12,10 @@ namespace {
 /// The skin as a share of the mean spacing of the circles: wide enough that sorting is rare,
 /// narrow enough that few pairs are looked at.
 constexpr double skinShare = 0.65;
+/// A step in which the circles would fly farther than so many mean free paths is divided, up to
+/// this often: else all of them would meet in one group.
+constexpr double freePaths = 0.5;
+constexpr int mostParts = 1024;
 
 } // namespace
 
@@ -56,6 +60,12 @@ void ContinuousSolver::start(const Rules &rules, std::span<const Circle> circles
     const double span = rules.laws.walls == WallLaw::Reflect
                             ? 2.0 * rules.halfWidth
                             : std::max(high.x - low.x, high.y - low.y) + m_smallRadius;
+    // λ = A / (2 √2 N d), the mean free path of hard discs of diameter d while they are few.
+    double diameters = 0.0;
+    for (const Circle &c : circles)
+        diameters += 2.0 * c.radius;
+    m_freePath = diameters > 0.0 ? span * span / (2.0 * std::sqrt(2.0) * diameters) : infinity;
+    findMeanSpeed();
     m_skin = skinShare * span / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
     m_resting.clear();
     m_places.assign(count, 0);
@@ -67,8 +77,18 @@ void ContinuousSolver::advance(double dt, double time, qint64 step, std::vector<
 {
     if (dt == 0.0)
         return;
-    m_time = time;
+    // Powers of two, so that a step is not sorted anew because speeds have changed a little.
+    int parts = 1;
+    while (parts < mostParts && m_meanSpeed * dt > freePaths * m_freePath * parts)
+        parts *= 2;
     m_stepNumber = step;
+    for (int part = parts; part-- > 0;)
+        advancePart(dt / parts, time - part * (dt / parts), hits);
+}
+
+void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hits)
+{
+    m_time = time;
     if (dt != m_dt || m_index >= m_steps)
         sort(dt);
     findGroups();
@@ -90,6 +110,15 @@ void ContinuousSolver::advance(double dt, double time, qint64 step, std::vector<
         else
             schedulePair(pair.a, pair.b, false);
     }
+}
+
+void ContinuousSolver::findMeanSpeed()
+{
+    double squares = 0.0;
+    for (const Motion &motion : m_motions)
+        squares += lengthSquared(motion.velocity);
+    m_meanSpeed =
+        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, m_motions.size())));
 }
 
 void ContinuousSolver::flyFreely()
@@ -135,6 +164,7 @@ void ContinuousSolver::sort(double dt)
     m_radii.swap(m_sortedRadii);
     m_ids.swap(m_sortedIds);
 
+    findMeanSpeed();
     m_dt = dt;
     m_index = 0;
     m_steps = mostSteps;
@@ -152,6 +182,13 @@ void ContinuousSolver::sort(double dt)
 double ContinuousSolver::driftIn(double time, double speed) const
 {
     return time * (speed + m_gravity * (m_dt + 0.5 * time));
+}
+
+/// How far at most a circle may be from where it was sorted so many steps ago, m.
+double ContinuousSolver::driftAfter(std::size_t steps) const
+{
+    const double since = static_cast<double>(steps - m_driftStep) * m_dt;
+    return std::min(m_drift, m_drifted + driftIn(since, m_fastest));
 }
 
 /// Takes note that a circle may now have \p speed (m/s): the sort is good for as many steps as no

@@ -24,6 +24,9 @@ namespace cradle {
 ///    its whole way of the step, and the next step sorts anew.
 ///  - Circles that meet in a step are taken from its start as one group. If a member then leaves
 ///    its free flight and could reach a circle outside, that joins, and the group starts again.
+///
+/// A step in which most circles of a crowd would meet several others is divided into parts; so
+/// there are no groups of thousands.
 class ContinuousSolver
 {
 public:
@@ -39,6 +42,8 @@ private:
     using Slot = std::uint32_t;
     static constexpr Slot wall = 0xffffffffU; ///< as a partner: any of the four
     static constexpr std::size_t mostSteps = 64;
+    /// Closing speeds below this share of the speeds may be rest; the whole solver sees to them.
+    static constexpr double leastClosing = 1e-6;
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /// Two that may meet, or a circle and a wall.
@@ -77,9 +82,12 @@ private:
 
     // Sorting, and the flow of a step: continuous_solver.cpp
     void sort(double dt);
+    void advancePart(double dt, double time, std::vector<Hit> &hits);
+    void findMeanSpeed();
     void flyFreely();
     void limitSteps(double speed);
     [[nodiscard]] double driftIn(double time, double speed) const;
+    [[nodiscard]] double driftAfter(std::size_t steps) const;
     [[nodiscard]] Motion freely(Slot slot) const;
 
     // When who can meet: continuous_schedule.cpp
@@ -98,11 +106,14 @@ private:
     void findGroups();
     void solveGroups(std::vector<Hit> &hits);
     void solve(std::span<const Place> places);
+    bool solvePair(Member &first, Member &second, std::uint32_t run);
     void widen(std::size_t index);
     void join(Slot a, Slot b);
     std::uint32_t groupOf(std::uint32_t member);
     std::uint32_t activate(Slot slot);
     [[nodiscard]] bool isActive(Slot slot) const;
+    [[nodiscard]] double massOf(Slot slot) const;
+    [[nodiscard]] bool reachesWall(Slot slot, double speed) const;
 
     Rules m_rules{};
     bool m_alike = true;  ///< one integrator for all
@@ -110,10 +121,12 @@ private:
     double m_dt = 0;      ///< of the steps that are put down, s
     double m_time = 0;    ///< at the end of the step, s
     qint64 m_stepNumber = 0;
-    double m_skin = 0;    ///< the drift that is worth while, m
-    double m_drift = 0;   ///< how far a circle may be from where it was sorted, m
-    double m_fastest = 0; ///< when m_drifted was counted, m/s
-    double m_drifted = 0; ///< at most, by step m_driftStep, m
+    double m_freePath = 0;  ///< mean, m
+    double m_meanSpeed = 0; ///< root of the mean square at the latest sort, m/s
+    double m_skin = 0;      ///< the drift that is worth while, m
+    double m_drift = 0;     ///< how far a circle may be from where it was sorted, m
+    double m_fastest = 0;   ///< when m_drifted was counted, m/s
+    double m_drifted = 0;   ///< at most, by step m_driftStep, m
     std::size_t m_driftStep = 0;
     std::size_t m_index = 0;  ///< steps since the sort
     std::size_t m_steps = 0;  ///< that the sort is good for

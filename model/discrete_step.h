@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/disc_grid.h"
 #include "model/rules.h"
 #include "model/world.h"
 
@@ -19,8 +20,13 @@ public:
 private:
     void hitWalls(const Rules &rules, World &world, std::vector<Hit> &hits);
     void hitCircles(const Rules &rules, World &world, std::vector<Hit> &hits);
+    void hitPair(const Rules &rules, World &world, std::size_t i, std::size_t j,
+                 std::vector<Hit> &hits);
+    void findNear(const World &world, std::size_t i, double reach);
 
-    std::vector<Vec2> m_old; ///< positions before the step
+    std::vector<Vec2> m_old;         ///< positions before the step
+    DiscGrid m_grid;                 ///< of the positions after it
+    std::vector<std::size_t> m_near; ///< circles after one in the list that may reach into it
 };
 
 } // namespace cradle
