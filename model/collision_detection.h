@@ -8,8 +8,9 @@
 
 namespace cradle {
 
-/// Motion inside a step: x(s) = position + velocity s + curve s², s in seconds from now.
-/// \c curve is ½ a for a parabola, 0 for the straight line of Euler, a for symplectic Euler.
+/// Motion inside a step (docs/physics.md, 2 and 4): x(s) = position + velocity s + curve s², s in
+/// seconds from now. \c curve is ½ a for a parabola, 0 for the straight line of Euler, a for
+/// symplectic Euler.
 struct Path {
     Vec2 position{}; ///< m
     Vec2 velocity{}; ///< m/s

@@ -10,7 +10,8 @@ namespace cradle {
 
 /// Impulse (N s) that a frictionless contact gives to \p b; \p a receives its negative.
 ///     J = (1 + e) μ max(0, (v_a − v_b)·n) n,   μ = m_a m_b / (m_a + m_b)
-/// n points from a to b. Source: conserved momentum and Newton's restitution law.
+/// n points from a to b. Source: conserved momentum and Newton's restitution law; derived in
+/// docs/physics.md, 3.
 /// \param restitution  e, from 0 (no rebound) to 1 (elastic)
 /// \return zero if the bodies separate; nullopt if their centres coincide
 [[nodiscard]] std::optional<Vec2> contactImpulse(const Circle &a, const Circle &b,

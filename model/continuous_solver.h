@@ -14,7 +14,7 @@ namespace cradle {
 ///
 /// Circles are sorted into a grid every so many steps. Then, and whenever a circle's motion is
 /// disturbed, each pair within reach is put down for the first step in which it can meet; only in
-/// that step its time of impact is looked for. Nothing is missed:
+/// that step its time of impact is looked for. Nothing is missed (docs/physics.md, 6):
 ///
 ///  - Between two disturbances the centres of a pair approach each other in a straight line from
 ///    step to step, whatever their integrators, so the first step of a meeting is a quadratic;

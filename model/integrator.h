@@ -26,6 +26,7 @@ struct Motion {
 ///
 /// With uniform gravity one step changes the energy per mass by exactly +½ a² h² (Euler),
 /// −½ a² h² (symplectic Euler), 0 (the others).
+/// Derived in docs/physics.md, 2.
 /// Source: Hairer, Lubich, Wanner: Geometric Numerical Integration, 2nd ed., I.1.
 [[nodiscard]] constexpr Motion advance(Integrator integrator, Motion m, Vec2 a, double dt)
 {

@@ -25,7 +25,7 @@ enum class CircleLaw {
     Impulse         ///< conserved momentum with masses and restitution
 };
 
-/// How the moment of a hit is found.
+/// How the moment of a hit is found; docs/physics.md, 6, says what each way promises.
 enum class Timing {
     Discrete,   ///< move; on a hit go back to the old position and respond
     Continuous, ///< the time of impact inside the step; the rest of the step is spent after it
