@@ -21,7 +21,7 @@ constexpr double satisfied = 1e-13;
 /// Up to so many contacts, the matrix is written down and finished by elimination, O(n³).
 constexpr std::size_t few = 64;
 /// A share of the largest wish that many contacts may leave undone, and the rounds they get.
-constexpr double convergedMany = 1e-11;
+constexpr double convergedMany = 1e-9;
 constexpr int maxRoundsOfMany = 4000;
 
 std::size_t indexOf(int body)

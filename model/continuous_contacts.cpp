@@ -47,7 +47,7 @@ bool ContinuousStep::isCollapse(const Contact &contact)
 {
     if (restitutionOf(contact) >= 1.0)
         return false;
-    bool found = false;
+    bool found = isPressed(contact);
     for (const int body : {contact.a, contact.b}) {
         if (body < 0)
             continue;

@@ -236,6 +236,8 @@ bool ContinuousStep::staysClose(const Contact &contact) const
 {
     const double closing = closingSpeed(contact);
     const double gain = length(m_rules->gravity) * m_dt; // m/s that a step gives at most
+    if (m_lossy && isPressed(contact))
+        return gapOf(contact) <= (2.0 * gain + std::max(closing, 0.0)) * (m_dt - m_now);
     const double along = std::abs(dot(m_rules->gravity, contact.normal)) * m_dt;
     return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along
            && gapOf(contact) <= 2.0 * gain * (m_dt - m_now);

@@ -22,6 +22,9 @@ constexpr std::size_t momentsAtLeast = 100'000;
 /// So many are looked at all together.
 constexpr std::size_t fewBodies = 8;
 constexpr double rounding = 1e-9;
+/// A pile that is hit so often in a step takes what else reaches it in the step all at once, and
+/// without rebound: each hit of a large pile would cost as much as all of them.
+constexpr int pressed = 10;
 
 /// The order of the heap of events.
 constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
@@ -293,10 +296,35 @@ void ContinuousStep::takeEventsAt(double time)
         return std::tuple(x.wall, x.a, x.b) < std::tuple(y.wall, y.a, y.b);
     });
     touchRestingNeighbours();
+    touchAroundPressed();
     // In the order of the bodies, so that sums do not depend on that of the events.
     std::sort(m_touched.begin(), m_touched.end());
-    for (const std::size_t i : m_touched)
+    for (const std::size_t i : m_touched) {
         carryTo(i, time);
+        m_bodies[i].splits += m_bodies[i].drifts ? 1 : 0;
+    }
+}
+
+/// Whether one of the two is in a pile that has been hit too often in this step.
+bool ContinuousStep::isPressed(const Contact &contact) const
+{
+    return m_bodies[at(contact.a)].splits >= pressed
+           || (contact.b >= 0 && m_bodies[at(contact.b)].splits >= pressed);
+}
+
+/// What may reach such a pile in the rest of the step takes part, too.
+void ContinuousStep::touchAroundPressed()
+{
+    const std::size_t count = m_touched.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = m_touched[k];
+        if (m_bodies[i].splits < pressed)
+            continue;
+        for (const std::uint32_t j : neighboursOf(i))
+            touch(j);
+    }
+    if (m_touched.size() > count)
+        touchRestingNeighbours();
 }
 
 /// What rests on a body that is hit is split at the hit, too: the forces between them change.

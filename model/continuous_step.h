@@ -41,6 +41,7 @@ private:
         Vec2 latestHit{};    ///< where, m
         std::uint32_t version = 0;                  ///< events found under another are void
         int nearHits = 0;                           ///< lossy ones in a row at the same place
+        int splits = 0;                             ///< moments that it was part of in a pile
         Integrator integrator = Integrator::Verlet; ///< its own until it is hit or rests
         bool drifts = false;                        ///< is held among others
         bool touched = false;                       ///< its events must be found again
@@ -68,6 +69,8 @@ private:
     [[nodiscard]] bool nextMoment();
     void takeEventsAt(double time);
     void touchRestingNeighbours();
+    void touchAroundPressed();
+    [[nodiscard]] bool isPressed(const Contact &contact) const;
     void carryTo(std::size_t body, double time);
     [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
 
