@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/contact_solver.h"
 
+#include "model/many_contacts.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace cradle {
@@ -20,14 +20,6 @@ constexpr double satisfied = 1e-13;
 
 /// Up to so many contacts, the matrix is written down and finished by elimination, O(n³).
 constexpr std::size_t few = 64;
-/// A share of the largest wish that many contacts may leave undone, and the rounds they get.
-constexpr double convergedMany = 1e-9;
-constexpr int maxRoundsOfMany = 4000;
-
-std::size_t indexOf(int body)
-{
-    return static_cast<std::size_t>(body);
-}
 
 /// The fall of closing speed at \p i for a unit impulse at \p j.
 double coupling(const Contact &i, const Contact &j, std::span<const double> inverseMasses)
@@ -129,105 +121,13 @@ void finishDirectly(const std::vector<double> &matrix, std::span<Contact> contac
     }
 }
 
-/// The closing speeds that the impulses \p x take away, less the wishes, of every contact: the
-/// gradient of ½ x·A x − change·x. In O(n), by way of the bodies' velocities.
-void findGradient(std::span<const Contact> contacts, std::span<const double> inverseMasses,
-                  std::span<const double> x, std::vector<Vec2> &velocities,
-                  std::vector<double> &gradient)
-{
-    std::fill(velocities.begin(), velocities.end(), Vec2{});
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const Contact &c = contacts[i];
-        const Vec2 impulse = x[i] * c.normal;
-        velocities[indexOf(c.a)] += inverseMasses[indexOf(c.a)] * impulse;
-        if (c.b >= 0)
-            velocities[indexOf(c.b)] -= inverseMasses[indexOf(c.b)] * impulse;
-    }
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const Contact &c = contacts[i];
-        const Vec2 other = c.b < 0 ? Vec2{} : velocities[indexOf(c.b)];
-        gradient[i] = dot(velocities[indexOf(c.a)] - other, c.normal) - c.change;
-    }
-}
-
-/// The step that each contact may take along its gradient: one over its own coupling, and over a
-/// bound of the largest eigenvalue of the matrix that is scaled to diagonal 1.
-std::vector<double> stepSizes(std::span<const Contact> contacts,
-                              std::span<const double> inverseMasses)
-{
-    std::vector<std::vector<std::uint32_t>> touching(inverseMasses.size());
-    for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-        touching[indexOf(contacts[i].a)].push_back(i);
-        if (contacts[i].b >= 0)
-            touching[indexOf(contacts[i].b)].push_back(i);
-    }
-    std::vector<double> own(contacts.size());
-    double spread = 1.0;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        own[i] = coupling(contacts[i], contacts[i], inverseMasses);
-        double row = 0.0;
-        for (const int body : {contacts[i].a, contacts[i].b}) {
-            if (body < 0)
-                continue;
-            for (const std::uint32_t j : touching[indexOf(body)])
-                row += inverseMasses[indexOf(body)]
-                       * std::abs(dot(contacts[i].normal, contacts[j].normal));
-        }
-        spread = std::max(spread, row / own[i]);
-    }
-    for (double &size : own)
-        size = 1.0 / (size * spread);
-    return own;
-}
-
-/// For many contacts: the projected gradient with Nesterov's momentum, which is dropped where it
-/// leads uphill. Rounds grow as the length of the longest chain, each takes O(n).
-/// Source: Mazhar, Heyn, Negrut, Tasora: Using Nesterov's method to accelerate multibody dynamics
-/// with friction and contact, 2015.
-void solveMany(std::span<Contact> contacts, std::span<const double> inverseMasses)
-{
-    const std::size_t n = contacts.size();
-    const std::vector<double> sizes = stepSizes(contacts, inverseMasses);
-    std::vector<Vec2> velocities(inverseMasses.size());
-    std::vector<double> gradient(n);
-    std::vector<double> x(n);
-    double wish = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        x[i] = contacts[i].impulse;
-        wish = std::max(wish, contacts[i].change);
-    }
-    std::vector<double> ahead = x;
-    double momentum = 1.0;
-    for (int round = 0; round < maxRoundsOfMany; ++round) {
-        findGradient(contacts, inverseMasses, ahead, velocities, gradient);
-        double uphill = 0.0;
-        double wrong = 0.0;
-        const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * momentum * momentum));
-        const double share = (momentum - 1.0) / next;
-        for (std::size_t i = 0; i < n; ++i) {
-            const double moved = std::max(0.0, ahead[i] - sizes[i] * gradient[i]);
-            wrong = std::max(wrong, std::abs(moved - ahead[i]) / sizes[i]);
-            uphill += gradient[i] * (moved - x[i]);
-            ahead[i] = moved + share * (moved - x[i]);
-            x[i] = moved;
-        }
-        momentum = uphill > 0.0 ? 1.0 : next;
-        if (uphill > 0.0)
-            ahead = x;
-        if (wrong <= convergedMany * wish)
-            break;
-    }
-    for (std::size_t i = 0; i < n; ++i)
-        contacts[i].impulse = x[i];
-}
-
 } // namespace
 
 void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses)
 {
     const std::size_t n = contacts.size();
     if (n > few) {
-        solveMany(contacts, inverseMasses);
+        solveManyContacts(contacts, inverseMasses);
         return;
     }
     std::vector<double> matrix(n * n);

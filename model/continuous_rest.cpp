@@ -186,10 +186,19 @@ void ContinuousStep::hold()
         b.acceleration += m_inverseMasses[at(contact.b)] * push;
         b.drifts = m_lossy;
     }
+    // Walls hold exactly what the contacts leave undone by rounding.
     for (const Contact &contact : m_contacts) {
         Vec2 &a = m_bodies[at(contact.a)].acceleration;
-        if (contact.b < 0 && contact.impulse > 0.0 && isHeld(at(contact.a), contact.normal))
-            a -= dot(a, contact.normal) * contact.normal;
+        const Vec2 n = contact.normal;
+        if (contact.b >= 0 || contact.impulse <= 0.0)
+            continue;
+        if (m_lossy && !isHeld(at(contact.a), n)) {
+            const double free = std::max(0.0, gapOf(contact)) / end;
+            const double atEnd = closingSpeed(contact) + end * dot(a, n);
+            a -= (std::max(0.0, atEnd - free) / end) * n;
+        } else {
+            a -= dot(a, n) * n;
+        }
     }
     spreadDrift();
     for (const std::size_t i : m_touched)
