@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -18,10 +19,13 @@ struct FillText {
 /// Above this share of the area random places are too hard to find; a lattice is taken.
 constexpr double crowdedFraction = 0.35;
 
-/// Places at random, each tried against those before it by a grid of cells 2r wide.
+/// Places at random, each tried against those before it by a grid of cells at least 2r wide, and
+/// not many more of them than circles: small circles in a large square need few.
 std::vector<Vec2> randomPlaces(const CircleFill &fill, double room, Random &random)
 {
-    const auto columns = static_cast<std::size_t>(std::max(1.0, room / fill.radius));
+    const double enough = std::ceil(std::sqrt(static_cast<double>(fill.count)));
+    const auto columns =
+        static_cast<std::size_t>(std::max(1.0, std::min(room / fill.radius, enough)));
     const double cell = 2.0 * room / static_cast<double>(columns);
     std::vector<std::vector<Vec2>> grid(columns * columns);
     const auto column = [&](double x) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/contact_solver.h"
 
+#include "model/many_contacts.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,6 +17,9 @@ constexpr double converged = 1e-16;
 constexpr int maxRounds = 200;
 /// A shortfall below this share of the largest wish is rounding.
 constexpr double satisfied = 1e-13;
+
+/// Up to so many contacts, the matrix is written down and finished by elimination, O(n³).
+constexpr std::size_t few = 64;
 
 /// The fall of closing speed at \p i for a unit impulse at \p j.
 double coupling(const Contact &i, const Contact &j, std::span<const double> inverseMasses)
@@ -121,6 +126,10 @@ void finishDirectly(const std::vector<double> &matrix, std::span<Contact> contac
 void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses)
 {
     const std::size_t n = contacts.size();
+    if (n > few) {
+        solveManyContacts(contacts, inverseMasses);
+        return;
+    }
     std::vector<double> matrix(n * n);
     double spread = 1.0; // a bound of the largest eigenvalue of the matrix, scaled to diagonal 1
     for (std::size_t i = 0; i < n; ++i) {

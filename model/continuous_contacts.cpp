@@ -15,6 +15,11 @@ namespace {
 
 /// An elastic hit slower than this share of g Δt is no hit: it would repeat without end.
 constexpr double stillElastic = 1e-9;
+/// So many lossy hits in a row, each within this share of the radius of the one before, are
+/// inelastic collapse: there would be no end of them, so they end as one without rebound.
+/// Source: McNamara, Young: Inelastic collapse in a one-dimensional gas, 1992.
+constexpr int collapse = 30;
+constexpr double samePlace = 1e-4;
 
 std::size_t at(int index)
 {
@@ -34,7 +39,26 @@ bool ContinuousStep::comesToRest(const Contact &contact, double closing) const
 {
     const double e = restitutionOf(contact);
     const double gain = closingAcceleration(contact) * m_dt; // m/s that a step gives back
-    return m_plastic || (e < 1.0 ? 2.0 * e * closing <= gain : closing < stillElastic * gain);
+    return e < 1.0 ? 2.0 * e * closing <= gain : closing < stillElastic * gain;
+}
+
+/// Counts the hit of a contact for its bodies. \return whether they hit without end
+bool ContinuousStep::isCollapse(const Contact &contact)
+{
+    if (restitutionOf(contact) >= 1.0)
+        return false;
+    bool found = isPressed(contact);
+    for (const int body : {contact.a, contact.b}) {
+        if (body < 0)
+            continue;
+        Body &b = m_bodies[at(body)];
+        const Circle &c = m_world->circles[at(body)];
+        const bool same = length(c.position - b.latestHit) <= samePlace * c.radius;
+        b.nearHits = same ? b.nearHits + 1 : 0;
+        b.latestHit = c.position;
+        found = found || b.nearHits >= collapse;
+    }
+    return found;
 }
 
 void ContinuousStep::resolve(std::vector<Hit> &hits)
@@ -73,7 +97,7 @@ void ContinuousStep::addSupports()
         return;
     for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
-            if (isHeld(i, wall))
+            if (isHeld(i, outwardNormal(wall)))
                 m_contacts.push_back({.a = static_cast<int>(i), .normal = outwardNormal(wall)});
         }
     }
@@ -110,12 +134,15 @@ void ContinuousStep::meet(const Event &event)
     }
     contact.normal = hit.normal;
     const double closing = std::max(0.0, closingSpeed(contact));
-    contact.rests = closingSpeed(contact) >= -m_slow && comesToRest(contact, closing);
+    const bool endless = isCollapse(contact);
+    contact.rests = closingSpeed(contact) >= -m_slow && (endless || comesToRest(contact, closing));
     contact.change = (contact.rests ? 1.0 : 1.0 + restitutionOf(contact)) * closing;
     m_bodies[at(event.a)].integrator = Integrator::Verlet;
     if (!event.wall)
         m_bodies[at(event.b)].integrator = Integrator::Verlet;
-    if (contact.rests && !event.wall)
+    // Two that drifted into each other must not do so again at once.
+    const bool drifted = !event.wall && m_bodies[at(event.a)].drifts;
+    if (!event.wall && (contact.rests || drifted || m_bodies[at(event.b)].drifts))
         rest({event.a, event.b});
     m_contacts.push_back(contact);
     m_hits.push_back(hit);
@@ -125,7 +152,6 @@ void ContinuousStep::respondTogether()
 {
     solveContacts(m_contacts, m_inverseMasses);
     // Changes are summed before they are applied, so that mirrored contacts stay mirrored.
-    m_changes.assign(m_bodies.size(), Vec2{});
     for (Contact &contact : m_contacts) {
         const double unit = m_inverseMasses[at(contact.a)];
         m_changes[at(contact.a)] -= (contact.impulse * unit) * contact.normal;

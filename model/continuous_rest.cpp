@@ -12,6 +12,9 @@ namespace {
 
 /// A gap below this share of the lengths concerned is touching: some roundings of a position.
 constexpr double touching = 1e-9;
+/// By so much of the radii an overlap that rounding has left shrinks in a step: what it lifts
+/// takes no energy worth counting.
+constexpr double repaired = 1e-12;
 
 std::size_t at(int index)
 {
@@ -51,10 +54,9 @@ void ContinuousStep::rest(std::pair<int, int> pair)
     m_bodies[at(pair.second)].integrator = Integrator::Verlet;
 }
 
-bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
+bool ContinuousStep::isHeld(std::size_t body, Vec2 n) const
 {
     const Circle &c = m_world->circles[body];
-    const Vec2 n = outwardNormal(wall);
     const double gap = m_rules->halfWidth - c.radius - dot(c.position, n);
     return m_rules->laws.walls == WallLaw::Reflect && gap <= touching * c.radius
            && std::abs(dot(c.velocity, n)) <= m_slow
@@ -63,45 +65,191 @@ bool ContinuousStep::isHeld(std::size_t body, Wall wall) const
 
 void ContinuousStep::findAccelerations()
 {
-    m_contacts.clear();
+    std::erase_if(m_held, [this](const std::pair<int, int> &pair) {
+        return m_bodies[at(pair.first)].touched || m_bodies[at(pair.second)].touched;
+    });
     for (const std::size_t i : m_touched) {
-        Body &body = m_bodies[i];
-        body.acceleration = m_rules->gravity;
+        m_bodies[i].acceleration = m_rules->gravity;
+        m_bodies[i].drifts = false;
+    }
+    m_contacts.clear();
+    if (m_dt - m_now <= 0.0)
+        return;
+    findPiles();
+    addPairs();
+    addWalls();
+    if (!m_contacts.empty())
+        hold();
+}
+
+/// Circles that lie on the floor, and on each other: who is slow beside one of them, and so near
+/// that gravity could bring them together in a step, belongs to the pile.
+void ContinuousStep::findPiles()
+{
+    if (!m_lossy || m_rules->gravity == Vec2{} || m_rules->laws.walls != WallLaw::Reflect)
+        return;
+    const double gain = length(m_rules->gravity) * m_dt; // what leaves faster is not of it
+    m_marks.assign(m_bodies.size(), 0);
+    for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
-            if (!isHeld(i, wall))
+            const Contact contact{.a = static_cast<int>(i), .normal = outwardNormal(wall)};
+            if (dot(m_rules->gravity, contact.normal) <= 0.0 || !staysClose(contact)
+                || closingSpeed(contact) < -gain)
                 continue;
-            const Vec2 n = outwardNormal(wall);
-            // What a wall holds is held exactly, or rounding would let it go.
-            Vec2 &velocity = m_world->circles[i].velocity;
-            velocity -= dot(velocity, n) * n;
-            if (m_resting.empty())
-                body.acceleration -= dot(body.acceleration, n) * n;
-            else
-                m_contacts.push_back({.a = static_cast<int>(i), .normal = n});
+            m_pile.push_back(i);
+            m_marks[i] = 1;
+            break;
         }
     }
-    if (m_resting.empty())
-        return;
-    for (const auto &pair : m_resting) {
-        const Contact contact = contactOf(pair);
-        if (m_bodies[at(pair.first)].touched && std::abs(closingSpeed(contact)) <= m_slow)
-            m_contacts.push_back(contact);
+    while (!m_pile.empty()) {
+        const std::size_t i = m_pile.back();
+        m_pile.pop_back();
+        for (const std::uint32_t j : neighboursOf(i)) {
+            const std::pair<int, int> pair = std::minmax(static_cast<int>(i), static_cast<int>(j));
+            if (!m_bodies[j].touched || !staysClose(contactOf(pair))
+                || closingSpeed(contactOf(pair)) < -gain)
+                continue;
+            rest(pair);
+            if (m_marks[j] == 0)
+                m_pile.push_back(j);
+            m_marks[j] = 1;
+        }
     }
-    for (Contact &contact : m_contacts)
-        contact.change = contact.b < 0 ? dot(m_rules->gravity, contact.normal) : 0.0;
+}
+
+/// Adds the contacts of circles that lie on each other, with the fall of closing speed that they
+/// need if nothing else held them: as far as their gap can be closed in the rest of the step.
+void ContinuousStep::addPairs()
+{
+    const double end = m_dt - m_now;
+    for (const auto &pair : m_resting) {
+        if (!m_bodies[at(pair.first)].touched)
+            continue;
+        Contact contact = contactOf(pair);
+        const double closing = closingSpeed(contact);
+        if (std::abs(closing) > m_slow && !staysClose(contact))
+            continue;
+        if (m_lossy)
+            contact.change = closing - gapOf(contact) / end;
+        m_contacts.push_back(contact);
+    }
+}
+
+/// Adds what the walls do to those circles; others they hold by themselves, exactly.
+void ContinuousStep::addWalls()
+{
+    m_marks.assign(m_bodies.size(), 0);
+    for (const Contact &contact : m_contacts)
+        m_marks[at(contact.a)] = m_marks[at(contact.b)] = 1;
+    const double end = m_dt - m_now;
+    for (const std::size_t i : m_touched) {
+        Circle &c = m_world->circles[i];
+        for (const Wall wall : allWalls) {
+            const Vec2 n = outwardNormal(wall);
+            Contact contact{.a = static_cast<int>(i), .normal = n};
+            const bool held = isHeld(i, n);
+            // What a wall holds is held exactly, or rounding would let it go.
+            if (held)
+                c.velocity -= dot(c.velocity, n) * n;
+            if (m_marks[i] == 0) {
+                if (held && dot(m_bodies[i].acceleration, n) > 0.0)
+                    m_bodies[i].acceleration -= dot(m_bodies[i].acceleration, n) * n;
+                continue;
+            }
+            if (m_rules->laws.walls != WallLaw::Reflect
+                || !(held || (m_lossy && staysClose(contact))))
+                continue;
+            contact.change = end * dot(m_rules->gravity, n);
+            if (m_lossy)
+                contact.change += closingSpeed(contact) - gapOf(contact) / end;
+            m_contacts.push_back(contact);
+        }
+    }
+}
+
+/// Finds the impulses J of the contacts over the rest of the step. Where circles rebound without
+/// loss they act as even forces; else those they act on drift.
+void ContinuousStep::hold()
+{
+    const double end = m_dt - m_now;
     solveContacts(m_contacts, m_inverseMasses);
     for (const Contact &contact : m_contacts) {
-        m_bodies[at(contact.a)].acceleration -=
-            (contact.impulse * m_inverseMasses[at(contact.a)]) * contact.normal;
-        if (contact.b >= 0)
-            m_bodies[at(contact.b)].acceleration +=
-                (contact.impulse * m_inverseMasses[at(contact.b)]) * contact.normal;
+        if (contact.impulse <= 0.0)
+            continue;
+        const Vec2 push = (contact.impulse / end) * contact.normal;
+        Body &a = m_bodies[at(contact.a)];
+        a.acceleration -= m_inverseMasses[at(contact.a)] * push;
+        a.drifts = m_lossy;
+        if (contact.b < 0)
+            continue;
+        Body &b = m_bodies[at(contact.b)];
+        b.acceleration += m_inverseMasses[at(contact.b)] * push;
+        b.drifts = m_lossy;
     }
+    // Walls hold exactly what the contacts leave undone by rounding.
     for (const Contact &contact : m_contacts) {
         Vec2 &a = m_bodies[at(contact.a)].acceleration;
-        if (contact.b < 0 && contact.impulse > 0.0)
-            a -= dot(a, contact.normal) * contact.normal;
+        const Vec2 n = contact.normal;
+        if (contact.b >= 0 || contact.impulse <= 0.0)
+            continue;
+        if (m_lossy && !isHeld(at(contact.a), n)) {
+            const double free = std::max(0.0, gapOf(contact)) / end;
+            const double atEnd = closingSpeed(contact) + end * dot(a, n);
+            a -= (std::max(0.0, atEnd - free) / end) * n;
+        } else {
+            a -= dot(a, n) * n;
+        }
     }
+    spreadDrift();
+    for (const std::size_t i : m_touched)
+        m_bodies[i].drift = m_world->circles[i].velocity + end * m_bodies[i].acceleration;
+    for (const Contact &contact : m_contacts) {
+        if (contact.b >= 0 && m_bodies[at(contact.a)].drifts)
+            m_held.emplace_back(contact.a, contact.b);
+    }
+    std::sort(m_held.begin(), m_held.end());
+}
+
+/// Beside one that drifts the others drift, too: that they cannot meet holds of even motions.
+void ContinuousStep::spreadDrift()
+{
+    bool grown = m_lossy;
+    while (grown) {
+        grown = false;
+        for (const Contact &contact : m_contacts) {
+            if (contact.b < 0)
+                continue;
+            Body &a = m_bodies[at(contact.a)];
+            Body &b = m_bodies[at(contact.b)];
+            grown = grown || a.drifts != b.drifts;
+            a.drifts = b.drifts = a.drifts || b.drifts;
+        }
+    }
+}
+
+/// How far a contact is from touching, m; an overlap only as far as rounding leaves one.
+double ContinuousStep::gapOf(const Contact &contact) const
+{
+    const Circle &a = m_world->circles[at(contact.a)];
+    if (contact.b < 0)
+        return std::max(m_rules->halfWidth - a.radius - dot(a.position, contact.normal),
+                        -repaired * a.radius);
+    const Circle &b = m_world->circles[at(contact.b)];
+    return std::max(length(b.position - a.position) - a.radius - b.radius,
+                    -repaired * (a.radius + b.radius));
+}
+
+/// Whether two are so near, and close so slowly if at all, that, one of them held, gravity keeps
+/// them together: a rebound would last less than a step.
+bool ContinuousStep::staysClose(const Contact &contact) const
+{
+    const double closing = closingSpeed(contact);
+    const double gain = length(m_rules->gravity) * m_dt; // m/s that a step gives at most
+    if (m_lossy && isPressed(contact))
+        return gapOf(contact) <= (2.0 * gain + std::max(closing, 0.0)) * (m_dt - m_now);
+    const double along = std::abs(dot(m_rules->gravity, contact.normal)) * m_dt;
+    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along
+           && gapOf(contact) <= 2.0 * gain * (m_dt - m_now);
 }
 
 Contact ContinuousStep::contactOf(std::pair<int, int> pair) const

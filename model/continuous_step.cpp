@@ -15,13 +15,14 @@ constexpr double simultaneous = 1e-12;
 /// leaves as much where two should move alike.
 constexpr double atRest = 1e-6;
 constexpr double roundedSpeed = 1e-13;
-/// Moments of impact in one step, per circle and in all, after which nothing rebounds, and after
-/// twice as many the step ends where it is: a bound on the work, met only by inelastic collapse.
-constexpr int momentsPerCircle = 50;
-constexpr int momentsAtLeast = 500;
-/// So many are looked at all together.
-constexpr std::size_t fewBodies = 8;
+/// Circles split by moments of impact in one step, per circle and in all, after which the step
+/// ends where it is: a bound on the work, met only by laws that are not physics.
+constexpr std::size_t splitsPerCircle = 1000;
+constexpr std::size_t splitsAtLeast = 100'000;
 constexpr double rounding = 1e-9;
+
+/// The order of the heap of events.
+constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
 
 std::size_t at(int index)
 {
@@ -36,23 +37,19 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
     m_world = &world;
     m_dt = dt;
     begin();
-    const int enough = momentsAtLeast + momentsPerCircle * static_cast<int>(m_bodies.size());
-    for (int moment = 0; moment < 2 * enough; ++moment) {
+    const std::size_t enough = splitsAtLeast + splitsPerCircle * m_bodies.size();
+    for (std::size_t splits = 0; splits < enough; splits += m_touched.size()) {
         findEvents();
-        if (m_events.empty())
+        if (!nextMoment())
             break;
-        m_plastic = moment > enough;
-        m_now =
-            std::min_element(m_events.begin(), m_events.end(), [](const auto &x, const auto &y) {
-                return x.time < y.time;
-            })->time;
-        takeEventsAt(m_now);
         resolve(hits);
         foreseeSpeeds();
         findAccelerations();
     }
     // Circles with an event left over have met the bound on the work; they wait where they are.
     for (const Event &event : m_events) {
+        if (!isValid(event))
+            continue;
         m_bodies[at(event.a)].since = dt;
         if (!event.wall)
             m_bodies[at(event.b)].since = dt;
@@ -64,11 +61,13 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
 void ContinuousStep::begin()
 {
     m_now = 0.0;
-    m_plastic = false;
+    m_lossy = m_rules->laws.circles == CircleLaw::Impulse && m_rules->restitution < 1.0;
     m_events.clear();
+    m_held.clear();
     m_touched.clear();
     m_bodies.assign(m_world->circles.size(), Body{});
     m_inverseMasses.resize(m_bodies.size());
+    m_changes.assign(m_bodies.size(), Vec2{});
     double fastest = 0.0;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
@@ -88,104 +87,59 @@ void ContinuousStep::begin()
     findAccelerations();
 }
 
-/// Finds who can meet whom in this step, at speeds up to twice \p fastest (m/s). Where something
-/// gets faster than that they are found again.
-void ContinuousStep::findNeighbours(double fastest)
-{
-    m_foreseenSpeed = 2.0 * (fastest + length(m_rules->gravity) * m_dt);
-    const double travel = m_dt * (m_foreseenSpeed + length(m_rules->gravity) * m_dt);
-    const std::size_t count = m_bodies.size();
-    m_firstNeighbour.assign(1, 0);
-    m_neighbours.clear();
-    double widest = 0.0;
-    for (const Circle &c : m_world->circles)
-        widest = std::max(widest, c.radius);
-    const bool few = count <= fewBodies;
-    if (!few)
-        m_grid.build(count, [this](std::size_t i) { return m_places[i]; });
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const double radius = m_world->circles[i].radius;
-        const auto look = [&](std::uint32_t j) {
-            const double near = radius + m_world->circles[j].radius + 2.0 * travel;
-            if (j != i && (few || lengthSquared(m_places[j] - m_places[i]) <= near * near))
-                m_neighbours.push_back(j);
-        };
-        if (few) {
-            for (std::uint32_t j = 0; j < count; ++j)
-                look(j);
-        } else {
-            m_grid.visitRuns(m_places[i], (radius + widest + 2.0 * travel) * (1.0 + rounding),
-                             [&](std::uint32_t begin, std::uint32_t end) {
-                                 for (std::uint32_t slot = begin; slot < end; ++slot)
-                                     look(m_grid.sorted()[slot]);
-                             });
-        }
-        m_firstNeighbour.push_back(static_cast<std::uint32_t>(m_neighbours.size()));
-    }
-}
-
-/// Looks again for neighbours if a body has become faster than was foreseen.
-void ContinuousStep::foreseeSpeeds()
-{
-    double fastest = 0.0;
-    for (const std::size_t i : m_touched)
-        fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
-    fastest = std::sqrt(fastest) + length(m_rules->gravity) * m_dt;
-    if (m_bodies.size() <= fewBodies || fastest <= m_foreseenSpeed)
-        return;
-    findNeighbours(fastest);
-    for (std::size_t i = 0; i < m_bodies.size(); ++i)
-        touch(i);
-}
-
 /// Notes that the events of a body must be found again.
 void ContinuousStep::touch(std::size_t body)
 {
     if (m_bodies[body].touched)
         return;
     m_bodies[body].touched = true;
+    ++m_bodies[body].version;
     m_touched.push_back(body);
-}
-
-std::span<const std::uint32_t> ContinuousStep::neighboursOf(std::size_t body) const
-{
-    return std::span(m_neighbours)
-        .subspan(m_firstNeighbour[body], m_firstNeighbour[body + 1] - m_firstNeighbour[body]);
 }
 
 Path ContinuousStep::pathFrom(std::size_t body, double time) const
 {
     const Circle &c = m_world->circles[body];
+    const double s = time - m_bodies[body].since;
+    if (m_bodies[body].drifts)
+        return {c.position + s * m_bodies[body].drift, m_bodies[body].drift, Vec2{}};
     const Vec2 curve = pathCurvature(m_bodies[body].integrator) * m_bodies[body].acceleration;
     const Path path{c.position, c.velocity, curve};
-    const double s = time - m_bodies[body].since;
     return {path.at(s), path.velocity + (2.0 * s) * curve, curve};
+}
+
+void ContinuousStep::push(const Event &event)
+{
+    m_events.push_back(event);
+    std::push_heap(m_events.begin(), m_events.end(), later);
+}
+
+bool ContinuousStep::isValid(const Event &event) const
+{
+    return m_bodies[at(event.a)].version == event.versionA
+           && (event.wall || m_bodies[at(event.b)].version == event.versionB);
+}
+
+/// Goes to the next moment at which something meets. \return false if nothing does
+bool ContinuousStep::nextMoment()
+{
+    while (!m_events.empty() && !isValid(m_events.front())) {
+        std::pop_heap(m_events.begin(), m_events.end(), later);
+        m_events.pop_back();
+    }
+    if (m_events.empty())
+        return false;
+    m_now = m_events.front().time;
+    takeEventsAt(m_now);
+    return true;
 }
 
 void ContinuousStep::findEvents()
 {
-    std::erase_if(m_events, [this](const Event &event) {
-        return m_bodies[at(event.a)].touched || (!event.wall && m_bodies[at(event.b)].touched);
-    });
-    const bool walls = m_rules->laws.walls == WallLaw::Reflect;
-    const bool circles = m_rules->laws.circles != CircleLaw::None;
     for (const std::size_t i : m_touched) {
-        const Path path = pathFrom(i, m_now);
-        const double end = m_dt - m_now;
-        const double reach = end
-                             * (std::abs(path.velocity.x) + std::abs(path.velocity.y)
-                                + end * (std::abs(path.curve.x) + std::abs(path.curve.y)));
-        for (const Wall wall : allWalls) {
-            const Vec2 n = outwardNormal(wall);
-            const double gap =
-                m_rules->halfWidth - m_world->circles[i].radius - dot(path.position, n);
-            if (!walls || gap > reach + m_rules->halfWidth * rounding || isHeld(i, wall))
-                continue;
-            if (const auto s =
-                    timeToLine(gap, dot(path.velocity, n), dot(path.curve, n), m_dt - m_now))
-                m_events.push_back({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true});
-        }
-        if (!circles)
+        if (m_rules->laws.walls == WallLaw::Reflect)
+            findWallEvents(i);
+        if (m_rules->laws.circles == CircleLaw::None)
             continue;
         for (const std::uint32_t j : neighboursOf(i)) {
             if (j > i || !m_bodies[j].touched)
@@ -195,6 +149,29 @@ void ContinuousStep::findEvents()
     for (const std::size_t i : m_touched)
         m_bodies[i].touched = false;
     m_touched.clear();
+}
+
+void ContinuousStep::findWallEvents(std::size_t i)
+{
+    const Path path = pathFrom(i, m_now);
+    const double end = m_dt - m_now;
+    const double reach = end
+                         * (std::abs(path.velocity.x) + std::abs(path.velocity.y)
+                            + end * (std::abs(path.curve.x) + std::abs(path.curve.y)));
+    for (const Wall wall : allWalls) {
+        const Vec2 n = outwardNormal(wall);
+        const double radius = m_world->circles[i].radius;
+        const double gap = m_rules->halfWidth - radius - dot(path.position, n);
+        if (gap > reach + m_rules->halfWidth * rounding || isHeld(i, n))
+            continue;
+        const double speed = dot(path.velocity, n);
+        // What is held ends at the wall, but for rounding.
+        if (m_bodies[i].drifts && gap - end * speed >= -rounding * radius)
+            continue;
+        if (const auto s = timeToLine(gap, speed, dot(path.curve, n), end))
+            push({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true,
+                  m_bodies[i].version, 0});
+    }
 }
 
 void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
@@ -211,11 +188,14 @@ void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
         || std::abs(d.y) > distance + end * (std::abs(v.y) + end * std::abs(k.y)))
         return;
     const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
+    if (std::binary_search(m_held.begin(), m_held.end(), pair))
+        return;
     const bool resting = std::binary_search(m_resting.begin(), m_resting.end(), pair);
     if (resting && std::abs(closingSpeed(contactOf(pair))) <= m_slow)
         return;
     if (const auto s = timeToDistance(a, b, distance, end))
-        m_events.push_back({m_now + *s, pair.first, pair.second, false});
+        push(
+            {m_now + *s, pair.first, pair.second, false, m_bodies[i].version, m_bodies[j].version});
 }
 
 void ContinuousStep::carryTo(std::size_t body, double time)
@@ -224,6 +204,12 @@ void ContinuousStep::carryTo(std::size_t body, double time)
     const double s = time - m_bodies[body].since;
     if (s <= 0.0)
         return;
+    if (m_bodies[body].drifts) {
+        c.position += s * m_bodies[body].drift;
+        c.velocity += s * m_bodies[body].acceleration;
+        m_bodies[body].since = time;
+        return;
+    }
     const Motion m = advance(m_bodies[body].integrator, {c.position, c.velocity},
                              m_bodies[body].acceleration, s);
     c.position = m.position;
@@ -234,10 +220,13 @@ void ContinuousStep::carryTo(std::size_t body, double time)
 void ContinuousStep::takeEventsAt(double time)
 {
     m_taken.clear();
-    for (const Event &event : m_events) {
-        if (event.time > time + simultaneous * m_dt)
-            continue;
-        m_taken.push_back(event);
+    while (!m_events.empty() && m_events.front().time <= time + simultaneous * m_dt) {
+        std::pop_heap(m_events.begin(), m_events.end(), later);
+        if (isValid(m_events.back()))
+            m_taken.push_back(m_events.back());
+        m_events.pop_back();
+    }
+    for (const Event &event : m_taken) {
         touch(at(event.a));
         if (!event.wall)
             touch(at(event.b));
@@ -246,25 +235,12 @@ void ContinuousStep::takeEventsAt(double time)
         return std::tuple(x.wall, x.a, x.b) < std::tuple(y.wall, y.a, y.b);
     });
     touchRestingNeighbours();
+    touchAroundPressed();
     // In the order of the bodies, so that sums do not depend on that of the events.
     std::sort(m_touched.begin(), m_touched.end());
-    for (const std::size_t i : m_touched)
+    for (const std::size_t i : m_touched) {
         carryTo(i, time);
-}
-
-/// What rests on a body that is hit is split at the hit, too: the forces between them change.
-void ContinuousStep::touchRestingNeighbours()
-{
-    bool grown = true;
-    while (grown) {
-        grown = false;
-        for (const auto &[a, b] : m_resting) {
-            if (m_bodies[at(a)].touched != m_bodies[at(b)].touched) {
-                touch(at(a));
-                touch(at(b));
-                grown = true;
-            }
-        }
+        m_bodies[i].splits += m_bodies[i].drifts ? 1 : 0;
     }
 }
 

@@ -14,21 +14,36 @@ namespace cradle {
 /// Each circle has its own clock and is split only at its own hits. Contacts at the same moment
 /// are resolved together. From its first hit in a step on a circle follows its parabola. A circle
 /// whose rebound would last less than a step (2 e u / a < Δt) comes to rest; what rests is held by
-/// contact forces until something moves it. Keeps its working memory between steps.
+/// contact forces until something moves it.
+///
+/// Where e < 1, circles that lie on each other end the step at velocities v' that no longer close
+/// faster than their gaps allow,
+///     v' = v + a h + Σ J n / m,   0 ≤ J ⊥ gap/h − (closing speed of v') ≥ 0,
+/// and move there evenly, h being what is left of the step: then they cannot overlap, for discs
+/// are convex, and take −½ m |v' − v|² − Σ J gap/h of energy, which is never a gain.
+/// Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988.
+///
+/// Keeps its working memory between steps.
 class ContinuousStep
 {
 public:
     /// Moves \p world on by \p dt s; time and step of \p world are those after the step.
     void run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits);
 
-    /// Pairs that were in touch in the latest step and may still be.
+    /// Pairs that lay on each other in the latest step and may still do.
     [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const { return m_resting; }
 
 private:
     struct Body {
         double since = 0.0;  ///< s into the step: how far this circle has come
         Vec2 acceleration{}; ///< gravity less what holds it, m/s²
+        Vec2 drift{};        ///< m/s; where it drifts: how its place moves until the step ends
+        Vec2 latestHit{};    ///< where, m
+        std::uint32_t version = 0;                  ///< events found under another are void
+        int nearHits = 0;                           ///< lossy ones in a row at the same place
+        int splits = 0;                             ///< moments that it was part of in a pile
         Integrator integrator = Integrator::Verlet; ///< its own until it is hit or rests
+        bool drifts = false;                        ///< is held among others
         bool touched = false;                       ///< its events must be found again
     };
     struct Event {
@@ -36,7 +51,8 @@ private:
         int a = 0;
         int b = 0; ///< circle, or Wall as an int
         bool wall = false;
-        friend bool operator==(const Event &, const Event &) = default;
+        std::uint32_t versionA = 0;
+        std::uint32_t versionB = 0;
     };
 
     // Motion and events: continuous_step.cpp
@@ -46,9 +62,15 @@ private:
     void foreseeSpeeds();
     void touch(std::size_t body);
     void findEvents();
+    void findWallEvents(std::size_t i);
     void findPairEvent(std::size_t i, std::size_t j);
+    void push(const Event &event);
+    [[nodiscard]] bool isValid(const Event &event) const;
+    [[nodiscard]] bool nextMoment();
     void takeEventsAt(double time);
     void touchRestingNeighbours();
+    void touchAroundPressed();
+    [[nodiscard]] bool isPressed(const Contact &contact) const;
     void carryTo(std::size_t body, double time);
     [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
 
@@ -56,7 +78,14 @@ private:
     void findRestingPairs();
     void rest(std::pair<int, int> pair);
     void findAccelerations();
-    [[nodiscard]] bool isHeld(std::size_t body, Wall wall) const;
+    void findPiles();
+    void addPairs();
+    void addWalls();
+    void hold();
+    void spreadDrift();
+    [[nodiscard]] double gapOf(const Contact &contact) const;
+    [[nodiscard]] bool staysClose(const Contact &contact) const;
+    [[nodiscard]] bool isHeld(std::size_t body, Vec2 wall) const;
     [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
     [[nodiscard]] double closingSpeed(const Contact &contact) const;
     [[nodiscard]] double closingAcceleration(const Contact &contact) const;
@@ -69,13 +98,14 @@ private:
     void respondInTurn();
     [[nodiscard]] double restitutionOf(const Contact &contact) const;
     [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
+    [[nodiscard]] bool isCollapse(const Contact &contact);
 
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
     double m_dt = 0.0;
     double m_now = 0.0;           ///< s into the step
     double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
-    bool m_plastic = false;       ///< too many hits in one step: no more rebounds
+    bool m_lossy = false;         ///< circles rebound slower than they meet
     double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
     std::vector<Body> m_bodies;
     std::vector<Vec2> m_places;                  ///< at the start of the step, m
@@ -84,12 +114,15 @@ private:
     std::vector<std::uint32_t> m_neighbours;
     std::vector<double> m_inverseMasses;
     std::vector<std::size_t> m_touched; ///< bodies, in order once a moment is taken
-    std::vector<Event> m_events;        ///< all that lie inside the step, in no order
+    std::vector<Event> m_events;        ///< that lie inside the step, a heap, the earliest first
     std::vector<Event> m_taken;         ///< those of this moment
     std::vector<Contact> m_contacts;
     std::vector<Hit> m_hits;                    ///< one per contact of this moment
-    std::vector<Vec2> m_changes;                ///< of the velocities, m/s
-    std::vector<std::pair<int, int>> m_resting; ///< pairs that stay in touch
+    std::vector<Vec2> m_changes;                ///< of the velocities, m/s; zero between uses
+    std::vector<std::pair<int, int>> m_resting; ///< pairs that lie on each other, in order
+    std::vector<std::pair<int, int>> m_held;    ///< those that drift and cannot meet, in order
+    std::vector<std::size_t> m_pile;            ///< bodies still to be looked around
+    std::vector<char> m_marks;                  ///< of bodies: seen, or in a contact with another
 };
 
 } // namespace cradle

@@ -73,6 +73,7 @@ void TestCircleFill::fillsAsAsked_data()
     QTest::newRow("as many as fit") << CircleFill{400, 0.2, 2.0, 1.0, 5} << 4.0;
     QTest::newRow("one as wide as the square") << CircleFill{1, 4.0, 2.0, 1.0, 5} << 4.0;
     QTest::newRow("in a small box") << CircleFill{50, 1e-5, 1e-3, 1.0, 9} << 1e-3;
+    QTest::newRow("specks in a wide square") << CircleFill{10, 1e-4, 2.0, 1.0, 9} << 4.0;
     QTest::newRow("the largest seed") << CircleFill{10, 0.1, 1.0, 1.0, 2147483647} << 4.0;
     QTest::newRow("seed 0") << CircleFill{10, 0.1, 1.0, 1.0, 0} << 4.0;
 }
