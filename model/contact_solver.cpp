@@ -5,6 +5,7 @@
 #include "model/many_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cradle {
@@ -41,7 +42,7 @@ double coupling(const Contact &i, const Contact &j, std::span<const double> inve
 
 /// Solves the rows and columns of \p matrix (n × n) that \p active names, by elimination with
 /// pivots. \return false if they are singular
-bool eliminate(const std::vector<double> &matrix, std::size_t n, std::span<const Contact> contacts,
+bool eliminate(std::span<const double> matrix, std::size_t n, std::span<const Contact> contacts,
                const std::vector<std::size_t> &active, std::vector<double> &solution)
 {
     const std::size_t m = active.size();
@@ -78,7 +79,7 @@ bool eliminate(const std::vector<double> &matrix, std::size_t n, std::span<const
 
 /// Long chains converge slowly; from where the iteration has come, the set of contacts that push
 /// is nearly right, and a few exchanges find it. Leaves the impulses as they are if it fails.
-void finishDirectly(const std::vector<double> &matrix, std::span<Contact> contacts)
+void finishDirectly(std::span<const double> matrix, std::span<Contact> contacts)
 {
     const std::size_t n = contacts.size();
     std::vector<std::size_t> active;
@@ -130,7 +131,7 @@ void solveContacts(std::span<Contact> contacts, std::span<const double> inverseM
         solveManyContacts(contacts, inverseMasses);
         return;
     }
-    std::vector<double> matrix(n * n);
+    std::array<double, few * few> matrix;
     double spread = 1.0; // a bound of the largest eigenvalue of the matrix, scaled to diagonal 1
     for (std::size_t i = 0; i < n; ++i) {
         double row = 0.0;
@@ -148,7 +149,7 @@ void solveContacts(std::span<Contact> contacts, std::span<const double> inverseM
         return;
 
     const double relaxation = std::min(1.0, 1.9 / spread);
-    std::vector<double> next(n);
+    std::array<double, few> next;
     for (int round = 0; round < maxRounds; ++round) {
         double largest = 0.0;
         double moved = 0.0;

@@ -21,7 +21,7 @@ public:
     /// Larger scenes have none. Hits drive neighbouring motions of a gas apart exponentially, so
     /// that after a few hits each nothing is left to compare, and outlines by the hundred hide what
     /// they should show.
-    static constexpr std::size_t mostCircles = 200;
+    static constexpr std::size_t mostCircles = 50;
 
     /// \param scene  with at most mostCircles circles and no fault, else there is no run
     /// \param laws   what happens when circles meet walls and each other; their timing is not asked
