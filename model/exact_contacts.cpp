@@ -18,6 +18,8 @@ constexpr double restHeight = 1e-9;
 constexpr double hopHeight = 1e-4;
 /// Two that lie on each other are kept hopping to this share of the smaller radius.
 constexpr double lyingHeight = 1e-5;
+/// Of a speed.
+constexpr double rounding = 1e-9;
 
 } // namespace
 
@@ -66,11 +68,12 @@ ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double 
         const double speed = m_rules.restitution * closing;
         if (press > 0.0) {
             const double height = 2.0 * press * restHeight * disc.radius;
-            const bool shakes = m_lossy && m_lasting[a] && closing <= softSpeed(disc.radius);
-            return {speed * speed > height ? speed : 0.0, shakes || closing * closing <= height};
+            const bool soft = shakes(a) && closing <= softSpeed(disc.radius);
+            return {speed * speed > height ? speed : 0.0, soft,
+                    soft || closing * closing <= height};
         }
-        const double soft = softSpeed(disc.radius);
-        return closing <= soft ? Rebound{closing, true} : Rebound{speed, false};
+        const bool soft = shakes(a) && closing <= softSpeed(disc.radius);
+        return {soft ? closing : speed, soft, soft};
     }
     const double e = law == CircleLaw::Impulse ? m_rules.restitution
                      : law == CircleLaw::Stop  ? 0.0
@@ -78,23 +81,24 @@ ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double 
     const double radius = std::min(disc.radius, m_discs[b].radius);
     const double soft = softSpeed(radius);
     const bool isSoft = closing <= soft;
+    const bool lasts = isSoft && (shakes(a) || shakes(b));
     const double speed = isSoft ? closing : e * closing;
     // Two that lie on each other would meet again at once, without end.
     if (disc.held != m_discs[b].held && pressing(a, b, normal) > 0.0) {
         const double hop = std::sqrt(2.0 * m_gravity * lyingHeight * radius);
         if (speed < hop)
-            return {hop, isSoft};
+            return {hop, isSoft, lasts || closing <= hop * (1.0 + rounding)};
     }
-    return {speed, isSoft};
+    return {speed, isSoft, lasts};
 }
 
-void ExactSolver::noteHit(Slot slot, bool lasting)
+void ExactSolver::noteHit(Slot slot, bool soft)
 {
     Disc &disc = m_discs[slot];
     ++disc.hits;
     limitEpoch(std::sqrt(lengthSquared(disc.velocity)));
     if (m_lossy)
-        m_lasting[slot] = lasting;
+        m_shaking[slot] = soft;
 }
 
 Hit ExactSolver::newHit(Slot a, Slot b, Vec2 normal) const
@@ -136,7 +140,7 @@ void ExactSolver::hitWall(const Event &event, std::vector<Hit> &hits)
     disc.velocity -= (closing + rebound.speed) * n;
     if (rebound.speed == 0.0 && dot(m_rules.gravity, n) > 0.0)
         disc.held |= heldBy(wall);
-    noteHit(event.a, rebound.lasting);
+    noteHit(event.a, rebound.soft);
     if (!rebound.lasting) {
         hit.afterA = disc.velocity;
         hit.impulse = (closing + rebound.speed) / disc.inverseMass;
@@ -164,8 +168,8 @@ void ExactSolver::hitPair(const Event &event, std::vector<Hit> &hits)
     const Rebound rebound = reboundOf(event.a, event.b, n, closing);
     Hit hit = newHit(event.a, event.b, n);
     respond(a, b, n, closing + rebound.speed, rebound.lasting);
-    noteHit(event.a, rebound.lasting);
-    noteHit(event.b, rebound.lasting);
+    noteHit(event.a, rebound.soft);
+    noteHit(event.b, rebound.soft);
     if (!rebound.lasting) {
         hit.afterA = a.velocity;
         hit.afterB = b.velocity;

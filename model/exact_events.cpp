@@ -131,8 +131,7 @@ void ExactSolver::findFirstPairs()
 void ExactSolver::findEvents(Slot a)
 {
     // Discs in a lasting contact will be hit again soon: farther on is not worth the search.
-    m_horizon =
-        m_lossy && m_lasting[a] ? std::min(m_epochEnd, m_eventTime + m_lastingSearch) : m_epochEnd;
+    m_horizon = shakes(a) ? std::min(m_epochEnd, m_eventTime + m_lastingSearch) : m_epochEnd;
     if (m_horizon < m_epochEnd)
         push(m_horizon, a, lookAgain);
     if (m_walls)

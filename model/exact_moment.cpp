@@ -49,6 +49,7 @@ void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
     m_touched.clear();
     m_meetings.clear();
     m_contacts.clear();
+    m_soft = true;
     meet(event.a, event.b);
     while (!m_events.empty() && m_events.front().time <= event.time + m_moment) {
         const Event next = pop();
@@ -75,10 +76,8 @@ void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
         answerInTurn(hits);
     else
         answerTogether(hits);
-    const bool lasting =
-        std::all_of(m_contacts.begin(), m_contacts.end(), [](const Contact &c) { return c.rests; });
     for (const Slot slot : m_touched)
-        noteHit(slot, lasting);
+        noteHit(slot, m_soft);
     for (const Slot slot : m_touched)
         findEvents(slot);
 }
@@ -141,7 +140,8 @@ void ExactSolver::answerTogether(std::vector<Hit> &hits)
         // A wall that holds a disc takes part, but asks for nothing.
         const bool support = isWall(m.b) && (m_discs[m.a].held & heldBy(wallOf(m.b))) != 0;
         const Rebound rebound =
-            support ? Rebound{0.0, true} : reboundOf(m.a, m.b, contact.normal, closing);
+            support ? Rebound{0.0, true, true} : reboundOf(m.a, m.b, contact.normal, closing);
+        m_soft = m_soft && rebound.soft;
         contact.change = support ? 0.0 : closing + rebound.speed;
         contact.rests = rebound.lasting;
         m_contacts.push_back(contact);
@@ -223,6 +223,7 @@ void ExactSolver::answerInTurn(std::vector<Hit> &hits)
             if ((a.held & heldBy(wallOf(m.b))) != 0 || closing <= 0.0)
                 continue;
             const Rebound rebound = reboundOf(m.a, m.b, n, closing);
+            m_soft = m_soft && rebound.soft;
             a.velocity -= (closing + rebound.speed) * n;
             if (rebound.speed == 0.0 && dot(m_rules.gravity, n) > 0.0)
                 a.held |= heldBy(wallOf(m.b));
@@ -230,6 +231,7 @@ void ExactSolver::answerInTurn(std::vector<Hit> &hits)
         } else {
             Disc &b = m_discs[m.b];
             const Rebound rebound = reboundOf(m.a, m.b, n, std::max(0.0, closing));
+            m_soft = m_soft && rebound.soft;
             if (closing <= 0.0 && !rebound.lasting)
                 continue;
             respond(a, b, n, closing + rebound.speed, rebound.lasting);

@@ -59,6 +59,7 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
             m_small = m_discs.size();
     }
     setScales();
+    m_shaking.assign(m_lossy ? count : 0, false);
     m_now = 0.0;
     m_epochEnd = 0.0;
     beginEpoch();
@@ -122,7 +123,6 @@ void ExactSolver::beginEpoch()
         extent = std::max({extent, std::abs(disc.position.x), std::abs(disc.position.y)});
         fastest = std::max(fastest, lengthSquared(disc.velocity));
     }
-    m_lasting.assign(m_lossy ? m_discs.size() : 0, false);
     m_now -= m_epochEnd;
     m_eventTime = 0.0;
     m_startTime += m_epochEnd;
@@ -150,6 +150,7 @@ void ExactSolver::sortDiscs()
             continue;
         const Disc disc = m_discs[first];
         const std::uint32_t id = m_ids[first];
+        const bool shaking = shakes(static_cast<Slot>(first));
         std::size_t slot = first;
         while (true) {
             m_moved[slot] = true;
@@ -157,6 +158,8 @@ void ExactSolver::sortDiscs()
             const bool last = from == first;
             m_discs[slot] = last ? disc : m_discs[from];
             m_ids[slot] = last ? id : m_ids[from];
+            if (m_lossy)
+                m_shaking[slot] = last ? shaking : m_shaking[from];
             if (last)
                 break;
             slot = from;

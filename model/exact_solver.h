@@ -59,6 +59,7 @@ private:
     /// How two answer.
     struct Rebound {
         double speed = 0.0;   ///< at which they part, m/s
+        bool soft = false;    ///< too slow to lose anything
         bool lasting = false; ///< a contact that goes on, not a hit to tell of
     };
     /// Two that are in touch at this moment.
@@ -108,10 +109,11 @@ private:
     void hitPair(const Event &event, std::vector<Hit> &hits);
     void hitWall(const Event &event, std::vector<Hit> &hits);
     void respond(Disc &a, Disc &b, Vec2 n, double change, bool lasting) const;
-    void noteHit(Slot slot, bool lasting);
+    void noteHit(Slot slot, bool soft);
     void setAgainst(Disc &disc, Wall wall) const;
     [[nodiscard]] Rebound reboundOf(Slot a, Slot b, Vec2 normal, double closing) const;
     [[nodiscard]] double softSpeed(double radius) const;
+    [[nodiscard]] bool shakes(Slot slot) const { return m_lossy && m_shaking[slot]; }
     [[nodiscard]] double pressing(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] double closingSpeed(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] Hit newHit(Slot a, Slot b, Vec2 normal) const;
@@ -153,7 +155,7 @@ private:
     DiscGrid m_grid;
     std::vector<Disc> m_discs;        ///< in the order of the grid
     std::vector<std::uint32_t> m_ids; ///< which circle a slot holds
-    std::vector<bool> m_lasting;      ///< of each slot, if lossy: its latest hit was no real one
+    std::vector<bool> m_shaking;      ///< of each slot, if lossy: the latest hit was soft
     std::vector<Event> m_events;      ///< a heap, the earliest first
     std::vector<bool> m_moved;        ///< while sorting
     // Of this moment; bodies of contacts are places in m_touched.
@@ -161,6 +163,7 @@ private:
     std::vector<std::uint32_t> m_place; ///< of each slot in m_touched, where it is there
     std::vector<Meeting> m_meetings;
     std::vector<Contact> m_contacts;
+    bool m_soft = false; ///< no hit of it was fast enough to lose anything
     std::vector<double> m_weights;
     std::vector<Vec2> m_changes; ///< of the velocities, m/s
 };
