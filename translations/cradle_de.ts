@@ -415,13 +415,13 @@ Kein Stoß zielt auf etwas, und doch verteilt sich das Tempo in ein, zwei Sekund
     <message>
         <source>A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of its mass. Press Run and watch the energy.
 
-A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here more than half of all energy goes at one blow: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, thousands of times in a moment. Together they stop the heavy circle almost dead. That is called inelastic collapse.
+A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here, after 0.95 s, a sixth of all energy goes at one blow: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, hundreds of times in a few hundredths of a second. That is how an inelastic collapse begins.
 
 - Go back on the timeline to the blow, and step through it with → and ←.
 - Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
         <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke Starten und sieh die Energie an.
 
-Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier mehr als die Hälfte aller Energie auf einen Schlag: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, tausende Male in einem Moment. Zusammen halten sie den schweren Kreis fast ganz an. Das heißt inelastischer Kollaps.
+Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier nach 0,95 s ein Sechstel aller Energie auf einen Schlag: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, hunderte Male in wenigen Hundertstelsekunden. So beginnt ein inelastischer Kollaps.
 
 - Geh auf der Zeitleiste zum Schlag zurück und mit → und ← Schritt für Schritt hindurch.
 - Setze die Stoßzahl auf 1: Das Bett wird zu einem Gas unter einem Kolben und wirft ihn zurück.</translation>

@@ -256,7 +256,7 @@ void TestExactMotion::crowdIsToldThatThereIsNone()
     m_open->bench.document().open(crowd);
     exactAction(*m_open)->trigger();
     QCOMPARE(chips(*m_open),
-             QStringList{QStringLiteral("No exact motion beside more than 200 circles")});
+             QStringList{QStringLiteral("No exact motion beside more than 50 circles")});
     QCOMPARE(dashes(*m_open), 0);
     m_open->simulation().goTo(5);
     QVERIFY(m_open->simulation().shadow()->circles(5).empty());
