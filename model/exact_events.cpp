@@ -120,12 +120,12 @@ void ExactSolver::findFirstPairs()
             look(std::max(a + 1, small), all);
         });
     }
-    // Where it is crowded shorter epochs are cheaper.
+    // Where it is crowded shorter epochs are cheaper; the searches of this one rely on its drift.
     const double share = static_cast<double>(met) / std::max(1.0, static_cast<double>(all));
     if (share > crowded)
-        m_drift = std::max(shorter * m_drift, leastDrift * m_smallRadius);
+        m_nextDrift = std::max(shorter * m_drift, leastDrift * m_smallRadius);
     else if (share < shorter * shorter * shorter * crowded)
-        m_drift = std::min(m_drift / shorter, m_widestDrift);
+        m_nextDrift = std::min(m_drift / shorter, m_widestDrift);
 }
 
 void ExactSolver::findEvents(Slot a)
@@ -150,7 +150,7 @@ void ExactSolver::findEvents(Slot a)
         search<false, false>(a, neighbours);
 }
 
-/// How far a disc can come until the epoch ends, m.
+/// How far a disc can come before events are looked for again, m.
 double ExactSolver::travelOf(const Disc &disc) const
 {
     const double left = m_horizon - m_eventTime;

@@ -33,7 +33,6 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
     m_walls = rules.laws.walls == WallLaw::Reflect;
     m_pairs = rules.laws.circles != CircleLaw::None;
     m_lossy = rules.restitution < 1.0 || rules.laws.circles == CircleLaw::Stop;
-    const bool equal = rules.laws.circles == CircleLaw::SwapNormal;
     const std::size_t count = circles.size();
     m_discs.clear();
     m_ids.clear();
@@ -46,11 +45,10 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
             const Circle &c = circles[i];
             if ((c.radius > bound) != giants)
                 continue;
-            // An exchange of normal parts is what equal masses do.
             m_discs.push_back({.position = c.position,
                                .velocity = c.velocity,
                                .radius = c.radius,
-                               .inverseMass = equal ? 1.0 : 1.0 / mass(c)});
+                               .inverseMass = 1.0 / mass(c)});
             m_ids.push_back(static_cast<std::uint32_t>(i));
             if (!giants)
                 m_smallRadius = std::max(m_smallRadius, c.radius);
@@ -84,7 +82,7 @@ void ExactSolver::setScales()
     const double span = m_walls ? 2.0 * m_rules.halfWidth
                                 : std::max({high.x - low.x, high.y - low.y, 0.0}) + m_smallRadius;
     const double spacing = span / std::sqrt(count);
-    m_drift = m_widestDrift = driftShare * spacing;
+    m_nextDrift = m_widestDrift = driftShare * spacing;
     const double speed = std::sqrt(std::max(0.0, squares - lengthSquared(mean)));
     m_quiet = quietShare * speed;
     m_lastingSearch = m_gravity > 0.0 ? std::sqrt(searchHeight * smallest / m_gravity) : infinity;
@@ -126,6 +124,7 @@ void ExactSolver::beginEpoch()
     m_now -= m_epochEnd;
     m_eventTime = 0.0;
     m_startTime += m_epochEnd;
+    m_drift = m_nextDrift;
     m_events.clear();
     sortDiscs();
 

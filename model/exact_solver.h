@@ -141,11 +141,12 @@ private:
     double m_quiet = 0;         ///< without gravity: slower hits lose nothing, m/s
     double m_lastingSearch = 0; ///< how far ahead a disc in a lasting contact looks, s
     double m_drift = 0;         ///< how far a disc may move in an epoch, m
+    double m_nextDrift = 0;     ///< of the next epoch, m
     double m_widestDrift = 0;   ///< the most that is worth while, m
     double m_now = 0;           ///< s into the epoch
     double m_horizon = 0;       ///< until when events are looked for, s into the epoch
     double m_epochEnd = 0;      ///< s into the epoch
-    double m_foreseenSpeed = 0; ///< the greatest of m_foreseenAt, m/s
+    double m_foreseenSpeed = 0; ///< the greatest at m_foreseenAt, m/s
     double m_foreseenAt = 0;    ///< s into the epoch
     double m_foreseenDrift = 0; ///< by then, m
     double m_moment = 0;        ///< events closer than this are one, s

@@ -63,6 +63,8 @@ private slots:
     void theTimestepDoesNotMatter();
     void bouncingEndsAtRest();
     void twoCirclesMeetInFlight();
+    void everyLawTellsImpulseAndLoss_data();
+    void everyLawTellsImpulseAndLoss();
     void everyTimestepIsRecorded();
     void aWideThrowFoldsAtTheWalls();
 };
@@ -184,6 +186,35 @@ void TestExactTiming::twoCirclesMeetInFlight()
     COMPARE_NEAR(run[0].position.y, 3.0 + 1.0 - 0.5 * g, 1e-12);
     COMPARE_NEAR(run[1].velocity.x, 2.0, 1e-12);
     COMPARE_NEAR(run[1].velocity.y, 1.0 - g, 1e-12);
+}
+
+void TestExactTiming::everyLawTellsImpulseAndLoss_data()
+{
+    QTest::addColumn<int>("law");
+    QTest::newRow("stop") << static_cast<int>(CircleLaw::Stop);
+    QTest::newRow("swap velocities") << static_cast<int>(CircleLaw::SwapVelocities);
+    QTest::newRow("swap normal") << static_cast<int>(CircleLaw::SwapNormal);
+    QTest::newRow("impulse") << static_cast<int>(CircleLaw::Impulse);
+}
+
+void TestExactTiming::everyLawTellsImpulseAndLoss()
+{
+    // Unequal masses: what a hit tells must be what the circles have gained and lost.
+    QFETCH(int, law);
+    Preset preset = scene({circle({-1, 0.1}, {2, 0.5}, 0.2), circle({1, 0}, {-1, 0}, 0.4)},
+                          {WallLaw::None, static_cast<CircleLaw>(law), Timing::Exact});
+    preset.restitution = 0.5;
+    const Circle &first = preset.circles[0].body;
+    const Circle &second = preset.circles[1].body;
+    Run run(preset);
+    run.steps(60);
+    QCOMPARE(run.hits.size(), std::size_t{1});
+    const Hit &hit = run.hits[0];
+    const double pushed = mass(first) * dot(hit.beforeA - hit.afterA, hit.normal);
+    COMPARE_NEAR(hit.impulse, pushed, 1e-9 * std::abs(pushed));
+    const double before = kineticEnergy(first) + kineticEnergy(second);
+    const double after = kineticEnergy(run[0]) + kineticEnergy(run[1]);
+    COMPARE_NEAR(hit.loss, before - after, 1e-12 * before);
 }
 
 void TestExactTiming::everyTimestepIsRecorded()
