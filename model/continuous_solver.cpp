@@ -114,11 +114,10 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
 
 void ContinuousSolver::findMeanSpeed()
 {
-    double squares = 0.0;
+    m_meanSpeed = 0.0;
     for (const Motion &motion : m_motions)
-        squares += lengthSquared(motion.velocity);
-    m_meanSpeed =
-        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, m_motions.size())));
+        m_meanSpeed += std::sqrt(lengthSquared(motion.velocity));
+    m_meanSpeed /= static_cast<double>(std::max<std::size_t>(1, m_motions.size()));
 }
 
 void ContinuousSolver::flyFreely()

@@ -122,7 +122,7 @@ private:
     double m_time = 0;    ///< at the end of the step, s
     qint64 m_stepNumber = 0;
     double m_freePath = 0;  ///< mean, m
-    double m_meanSpeed = 0; ///< root of the mean square at the latest sort, m/s
+    double m_meanSpeed = 0; ///< at the latest sort, m/s
     double m_skin = 0;      ///< the drift that is worth while, m
     double m_drift = 0;     ///< how far a circle may be from where it was sorted, m
     double m_fastest = 0;   ///< when m_drifted was counted, m/s

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/continuous_step.h"
+#include "model/random.h"
+#include "tests/scenes.h"
+
+using namespace cradle;
+using namespace cradle::scenes;
+
+/// The grid, the skin and the groups of continuous timing find what all circles taken together as
+/// one group would.
+class TestContinuousCrowd : public QObject
+{
+    Q_OBJECT
+private slots:
+    void groupsMissNothing_data();
+    void groupsMissNothing();
+};
+
+namespace {
+
+/// \p count circles of mixed radii, densities and integrators on a lattice, at random velocities.
+Preset mixed(int count, double gravity, qint64 seed)
+{
+    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous});
+    preset.gravity = {0, -gravity};
+    Random random(seed);
+    const int columns = 8;
+    for (int i = 0; i < count; ++i) {
+        const Vec2 site{-3.5 + 1.0 * (i % columns), -3.5 + 1.0 * (i / columns)};
+        // One after the other: compilers may evaluate arguments in any order.
+        const double vx = random.between(-4.0, 4.0);
+        const double vy = random.between(-4.0, 4.0);
+        const double radius = random.between(0.1, 0.4);
+        const Integrator integrator = allIntegrators[random.below(4)];
+        const double density = random.between(0.5, 8.0);
+        preset.circles.push_back(circle(site, {vx, vy}, radius, integrator, density));
+    }
+    // One so fast that it leaves every skin in a step.
+    preset.circles[0].body.velocity = {40.0, 20.0};
+    return preset;
+}
+
+} // namespace
+
+void TestContinuousCrowd::groupsMissNothing_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<double>("gravity");
+    for (const int count : {9, 24, 56}) {
+        QTest::addRow("%d circles", count) << count << 0.0;
+        QTest::addRow("%d circles, falling", count) << count << g;
+    }
+}
+
+void TestContinuousCrowd::groupsMissNothing()
+{
+    QFETCH(int, count);
+    QFETCH(double, gravity);
+    for (qint64 seed = 1; seed <= 8; ++seed) {
+        const Preset preset = mixed(count, gravity, seed);
+        const Rules rules = rulesOf(preset);
+        Run run(preset);
+        ContinuousStep together;
+        std::size_t hits = 0;
+        // Chaos parts the two by rounding, so the reference begins each step where the run is.
+        for (int step = 0; step < 60; ++step) {
+            World world = run.world;
+            ++world.step;
+            world.time = static_cast<double>(world.step) * preset.timestep;
+            std::vector<Hit> expected;
+            together.run(rules, world, preset.timestep, expected);
+            hits += expected.size();
+            run.steps(1);
+            QCOMPARE(run.hits.size(), hits);
+            for (std::size_t i = 0; i < world.circles.size(); ++i) {
+                const double size = 1.0 + length(world.circles[i].velocity);
+                COMPARE_NEAR(length(run[i].position - world.circles[i].position), 0.0, 1e-7);
+                COMPARE_NEAR(length(run[i].velocity - world.circles[i].velocity), 0.0, 1e-6 * size);
+            }
+        }
+        QVERIFY(hits > 10);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestContinuousCrowd)
+#include "test_continuous_crowd.moc"
