@@ -89,6 +89,7 @@ std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titl
             titles.value(check.id).toString(object.value(QStringLiteral("title")).toString());
         check.parameters = object.value(QStringLiteral("parameters")).toObject();
         check.scene = object.value(QStringLiteral("scene")).toObject();
+        check.points = object.value(QStringLiteral("points")).toDouble(1.0);
         for (const QJsonValue &circle : object.value(QStringLiteral("circles")).toArray())
             check.circles.push_back(circle.toInt() - 1);
         if (check.circles.empty())

@@ -89,7 +89,7 @@ public:
     VariantMaker(const Preset &submission, const CheckSpec &check, qint64 seed)
         : m_submission(submission)
         , m_spec(check, submission.timestep)
-        , m_random(seed)
+        , m_random(check.scene.value(QStringLiteral("seed")).toInteger(seed))
     {
     }
 

@@ -24,7 +24,7 @@ struct Variant {
 ///     drop        circle 1 falls onto the floor
 /// All but \c own pin square, positions, velocities, radii, densities, gravity (none if not given)
 /// and restitution (1 if not given) and keep no circles beyond those that the check needs.
-/// The same \p seed gives the same scenes.
+/// The same \p seed gives the same scenes; a \c seed of the check's own takes its place.
 /// \pre submission has the check's circles
 [[nodiscard]] std::vector<Variant> makeVariants(const Preset &submission, const CheckSpec &check,
                                                 qint64 seed);

@@ -52,4 +52,12 @@ bool isCheckKind(const QString &kind)
     return find(kind) != nullptr;
 }
 
+QStringList checkKindNames()
+{
+    QStringList names;
+    for (const auto &entry : library)
+        names.append(QLatin1String(entry.first));
+    return names;
+}
+
 } // namespace cradle

@@ -35,4 +35,7 @@ struct Fault {
 /// Whether that kind exists.
 [[nodiscard]] bool isCheckKind(const QString &kind);
 
+/// The names of all kinds; see tasks/checks/check_kinds.h for their parameters.
+[[nodiscard]] QStringList checkKindNames();
+
 } // namespace cradle
