@@ -4,6 +4,7 @@
 
 #include "model/json_schema.h"
 #include "model/preset_json.h"
+#include "tasks/checks/check_validation.h"
 #include "tasks/known_scripts.h"
 
 #include <QCoreApplication>
@@ -99,15 +100,15 @@ std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titl
     return checks;
 }
 
-/// The laws that the step asks for, where the lab has a scene that passes it.
-std::optional<Laws> lawsOf(const QString &folder, Lab &lab)
+/// The scene that passes the step, where the lab has one.
+std::optional<Preset> solutionOf(const QString &folder, Lab &lab)
 {
     const QString path = folder + QStringLiteral("/solution-preset.json");
     if (!QFileInfo::exists(path))
         return std::nullopt;
     const Result<Preset> solution = readPreset(path);
     if (solution)
-        return solution->laws;
+        return *solution;
     lab.findings.push_back(solution.error());
     return std::nullopt;
 }
@@ -135,6 +136,14 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
              .pointer = QStringLiteral("/id")});
         return;
     }
+    const std::optional<Preset> solution = solutionOf(folder, lab);
+    const std::size_t circles =
+        std::max(preset->circles.size(), solution ? solution->circles.size() : 0);
+    const std::vector<Error> faults = findCheckFaults(*json, circles, path);
+    if (!faults.empty()) {
+        lab.findings.insert(lab.findings.end(), faults.begin(), faults.end());
+        return;
+    }
     const QJsonObject words = translationOf(path, language, lab);
     Task task;
     task.id = text("id");
@@ -153,7 +162,8 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
-    task.laws = lawsOf(folder, lab);
+    if (solution)
+        task.laws = solution->laws;
     readScripts(*json, words, task, lab);
     lab.tasks.push_back(task);
 }
