@@ -3,6 +3,7 @@
 #include "tasks/known_scripts.h"
 
 #include "model/json_schema.h"
+#include "tasks/script/check_script.h"
 #include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>
@@ -82,6 +83,20 @@ void readRemarks(const QJsonObject &json, const QJsonObject &texts, Task &task, 
     }
 }
 
+/// The programs of the checks that are written in Lua.
+void readCheckScripts(Task &task, Lab &lab)
+{
+    for (CheckSpec &check : task.checks) {
+        if (check.kind != QLatin1String("script"))
+            continue;
+        const QString path = task.folder + QStringLiteral("/checks/")
+                             + check.parameters.value(QStringLiteral("script")).toString();
+        check.source = readProgram(path, lab);
+        if (const auto error = findCheckScriptError(check.source))
+            lab.findings.push_back({.message = error->message, .file = path, .line = error->line});
+    }
+}
+
 } // namespace
 
 QString firstCommentBlock(const QString &source)
@@ -107,6 +122,7 @@ void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, 
     for (const QString &file :
          mistakes.entryList({QStringLiteral("*.lua")}, QDir::Files, QDir::Name))
         task.mistakes.push_back(readKnown(mistakes.filePath(file), texts, lab));
+    readCheckScripts(task, lab);
     readRemarks(json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
 }
 

@@ -225,6 +225,18 @@ std::vector<KindInfo> pairKinds()
     };
 }
 
+KindInfo scriptKind()
+{
+    return kind(
+        "script", KindText::tr("Your own, in Lua"),
+        KindText::tr("The function check(run) of a file looks at the whole run and says what "
+                     "is wrong with it"),
+        1,
+        {needed(make("script", Type::Script, KindText::tr("File"),
+                     KindText::tr("In the folder checks of the step, such as "
+                                  "heights.lua")))});
+}
+
 } // namespace
 
 std::vector<KindInfo> checkKinds()
@@ -234,6 +246,7 @@ std::vector<KindInfo> checkKinds()
         kinds.push_back(std::move(kind));
     for (KindInfo &kind : pairKinds())
         kinds.push_back(std::move(kind));
+    kinds.push_back(scriptKind());
     return kinds;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Judge = std::optional<Fault> (*)(const CheckSpec &, const Observation &);
 
-constexpr std::array<std::pair<const char *, Judge>, 17> library{{
+constexpr std::array<std::pair<const char *, Judge>, 18> library{{
     {"start", kinds::start},
     {"integrates", kinds::integrates},
     {"closed_form", kinds::closedForm},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<const char *, Judge>, 17> library{{
     {"loses_energy", kinds::losesEnergy},
     {"settles", kinds::settles},
     {"ends_at", kinds::endsAt},
+    {"script", kinds::script},
     {"bounce_heights", kinds::bounceHeights},
 }};
 

@@ -55,7 +55,7 @@ std::optional<Fault> endsAt(const CheckSpec &check, const Observation &o)
     const QJsonArray velocities = check.parameters.value(QStringLiteral("velocities")).toArray();
     int place = 0;
     for (const int i : check.circles) {
-        const Circle circle = motion::circleAt(o, i, time);
+        const Circle circle = o.circleAt(i, time);
         const QString at = motion::figure(time);
         const QString number = QString::number(i + 1);
         const Wanted position{EndText::tr("At %1 s circle %2 is at %3 m; %4 m is right")

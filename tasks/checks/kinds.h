@@ -23,6 +23,7 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o);
 std::optional<Fault> losesEnergy(const CheckSpec &check, const Observation &o);
 std::optional<Fault> settles(const CheckSpec &check, const Observation &o);
 std::optional<Fault> endsAt(const CheckSpec &check, const Observation &o);
+std::optional<Fault> script(const CheckSpec &check, const Observation &o);
 std::optional<Fault> bounceHeights(const CheckSpec &check, const Observation &o);
 
 } // namespace cradle::kinds

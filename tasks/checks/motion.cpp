@@ -62,20 +62,6 @@ double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
     return (length(o.circle(i, k).velocity) + length(gravity) * dt) * dt + samePosition;
 }
 
-Circle circleAt(const Observation &o, int i, double seconds)
-{
-    const double step = std::clamp(seconds / o.timestep(), 0.0, static_cast<double>(o.steps()));
-    const auto before = static_cast<qint64>(step);
-    Circle circle = o.circle(i, before);
-    const double share = step - static_cast<double>(before);
-    if (share > 0.0) {
-        const Circle &after = o.circle(i, before + 1);
-        circle.position = circle.position + share * (after.position - circle.position);
-        circle.velocity = circle.velocity + share * (after.velocity - circle.velocity);
-    }
-    return circle;
-}
-
 double wallGap(const Observation &o, const Circle &c, Wall wall)
 {
     return o.variant.preset.halfWidth - c.radius - dot(c.position, outwardNormal(wall));

@@ -31,10 +31,6 @@ inline constexpr double samePosition = 1e-9;
 /// The furthest that circle \p i can come in the step after \p k, m.
 [[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);
 
-/// Circle \p i at \p seconds from the start, on the straight line between the two states around
-/// it; at the end where the run is shorter.
-[[nodiscard]] Circle circleAt(const Observation &o, int i, double seconds);
-
 /// From the rim to \p wall, m; negative beyond it.
 [[nodiscard]] double wallGap(const Observation &o, const Circle &c, Wall wall);
 
