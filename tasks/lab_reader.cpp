@@ -153,6 +153,10 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
     task.laws = lawsOf(folder, lab);
+    task.prediction = readPrediction(*json, words);
+    if (const QString fault = predictionFault(*json); !fault.isEmpty())
+        lab.findings.push_back(
+            {.message = fault, .file = path, .pointer = QStringLiteral("/prediction/right")});
     readScripts(*json, words, task, lab);
     lab.tasks.push_back(task);
 }
