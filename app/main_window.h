@@ -72,6 +72,7 @@ private:
     void arrangePanes();
     void retranslate();
     void showTask();
+    void showInstructions();
     void showLooseScene();
     void showReport();
     void showVisit(bool visiting);

@@ -29,6 +29,8 @@ void MainWindow::wireWorkbench()
     connect(bench, &Workbench::taskChanged, this, &MainWindow::showTask);
     connect(bench, &Workbench::progressChanged, this,
             [this] { m_taskPane->setProgress(m_workbench.passed(), m_workbench.current()); });
+    connect(bench, &Workbench::guessChanged, this,
+            [this] { m_taskPane->setGuess(m_workbench.guess()); });
     connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
     connect(bench, &Workbench::reportStale, this, [this] { m_taskPane->setStale(true); });
     connect(bench, &Workbench::checkStarted, this, [this] {
@@ -53,6 +55,8 @@ void MainWindow::wireWorkbench()
     connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
     connect(m_taskPane, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
     connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
+    connect(m_taskPane, &TaskPane::predicted, bench, &Workbench::predict);
+    connect(m_taskPane, &TaskPane::outcomeRequested, bench, &Workbench::revealOutcome);
     connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
     connect(m_taskPane, &TaskPane::lineRequested, this, &MainWindow::showLine);
@@ -87,7 +91,7 @@ void MainWindow::showTask()
     m_transport->checkAction()->setEnabled(task != nullptr);
     m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
     if (task) {
-        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+        showInstructions();
         // An example brought the speeds to the front; the few circles of a step have none to show.
         if (m_values->tabs().currentWidget() == m_speeds)
             m_values->tabs().setCurrentIndex(0);
@@ -136,8 +140,16 @@ void MainWindow::showMode()
                           code ? 1 : 0);
     codeDock->setVisible(code);
     (code ? codeDock : inspectorDock)->raise();
-    if (const Task *task = m_workbench.task())
-        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+    if (hasStep)
+        showInstructions();
+}
+
+/// Of the open step, as the mode has them.
+void MainWindow::showInstructions()
+{
+    m_taskPane->showTask(taskFor(m_workbench.mode(), *m_workbench.task()),
+                         m_workbench.hintsOpened());
+    m_taskPane->setGuess(m_workbench.guess());
 }
 
 void MainWindow::chooseMode(int index)

@@ -49,6 +49,8 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_steps, &StepsList::stepChosen, this, &TaskPane::stepChosen);
     connect(m_instructions, &InstructionsPane::stepRequested, this, &TaskPane::chooseById);
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
+    connect(m_instructions, &InstructionsPane::predicted, this, &TaskPane::predicted);
+    connect(m_instructions, &InstructionsPane::outcomeRequested, this, &TaskPane::outcomeRequested);
     connect(m_result, &ResultPane::showMoment, this, &TaskPane::showMoment);
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
     connect(m_result, &ResultPane::lineRequested, this, &TaskPane::lineRequested);
@@ -84,6 +86,11 @@ void TaskPane::showTask(const Task &task, int hintsOpened)
 void TaskPane::setHintsOpened(int count)
 {
     m_instructions->setHintsOpened(count);
+}
+
+void TaskPane::setGuess(const Guess &guess)
+{
+    m_instructions->setGuess(guess);
 }
 
 void TaskPane::setReport(const std::optional<CheckReport> &report)

@@ -29,6 +29,8 @@ public:
     void setProgress(const std::vector<bool> &passed, int current);
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
+    /// What the student expects of the open step; after showTask().
+    void setGuess(const Guess &guess);
     /// Shows a report, or that there is none yet; ends setChecking and setStale.
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done = 0, int total = 0);
@@ -39,6 +41,8 @@ public:
 signals:
     void stepChosen(int step);  ///< from the list, or by a link in the instructions
     void hintOpened(int count); ///< how many hints of the step are open now
+    void predicted(int answer); ///< from 0, or Guess::notSure
+    void outcomeRequested();    ///< of the prediction
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
     void solutionRequested();
