@@ -59,8 +59,9 @@ struct Task {
     QString solution{};      ///< the reference program; empty if there is none
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
-    bool extra = false;         ///< not in the original lab
-    std::optional<Laws> laws{}; ///< that it asks for: those of the scene that passes it
+    bool extra = false;                    ///< not in the original lab
+    std::optional<Laws> laws{};            ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{}; ///< that scene
 };
 
 /// A lab; a plain value.

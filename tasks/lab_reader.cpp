@@ -162,6 +162,7 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
+    task.solutionScene = solution;
     if (solution)
         task.laws = solution->laws;
     readScripts(*json, words, task, lab);
