@@ -73,6 +73,7 @@ private:
     void retranslate();
     void showTask();
     void showInstructions();
+    void showProgress();
     void showLooseScene();
     void showReport();
     void showVisit(bool visiting);

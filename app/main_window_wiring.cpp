@@ -27,8 +27,7 @@ void MainWindow::wireWorkbench()
     Workbench *bench = &m_workbench;
     connect(bench, &Workbench::labChanged, this, [this] { m_taskPane->setLab(m_workbench.lab()); });
     connect(bench, &Workbench::taskChanged, this, &MainWindow::showTask);
-    connect(bench, &Workbench::progressChanged, this,
-            [this] { m_taskPane->setProgress(m_workbench.passed(), m_workbench.current()); });
+    connect(bench, &Workbench::progressChanged, this, &MainWindow::showProgress);
     connect(bench, &Workbench::guessChanged, this,
             [this] { m_taskPane->setGuess(m_workbench.guess()); });
     connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
@@ -89,7 +88,7 @@ void MainWindow::showTask()
 {
     const Task *task = m_workbench.task();
     m_transport->checkAction()->setEnabled(task != nullptr);
-    m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
+    showProgress();
     if (task) {
         showInstructions();
         // An example brought the speeds to the front; the few circles of a step have none to show.
@@ -108,6 +107,11 @@ void MainWindow::showTask()
                      "watch, and Check when you are done."));
     }
     retranslate();
+}
+
+void MainWindow::showProgress()
+{
+    m_taskPane->setProgress(m_workbench.passed(), m_workbench.current(), m_workbench.pass());
 }
 
 /// An example tells what there is to see, and the tab that shows it comes to the front.

@@ -4,6 +4,7 @@
 
 #include "tasks/check_report.h"
 #include "tasks/lab.h"
+#include "tasks/progress.h"
 
 #include <QWidget>
 
@@ -25,8 +26,9 @@ public:
 
     void setLab(const Lab &lab);
     /// \param passed   one per step
-    /// \param current  the open step
-    void setProgress(const std::vector<bool> &passed, int current);
+    /// \param current  the open step; −1: the scene belongs to none
+    /// \param pass     what is left of the check that the open step passed
+    void setProgress(const std::vector<bool> &passed, int current, const Pass &pass = {});
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
     /// What the student expects of the open step; after showTask().
@@ -60,6 +62,7 @@ private:
     ResultPane *m_result = nullptr;
     QSplitter *m_splitter = nullptr;
     bool m_hasReport = false;
+    bool m_hasPassed = false;
     bool m_shared = false; ///< by the student's hand
     QStringList m_taskIds;
 };
