@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/preset.h"
+#include "tasks/prediction.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -59,9 +60,10 @@ struct Task {
     QString solution{};      ///< the reference program; empty if there is none
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
-    bool extra = false;                    ///< not in the original lab
-    std::optional<Laws> laws{};            ///< that it asks for: those of the scene that passes it
-    std::optional<Preset> solutionScene{}; ///< that scene
+    bool extra = false;                     ///< not in the original lab
+    std::optional<Prediction> prediction{}; ///< asked before the scene is watched
+    std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{};  ///< that scene
 };
 
 /// A lab; a plain value.
