@@ -4,6 +4,7 @@
 
 #include "views/circle_clipboard.h"
 #include "views/circle_edits.h"
+#include "views/circle_name.h"
 #include "views/scene/handles.h"
 
 #include <QClipboard>
@@ -133,7 +134,7 @@ QString SceneEditor::subject() const
 void SceneEditor::addCircle(Vec2 at)
 {
     const Preset changed = withAddedCircle(preset(), at);
-    if (commit(tr("Add %1").arg(changed.circles.back().name), changed))
+    if (commit(tr("Add %1").arg(shownCircleName(changed.circles.back().name)), changed))
         select(circleCount() - 1);
 }
 
