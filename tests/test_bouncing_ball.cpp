@@ -200,6 +200,8 @@ void TestBouncingBall::wrongSceneFailsByTheCheckThatSeesIt_data()
     row("speed halved", heights, "half", [](Preset &p) { p.restitution = std::cbrt(0.5); });
     row("e for the height", heights, "half", [](Preset &p) { p.restitution = 0.5; });
     row("too lively", heights, "half", [](Preset &p) { p.restitution = 0.93; });
+    row("weaker gravity", heights, "falls", [](Preset &p) { p.gravity = {0.0, -5.0}; });
+    row("no walls", heights, "floor", [](Preset &p) { p.laws.walls = WallLaw::None; });
     row("no floor", heights, "law", [](Preset &p) { p.laws.walls = WallLaw::None; });
 }
 
