@@ -77,6 +77,7 @@ CheckOutcome outcomeOf(const Plan &plan)
     CheckOutcome outcome{.id = plan.check->id, .title = plan.check->title};
     outcome.passed = plan.missing.isEmpty();
     outcome.message = plan.missing;
+    outcome.points = plan.check->points;
     return outcome;
 }
 

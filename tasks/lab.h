@@ -18,12 +18,13 @@ namespace cradle {
 struct CheckSpec {
     QString id;
     QString title;
-    QString kind;               ///< see tasks/checks/check_kinds.h
-    std::vector<int> circles{}; ///< the circles that it looks at, from 0
-    QJsonObject parameters{};   ///< of the kind
-    QJsonObject scene{};        ///< which scenes it runs, see tasks/variant.h
-    double points = 1.0;        ///< what passing it is worth, 0 to 1000
-    QString source{};           ///< of a check in Lua: its program
+    QString kind;                            ///< see tasks/checks/check_kinds.h
+    std::vector<int> circles{};              ///< the circles that it looks at, from 0
+    QJsonObject parameters{};                ///< of the kind
+    QJsonObject scene{};                     ///< which scenes it runs, see tasks/variant.h
+    double points = 1.0;                     ///< what passing it is worth, 0 to 1000
+    QString source{};                        ///< of a check in Lua: its program
+    QString language = QStringLiteral("en"); ///< in which it speaks to the student
 
     friend bool operator==(const CheckSpec &, const CheckSpec &) = default;
 };

@@ -135,6 +135,8 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
         task.codeHints = codeHints;
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
+    for (CheckSpec &check : task.checks)
+        check.language = language;
     task.extra = json->value(QStringLiteral("extra")).toBool();
     task.solutionScene = solution;
     if (solution)

@@ -137,6 +137,10 @@ QByteArray writeJUnit(const CheckReport &report, const QString &program)
     writeProperty(xml, "seed", QString::number(report.seed));
     if (report.diagnosis)
         writeProperty(xml, "mistake", report.diagnosis->mistake);
+    if (isScored(report)) {
+        writeProperty(xml, "score", QString::number(scoreOf(report)));
+        writeProperty(xml, "max_score", QString::number(fullScoreOf(report)));
+    }
     xml.writeEndElement();
     xml.writeTextElement(QStringLiteral("system-out"), summaryOf(report, program));
     for (std::size_t i = 0; i < report.checks.size(); ++i)

@@ -63,8 +63,8 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
     for (const CheckOutcome &check : report.checks)
         tests.append(QJsonObject{
             {QStringLiteral("name"), check.title},
-            {QStringLiteral("score"), check.passed ? 1 : 0},
-            {QStringLiteral("max_score"), 1},
+            {QStringLiteral("score"), check.passed ? check.points : 0.0},
+            {QStringLiteral("max_score"), check.points},
             {QStringLiteral("status"),
              check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
             {QStringLiteral("output"),
@@ -77,7 +77,7 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
     if (report.diagnosis)
         extra.insert(QStringLiteral("mistake"), report.diagnosis->mistake);
     const QJsonObject json{
-        {QStringLiteral("score"), passedCount(report)},
+        {QStringLiteral("score"), scoreOf(report)},
         {QStringLiteral("execution_time"), static_cast<double>(report.elapsedMs) / 1000.0},
         {QStringLiteral("output"), overview(report, file)},
         {QStringLiteral("output_format"), QStringLiteral("md")},

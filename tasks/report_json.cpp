@@ -17,20 +17,24 @@ QJsonValue numberOrNull(const std::optional<double> &value)
     return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
 }
 
-QJsonObject jsonOf(const CheckOutcome &check)
+/// \param scored  whether checks are worth different points
+QJsonObject jsonOf(const CheckOutcome &check, bool scored)
 {
-    return {{QStringLiteral("id"), check.id},
-            {QStringLiteral("title"), check.title},
-            {QStringLiteral("passed"), check.passed},
-            {QStringLiteral("message"), check.message},
-            {QStringLiteral("expected"), numberOrNull(check.expected)},
-            {QStringLiteral("observed"), numberOrNull(check.observed)},
-            {QStringLiteral("unit"), check.unit},
-            {QStringLiteral("step"),
-             check.step >= 0 ? QJsonValue(check.step) : QJsonValue(QJsonValue::Null)},
-            {QStringLiteral("variant"), check.variant},
-            {QStringLiteral("line"),
-             check.line > 0 ? QJsonValue(check.line) : QJsonValue(QJsonValue::Null)}};
+    QJsonObject json{{QStringLiteral("id"), check.id},
+                     {QStringLiteral("title"), check.title},
+                     {QStringLiteral("passed"), check.passed},
+                     {QStringLiteral("message"), check.message},
+                     {QStringLiteral("expected"), numberOrNull(check.expected)},
+                     {QStringLiteral("observed"), numberOrNull(check.observed)},
+                     {QStringLiteral("unit"), check.unit},
+                     {QStringLiteral("step"),
+                      check.step >= 0 ? QJsonValue(check.step) : QJsonValue(QJsonValue::Null)},
+                     {QStringLiteral("variant"), check.variant},
+                     {QStringLiteral("line"),
+                      check.line > 0 ? QJsonValue(check.line) : QJsonValue(QJsonValue::Null)}};
+    if (scored)
+        json.insert(QStringLiteral("points"), check.points);
+    return json;
 }
 
 QJsonValue jsonOf(const std::optional<Diagnosis> &diagnosis)
@@ -66,19 +70,23 @@ QByteArray writeReport(const CheckReport &report)
 {
     QJsonArray checks;
     for (const CheckOutcome &check : report.checks)
-        checks.append(jsonOf(check));
-    const QJsonObject json{{QStringLiteral("format"), 1},
-                           {QStringLiteral("lab"), report.labId},
-                           {QStringLiteral("lab_hash"), report.labHash},
-                           {QStringLiteral("task"), report.taskId},
-                           {QStringLiteral("seed"), report.seed},
-                           {QStringLiteral("passed"), report.passed},
-                           {QStringLiteral("commit"), report.commit},
-                           {QStringLiteral("checks"), checks},
-                           {QStringLiteral("diagnosis"), jsonOf(report.diagnosis)},
-                           {QStringLiteral("remarks"), jsonOf(report.remarks)},
-                           {QStringLiteral("error"), jsonOf(report.error)},
-                           {QStringLiteral("elapsed_ms"), report.elapsedMs}};
+        checks.append(jsonOf(check, isScored(report)));
+    QJsonObject json{{QStringLiteral("format"), 1},
+                     {QStringLiteral("lab"), report.labId},
+                     {QStringLiteral("lab_hash"), report.labHash},
+                     {QStringLiteral("task"), report.taskId},
+                     {QStringLiteral("seed"), report.seed},
+                     {QStringLiteral("passed"), report.passed},
+                     {QStringLiteral("commit"), report.commit},
+                     {QStringLiteral("checks"), checks},
+                     {QStringLiteral("diagnosis"), jsonOf(report.diagnosis)},
+                     {QStringLiteral("remarks"), jsonOf(report.remarks)},
+                     {QStringLiteral("error"), jsonOf(report.error)},
+                     {QStringLiteral("elapsed_ms"), report.elapsedMs}};
+    if (isScored(report)) {
+        json.insert(QStringLiteral("score"), scoreOf(report));
+        json.insert(QStringLiteral("max_score"), fullScoreOf(report));
+    }
     return QJsonDocument(json).toJson();
 }
 

@@ -179,6 +179,28 @@ int passedCount(const CheckReport &report)
                                           [](const CheckOutcome &check) { return check.passed; }));
 }
 
+bool isScored(const CheckReport &report)
+{
+    return std::any_of(report.checks.begin(), report.checks.end(),
+                       [](const CheckOutcome &check) { return check.points != 1.0; });
+}
+
+double scoreOf(const CheckReport &report)
+{
+    double sum = 0.0;
+    for (const CheckOutcome &check : report.checks)
+        sum += check.passed ? check.points : 0.0;
+    return sum;
+}
+
+double fullScoreOf(const CheckReport &report)
+{
+    double sum = 0.0;
+    for (const CheckOutcome &check : report.checks)
+        sum += check.points;
+    return sum;
+}
+
 QString verdictOf(const CheckReport &report)
 {
     if (report.passed)
@@ -189,10 +211,15 @@ QString verdictOf(const CheckReport &report)
                    : ReportText::tr("%1 did not pass: the program does not load")
                          .arg(report.taskId);
     const auto all = static_cast<int>(report.checks.size());
-    return ReportText::tr("%1 did not pass: %2 of %3 checks failed")
-        .arg(report.taskId)
-        .arg(all - passedCount(report))
-        .arg(all);
+    const QString verdict = ReportText::tr("%1 did not pass: %2 of %3 checks failed")
+                                .arg(report.taskId)
+                                .arg(all - passedCount(report))
+                                .arg(all);
+    return isScored(report) ? ReportText::tr("%1 (%2 of %3 points)")
+                                  .arg(verdict)
+                                  .arg(scoreOf(report))
+                                  .arg(fullScoreOf(report))
+                            : verdict;
 }
 
 } // namespace cradle

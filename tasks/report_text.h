@@ -40,6 +40,12 @@ inline constexpr int terminalColumns = 80;
 /// How many checks passed.
 [[nodiscard]] int passedCount(const CheckReport &report);
 
+/// Whether some check is worth something else than 1 point: then scores are told.
+[[nodiscard]] bool isScored(const CheckReport &report);
+/// The points of the checks that passed, and of all.
+[[nodiscard]] double scoreOf(const CheckReport &report);
+[[nodiscard]] double fullScoreOf(const CheckReport &report);
+
 /// "L42T5 passed", or why not.
 [[nodiscard]] QString verdictOf(const CheckReport &report);
 

@@ -4,9 +4,9 @@
 
 #include "model/random.h"
 #include "model/stepper.h"
+#include "tasks/scene_spec.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
 
 #include <algorithm>
 
@@ -22,16 +22,6 @@ constexpr double halfWidth = 4.0;      ///< of the square of pinned scenes, m
 constexpr double timeToContact = 0.5;  ///< from the start of an encounter, s
 constexpr double placeOfContact = 1.0; ///< encounters happen within ± this of the middle, m
 
-std::vector<double> numbers(const QJsonValue &list, std::vector<double> fallback)
-{
-    if (!list.isArray())
-        return fallback;
-    std::vector<double> result;
-    for (const QJsonValue &value : list.toArray())
-        result.push_back(value.toDouble());
-    return result;
-}
-
 QString timestepText(double timestep)
 {
     return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
@@ -42,45 +32,6 @@ Vec2 fromAngle(double degrees)
     const double a = degrees * std::numbers::pi / 180.0;
     return {std::cos(a), std::sin(a)};
 }
-
-/// The values of a check's "scene" with their defaults.
-struct SceneSpec {
-    explicit SceneSpec(const CheckSpec &check, double ownTimestep)
-        : kind(check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own")))
-        , circles(check.circles)
-    {
-        const auto value = [&](const char *key) { return check.scene.value(QLatin1String(key)); };
-        const bool own = kind == QLatin1String("own");
-        count = value("count").toInt(count);
-        duration = value("duration").toDouble(own ? 10.0 : 2.0);
-        timesteps = numbers(value("timesteps"), {own ? ownTimestep : 1.0 / 60.0});
-        restitutions = numbers(value("restitutions"), {1.0});
-        const auto g = numbers(value("gravity"), {0.0, 0.0});
-        gravity = {g[0], g[1]};
-        const auto pair = [&](const char *key, Vec2 fallback) {
-            const auto list = numbers(value(key), {fallback.x, fallback.y});
-            return Vec2{list[0], list[1]};
-        };
-        speeds = pair("speeds", {1.0, 3.0});
-        radii = pair("radii", {0.2, 0.2});
-        densities = pair("densities", {7.8, 7.8});
-        offset = value("offset").toDouble(0.0);
-        bothMove = value("both_move").toBool(false);
-    }
-
-    QString kind;
-    std::vector<int> circles;
-    int count = 1;
-    double duration = 2.0;
-    std::vector<double> timesteps{};
-    std::vector<double> restitutions{};
-    Vec2 gravity{};
-    Vec2 speeds{}; ///< least and most
-    Vec2 radii{};
-    Vec2 densities{};
-    double offset = 0.0;
-    bool bothMove = false;
-};
 
 /// Makes the scenes of one check.
 class VariantMaker

@@ -53,7 +53,8 @@ void TestCheckScript::whatTheRunOffers_data()
     QTest::addColumn<QString>("holds");
     for (const char *holds :
          {"run.duration == 4", "run.timestep == 0.125", "run.step_count == 32",
-          "run.circle_count == 2", "run.restitution == 1", "run.gravity == vec(0, 0)",
+          "run.circle_count == 2", "run.language == 'en'", "run.restitution == 1",
+          "run.gravity == vec(0, 0)",
           "run.square.half_width == 4 and run.square.left == -4 and run.square.top == 4",
           "run:at(0).circles[1].position == vec(0, 1)", "run:at(0.5).time == 0.5",
           "run:at(0.5).step == 4", "run:at(0.5).circles[1].position == vec(1, 1)",
@@ -86,6 +87,9 @@ void TestCheckScript::whatTheRunOffers()
 
 void TestCheckScript::verdictIsTaken()
 {
+    const ScriptVerdict german = runCheckScript(
+        checkOf(QStringLiteral("return false, run.language")), drift(), QStringLiteral("de"));
+    QCOMPARE(german.message, QStringLiteral("de"));
     const ScriptVerdict full = runCheckScript(
         checkOf(QStringLiteral("return false, 'too\\nlow', {time = 1.5, expected = 2, observed = "
                                "1, unit = 'm'}")),

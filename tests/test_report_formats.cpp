@@ -293,6 +293,13 @@ void TestReportFormats::gradescopeGivesAPointForEachCheck()
         QVERIFY(!test.value(QStringLiteral("name")).toString().isEmpty());
         QCOMPARE(test.value(QStringLiteral("output")).toString().isEmpty(), i == 0);
     }
+    CheckReport worth = diagnosed();
+    worth.checks[0].points = 2.5;
+    const QJsonObject scored = parsed(writeGradescope(worth, {}));
+    QCOMPARE(scored.value(QStringLiteral("score")), QJsonValue(2.5));
+    const QJsonObject first = scored.value(QStringLiteral("tests")).toArray().at(0).toObject();
+    QCOMPARE(first.value(QStringLiteral("max_score")), QJsonValue(2.5));
+    QCOMPARE(first.value(QStringLiteral("score")), QJsonValue(2.5));
     QCOMPARE(parsed(writeGradescope(unloadable(), {})).value(QStringLiteral("score")),
              QJsonValue(0));
     QCOMPARE(parsed(writeGradescope(passed(), {})).value(QStringLiteral("score")), QJsonValue(2));

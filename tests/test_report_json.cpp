@@ -24,6 +24,7 @@ private slots:
     void whatIsUnknownIsNull();
     void numbersReadBack_data();
     void numbersReadBack();
+    void pointsAreToldWhereTheyDiffer();
     void textsSurvive();
     void textReportListsEveryCheck();
 
@@ -171,6 +172,32 @@ void TestReportJson::numbersReadBack()
     CheckReport made = report(false);
     made.checks[1].expected = number;
     QVERIFY2(writeReport(made).contains("\"expected\": " + text + ","), writeReport(made));
+}
+
+void TestReportJson::pointsAreToldWhereTheyDiffer()
+{
+    CheckReport made = report(false);
+    const QByteArray alike = writeReport(made);
+    QVERIFY(!alike.contains("points") && !alike.contains("score"));
+    made.checks[0].points = 2.5;
+    double all = 0.0;
+    double reached = 0.0;
+    for (const CheckOutcome &check : made.checks) {
+        all += check.points;
+        reached += check.passed ? check.points : 0.0;
+    }
+    const QJsonObject json = read(made);
+    QCOMPARE(json.value(QStringLiteral("max_score")).toDouble(), all);
+    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), reached);
+    QVERIFY(reached > 0.0 && reached < all);
+    QCOMPARE(json.value(QStringLiteral("checks"))
+                 .toArray()
+                 .at(0)
+                 .toObject()
+                 .value(QStringLiteral("points"))
+                 .toDouble(),
+             2.5);
+    QVERIFY(verdictOf(made).endsWith(QStringLiteral("(%1 of %2 points)").arg(reached).arg(all)));
 }
 
 void TestReportJson::textsSurvive()

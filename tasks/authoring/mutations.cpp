@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/mutations.h"
 
-#include "tasks/authoring/lua_tokens.h"
-#include "tasks/script/student_script.h"
+#include "tasks/authoring/mutant_writer.h"
 
 #include <QCoreApplication>
-#include <QSet>
-
-#include <algorithm>
 
 namespace cradle {
 
@@ -18,21 +14,14 @@ struct MutationText {
     Q_DECLARE_TR_FUNCTIONS(Mutations)
 };
 
-/// What kind of mistake it is, and what a student is asked who made it.
-struct Mistake {
-    const char *name; ///< begins the name of the file
-    QString headline;
-    QString question;
-};
-
 /// Makes the mutants of one solution.
 class Mutator
 {
 public:
     explicit Mutator(const QString &solution)
-        : m_source(solution)
-        , m_tokens(luaTokens(solution))
-        , m_lines(solution.split(QLatin1Char('\n')))
+        : m_text(solution)
+        , m_source(m_text.source())
+        , m_tokens(m_text.tokens())
     {
         for (const LuaToken &token : m_tokens) {
             if (token.kind == LuaToken::Kind::Name)
@@ -42,9 +31,8 @@ public:
 
     std::vector<Mutant> make()
     {
-        findStart();
         for (std::size_t i = 0; i < m_tokens.size(); ++i) {
-            if (isInStart(m_tokens[i].line))
+            if (m_text.isInStart(m_tokens[i].line))
                 continue;
             turnSign(i);
             dropFactor(i);
@@ -56,68 +44,12 @@ public:
             exchangeNames(i);
             changeRestitution(i);
         }
-        for (int line = 1; line <= static_cast<int>(m_lines.size()); ++line)
+        for (int line = 1; line <= static_cast<int>(m_text.lines().size()); ++line)
             changeStatement(line);
-        return std::move(m_mutants);
+        return m_text.take();
     }
 
 private:
-    [[nodiscard]] const LuaToken *at(std::size_t i) const
-    {
-        return i < m_tokens.size() ? &m_tokens[i] : nullptr;
-    }
-    [[nodiscard]] bool isAt(std::size_t i, const char *word) const
-    {
-        return i < m_tokens.size() && m_tokens[i].is(word);
-    }
-
-    /// The lines of on_load: what stands there are the values of the scene.
-    void findStart()
-    {
-        for (std::size_t i = 0; i + 1 < m_tokens.size(); ++i) {
-            if (!m_tokens[i].is("function") || !m_tokens[i + 1].is("on_load"))
-                continue;
-            m_startFrom = m_tokens[i].line;
-            m_startTo = m_startFrom;
-            while (m_startTo < static_cast<int>(m_lines.size())
-                   && !m_lines[m_startTo - 1].startsWith(QLatin1String("end")))
-                ++m_startTo;
-        }
-    }
-    [[nodiscard]] bool isInStart(int line) const
-    {
-        return line >= m_startFrom && line <= m_startTo;
-    }
-
-    /// Keeps the program in which the letters from \p from up to \p to became \p text, if it can be
-    /// read.
-    void add(const Mistake &mistake, int line, qsizetype from, qsizetype to, const QString &text)
-    {
-        Mutant mutant;
-        const QString program = QString(m_source).replace(from, to - from, text);
-        if (program == m_source || findSyntaxError(program))
-            return;
-        mutant.line = line;
-        mutant.name = QStringLiteral("%1-line-%2").arg(QLatin1String(mistake.name)).arg(line);
-        for (int n = 2; m_used.contains(mutant.name); ++n)
-            mutant.name =
-                QStringLiteral("%1-line-%2-%3").arg(QLatin1String(mistake.name)).arg(line).arg(n);
-        m_used.insert(mutant.name);
-        const QStringList lines = program.split(QLatin1Char('\n'));
-        mutant.change = lines.value(line - 1).trimmed();
-        mutant.message = mistake.headline + QStringLiteral("\n\n") + mistake.question;
-        mutant.source = commented(mutant.message) + QLatin1Char('\n') + program;
-        m_mutants.push_back(mutant);
-    }
-
-    static QString commented(const QString &text)
-    {
-        QString comment;
-        for (const QString &line : text.split(QLatin1Char('\n')))
-            comment += (QStringLiteral("-- ") + line).trimmed() + QLatin1Char('\n');
-        return comment;
-    }
-
     void turnSign(std::size_t i)
     {
         const LuaToken &sign = m_tokens[i];
@@ -130,50 +62,14 @@ private:
         const QString other = !binary        ? QString()
                               : sign.is("+") ? QStringLiteral("-")
                                              : QStringLiteral("+");
-        add(mistake, sign.line, sign.start, sign.end(), other);
-    }
-
-    /// The token after the operand that begins at \p i: a name with its fields and calls, a number
-    /// or a group in parentheses.
-    [[nodiscard]] std::size_t afterOperand(std::size_t i) const
-    {
-        const LuaToken *first = at(i);
-        if (!first || !(first->endsOperand() || first->is("(")) || first->is(")"))
-            return i;
-        if (!first->is("("))
-            ++i;
-        while (const LuaToken *next = at(i)) {
-            if (next->is("(") || next->is("[")) {
-                i = afterGroup(i);
-            } else if ((next->is(".") || next->is(":")) && at(i + 1)) {
-                i += 2;
-            } else if (next->is("^") && at(i + 1)) {
-                i += 2;
-            } else {
-                break;
-            }
-        }
-        return i;
-    }
-
-    /// The token after the parenthesis or bracket that closes the one at \p i.
-    [[nodiscard]] std::size_t afterGroup(std::size_t i) const
-    {
-        int depth = 0;
-        for (; i < m_tokens.size(); ++i) {
-            if (m_tokens[i].is("(") || m_tokens[i].is("["))
-                ++depth;
-            else if ((m_tokens[i].is(")") || m_tokens[i].is("]")) && --depth == 0)
-                return i + 1;
-        }
-        return i;
+        m_text.add(mistake, sign.line, sign.start, sign.end(), other);
     }
 
     void dropFactor(std::size_t i)
     {
         const LuaToken &sign = m_tokens[i];
         if (sign.is("*") || sign.is("/") || sign.is("^")) {
-            const std::size_t after = afterOperand(i + 1);
+            const std::size_t after = m_text.afterOperand(i + 1);
             if (after == i + 1)
                 return;
             const qsizetype end = m_tokens[after - 1].end();
@@ -186,15 +82,16 @@ private:
             && (m_tokens[i - 1].is("*") || m_tokens[i - 1].is("/") || m_tokens[i - 1].is(".")
                 || m_tokens[i - 1].is(":")))
             return;
-        const std::size_t after = afterOperand(i);
-        if (after > i && isAt(after, "*") && at(after + 1))
+        const std::size_t after = m_text.afterOperand(i);
+        if (after > i && m_text.isAt(after, "*") && m_text.at(after + 1))
             addDropped(m_source.mid(sign.start, m_tokens[after - 1].end() - sign.start), sign.line,
                        sign.start, m_tokens[after + 1].start);
     }
 
     void addDropped(const QString &factor, int line, qsizetype from, qsizetype to)
     {
-        add({"factor", MutationText::tr("The factor `%1` is missing").arg(factor),
+        m_text.add(
+            {"factor", MutationText::tr("The factor `%1` is missing").arg(factor),
              MutationText::tr("Do both sides have the same unit? What changes if this factor is "
                               "twice as large?")},
             line, from, to, {});
@@ -204,28 +101,28 @@ private:
     {
         if (!m_tokens[i].is("(") || (i > 0 && m_tokens[i - 1].endsOperand()))
             return;
-        const std::size_t after = afterGroup(i);
-        const bool product = isAt(after, "*") || isAt(after, "/")
+        const std::size_t after = m_text.afterGroup(i);
+        const bool product = m_text.isAt(after, "*") || m_text.isAt(after, "/")
                              || (i > 0 && (m_tokens[i - 1].is("*") || m_tokens[i - 1].is("/")));
         if (!product)
             return;
         const qsizetype from = m_tokens[i].start;
         const qsizetype to = m_tokens[after - 1].end();
-        add({"parentheses", MutationText::tr("Something stands in the wrong place"),
-             MutationText::tr("A product comes before a sum: what belongs together here?")},
-            m_tokens[i].line, from, to, m_source.mid(from + 1, to - from - 2));
+        m_text.add({"parentheses", MutationText::tr("Something stands in the wrong place"),
+                    MutationText::tr("A product comes before a sum: what belongs together here?")},
+                   m_tokens[i].line, from, to, m_source.mid(from + 1, to - from - 2));
     }
 
     void dropNormalisation(std::size_t i)
     {
-        if (!m_tokens[i].is(":") || !isAt(i + 1, "normalized"))
+        if (!m_tokens[i].is(":") || !m_text.isAt(i + 1, "normalized"))
             return;
-        const std::size_t after = afterGroup(i + 2);
-        add({"not-normalised", MutationText::tr("The normal does not have the length 1"),
-             MutationText::tr(
-                 "How long is this vector? A part along it is right only if its length "
-                 "is 1.")},
-            m_tokens[i].line, m_tokens[i].start, m_tokens[after - 1].end(), {});
+        const std::size_t after = m_text.afterGroup(i + 2);
+        m_text.add({"not-normalised", MutationText::tr("The normal does not have the length 1"),
+                    MutationText::tr(
+                        "How long is this vector? A part along it is right only if its length "
+                        "is 1.")},
+                   m_tokens[i].line, m_tokens[i].start, m_tokens[after - 1].end(), {});
     }
 
     void turnComparison(std::size_t i)
@@ -234,9 +131,10 @@ private:
             {"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
         for (const auto &[sign, other] : pairs) {
             if (m_tokens[i].is(sign))
-                add({"comparison", MutationText::tr("A comparison is the wrong way round"),
-                     MutationText::tr("When should this happen: above or below?")},
-                    m_tokens[i].line, m_tokens[i].start, m_tokens[i].end(), QLatin1String(other));
+                m_text.add({"comparison", MutationText::tr("A comparison is the wrong way round"),
+                            MutationText::tr("When should this happen: above or below?")},
+                           m_tokens[i].line, m_tokens[i].start, m_tokens[i].end(),
+                           QLatin1String(other));
         }
     }
 
@@ -268,8 +166,8 @@ private:
                               MutationText::tr("When should this happen, and when not? Think of "
                                                "circles that already move apart, and of every "
                                                "wall.")};
-        add(mistake, m_tokens[i].line, m_tokens[first].start, m_tokens[i + 1].start, {});
-        add(mistake, m_tokens[i].line, m_tokens[i - 1].end(), m_tokens[last - 1].end(), {});
+        m_text.add(mistake, m_tokens[i].line, m_tokens[first].start, m_tokens[i + 1].start, {});
+        m_text.add(mistake, m_tokens[i].line, m_tokens[i - 1].end(), m_tokens[last - 1].end(), {});
     }
 
     /// A branch that is never or always taken.
@@ -284,12 +182,13 @@ private:
             return;
         const qsizetype from = m_tokens[i + 1].start;
         const qsizetype to = m_tokens[then - 1].end();
-        add({"never", MutationText::tr("One case is missing"),
+        m_text.add(
+            {"never", MutationText::tr("One case is missing"),
              MutationText::tr("Go through the cases one by one: which of them does nothing?")},
             m_tokens[i].line, from, to, QStringLiteral("false"));
-        add({"always", MutationText::tr("It happens always"),
-             MutationText::tr("When should this happen, and when not?")},
-            m_tokens[i].line, from, to, QStringLiteral("true"));
+        m_text.add({"always", MutationText::tr("It happens always"),
+                    MutationText::tr("When should this happen, and when not?")},
+                   m_tokens[i].line, from, to, QStringLiteral("true"));
     }
 
     /// The name that goes with \p name as b goes with a, or circle2 with circle1; empty if none.
@@ -312,91 +211,62 @@ private:
     void exchangeNames(std::size_t i)
     {
         const LuaToken &name = m_tokens[i];
-        if (name.kind != LuaToken::Kind::Name || isAt(i + 1, "="))
+        if (name.kind != LuaToken::Kind::Name || m_text.isAt(i + 1, "="))
             return;
         const QString partner = partnerOf(name.text);
         if (partner.isEmpty())
             return;
-        add({"exchanged",
-             MutationText::tr("`%1` stands where `%2` belongs").arg(partner, name.text),
-             MutationText::tr("Which circle, and which coordinate, is meant here?")},
-            name.line, name.start, name.end(), partner);
+        m_text.add({"exchanged",
+                    MutationText::tr("`%1` stands where `%2` belongs").arg(partner, name.text),
+                    MutationText::tr("Which circle, and which coordinate, is meant here?")},
+                   name.line, name.start, name.end(), partner);
     }
 
     void changeRestitution(std::size_t i)
     {
         const LuaToken &name = m_tokens[i];
-        if (!name.is("restitution") || isAt(i + 1, "="))
+        if (!name.is("restitution") || m_text.isAt(i + 1, "="))
             return;
-        add({"no-restitution", MutationText::tr("The hit takes nothing"),
+        m_text.add(
+            {"no-restitution", MutationText::tr("The hit takes nothing"),
              MutationText::tr("Which part of the velocity should become e times what it was?")},
             name.line, name.start, name.end(), QStringLiteral("1"));
-        add({"restitution-twice", MutationText::tr("e counts twice"),
-             MutationText::tr("How fast does it leave, compared with how fast it came?")},
-            name.line, name.start, name.end(), QStringLiteral("restitution ^ 2"));
-    }
-
-    /// Whether a line is one whole statement that assigns or calls.
-    [[nodiscard]] bool isStatement(int line) const
-    {
-        const LuaToken *first = nullptr;
-        int depth = 0;
-        bool acts = false;
-        for (const LuaToken &token : m_tokens) {
-            if (token.line != line)
-                continue;
-            first = first ? first : &token;
-            if (token.kind == LuaToken::Kind::Keyword && !token.is("and") && !token.is("or")
-                && !token.is("not") && !token.is("true") && !token.is("false"))
-                return false;
-            depth += token.is("(") || token.is("{") ? 1 : token.is(")") || token.is("}") ? -1 : 0;
-            acts = acts || token.is("=") || token.is("(");
-        }
-        return first && first->kind == LuaToken::Kind::Name && depth == 0 && acts;
-    }
-
-    [[nodiscard]] qsizetype startOf(int line) const
-    {
-        qsizetype start = 0;
-        for (int i = 1; i < line; ++i)
-            start += m_lines[i - 1].size() + 1;
-        return start;
+        m_text.add({"restitution-twice", MutationText::tr("e counts twice"),
+                    MutationText::tr("How fast does it leave, compared with how fast it came?")},
+                   name.line, name.start, name.end(), QStringLiteral("restitution ^ 2"));
     }
 
     void changeStatement(int line)
     {
-        if (!isStatement(line))
+        if (!m_text.isStatement(line))
             return;
-        const qsizetype from = startOf(line);
-        const QString text = m_lines[line - 1];
-        add({"missing", MutationText::tr("Something is left out"),
-             MutationText::tr(
-                 "Compare with the instructions what has to be done for every circle in "
-                 "every step.")},
-            line, from, from + text.size(), {});
-        if (isInStart(line))
+        const qsizetype from = m_text.startOf(line);
+        const QString text = m_text.lines()[line - 1];
+        m_text.add({"missing", MutationText::tr("Something is left out"),
+                    MutationText::tr(
+                        "Compare with the instructions what has to be done for every circle in "
+                        "every step.")},
+                   line, from, from + text.size(), {});
+        if (m_text.isInStart(line))
             return;
-        add({"twice", MutationText::tr("Something happens twice"),
-             MutationText::tr("How often does this run in one step?")},
-            line, from, from + text.size(), text + QLatin1Char('\n') + text);
-        if (line < static_cast<int>(m_lines.size()) && isStatement(line + 1)) {
-            const QString next = m_lines[line];
-            add({"order", MutationText::tr("Two lines stand in the other order"),
-                 MutationText::tr(
-                     "Which value does the second line need: the one from before or the "
-                     "one from after the first?")},
-                line, from, from + text.size() + 1 + next.size(), next + QLatin1Char('\n') + text);
+        m_text.add({"twice", MutationText::tr("Something happens twice"),
+                    MutationText::tr("How often does this run in one step?")},
+                   line, from, from + text.size(), text + QLatin1Char('\n') + text);
+        if (line < static_cast<int>(m_text.lines().size()) && m_text.isStatement(line + 1)) {
+            const QString next = m_text.lines()[line];
+            m_text.add({"order", MutationText::tr("Two lines stand in the other order"),
+                        MutationText::tr(
+                            "Which value does the second line need: the one from before or the "
+                            "one from after the first?")},
+                       line, from, from + text.size() + 1 + next.size(),
+                       next + QLatin1Char('\n') + text);
         }
     }
 
+    MutantWriter m_text;
     const QString &m_source;
-    std::vector<LuaToken> m_tokens;
-    QStringList m_lines;
+    const std::vector<LuaToken> &m_tokens;
     QSet<QString> m_names{};
-    QSet<QString> m_used{};
-    int m_startFrom = 0; ///< lines of on_load
-    int m_startTo = -1;
-    std::vector<Mutant> m_mutants{};
 };
 
 } // namespace

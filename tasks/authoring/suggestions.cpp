@@ -36,9 +36,12 @@ std::vector<CheckSpec> probesOf(const Task &task)
         CheckSpec probe;
         probe.circles = circles;
         probe.scene = {{QStringLiteral("kind"), QLatin1String(kind)},
-                       {QStringLiteral("count"), pair ? 6 : 4},
+                       {QStringLiteral("count"), 6},
                        {QStringLiteral("radii"), QJsonArray{0.15, 0.4}},
                        {QStringLiteral("restitutions"), QJsonArray{1.0, 0.5}}};
+        // Fast enough to come to the walls.
+        if (!pair)
+            probe.scene.insert(QStringLiteral("speeds"), QJsonArray{3.0, 4.0});
         probes.push_back(probe);
     }
     return probes;

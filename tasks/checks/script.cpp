@@ -28,7 +28,7 @@ QString placeOf(const CheckSpec &check, const ProgramError &error)
 
 std::optional<Fault> script(const CheckSpec &check, const Observation &o)
 {
-    const ScriptVerdict verdict = runCheckScript(check.source, o);
+    const ScriptVerdict verdict = runCheckScript(check.source, o, check.language);
     if (verdict.error)
         return Fault{.message = ScriptCheckText::tr("%1: the check itself stopped, so it says "
                                                     "nothing of your work: %2")

@@ -83,11 +83,11 @@ public:
         return std::nullopt;
     }
 
-    ScriptVerdict judge(const Observation &observation)
+    ScriptVerdict judge(const Observation &observation, const QString &language)
     {
         ScriptVerdict verdict;
         lua_State *L = m_state.get();
-        RunView view{observation};
+        RunView view{observation, language};
         beginCount(L);
         lua_pushcfunction(L, pushRunHere);
         lua_pushlightuserdata(L, &view);
@@ -199,7 +199,8 @@ private:
 
 } // namespace
 
-ScriptVerdict runCheckScript(const QString &source, const Observation &observation)
+ScriptVerdict runCheckScript(const QString &source, const Observation &observation,
+                             const QString &language)
 {
     CheckProgram program(source);
     if (auto error = program.load()) {
@@ -207,7 +208,7 @@ ScriptVerdict runCheckScript(const QString &source, const Observation &observati
         verdict.error = std::move(error);
         return verdict;
     }
-    return program.judge(observation);
+    return program.judge(observation, language);
 }
 
 std::optional<ProgramError> findCheckScriptError(const QString &source)

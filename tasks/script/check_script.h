@@ -19,7 +19,8 @@ struct ScriptVerdict {
 
 /// Runs `check(run)` of the Lua program \p source on \p observation, in the sandbox and within the
 /// limits of one step of a student's program. `run` has
-///     duration, timestep (s), gravity (a vector), restitution, square, step_count
+///     duration, timestep (s), gravity (a vector), restitution, square, step_count, circle_count
+///     language       in which the message should be, such as "en" or "de"
 ///     run:at(t)      the state at t s, on the straight line between the two steps around it
 ///     run:step(k)    the state after k steps
 ///     run:steps()    for state in run:steps() do … end, from the start to the end
@@ -27,7 +28,8 @@ struct ScriptVerdict {
 ///     run:hits()     a list of { time, step, kind, a, b, normal, impulse }
 /// A state has time, step and circles; a circle position, velocity, radius, density, index. The
 /// function returns true, or false, a message and, if it likes, { time, expected, observed, unit }.
-[[nodiscard]] ScriptVerdict runCheckScript(const QString &source, const Observation &observation);
+[[nodiscard]] ScriptVerdict runCheckScript(const QString &source, const Observation &observation,
+                                           const QString &language = QStringLiteral("en"));
 
 /// What is wrong with the text of a check, without a run: its grammar, and that there is a
 /// function check.

@@ -3,9 +3,9 @@
 #include "tasks/script/run_binding.h"
 
 #include "model/inferred_hits.h"
-#include "tasks/script/nearest_name.h"
 #include "tasks/script/sandbox.h"
 #include "tasks/script/script_host.h"
+#include "tasks/script/strict_table.h"
 #include "tasks/script/vector_binding.h"
 
 #include <QCoreApplication>
@@ -20,8 +20,6 @@ struct RunText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
-/// In the registry: the metatable of all tables that have a fixed set of fields.
-constexpr lua_Integer strictKey = 106;
 /// Instructions that making the table of one circle counts as.
 constexpr qint64 circleCost = 20;
 /// A moment may lie outside the run by rounding, s.
@@ -30,59 +28,6 @@ constexpr double outside = 1e-9;
 RunView &viewOf(lua_State *L)
 {
     return *static_cast<RunView *>(lua_touserdata(L, lua_upvalueindex(1)));
-}
-
-/// A field that a run, a state or a circle does not have.
-int refuseUnknown(lua_State *L)
-{
-    QStringList names;
-    lua_pushnil(L);
-    while (lua_next(L, 1) != 0) {
-        lua_pop(L, 1);
-        if (lua_type(L, -1) == LUA_TSTRING)
-            names.append(QString::fromUtf8(lua_tostring(L, -1)));
-    }
-    names.sort();
-    const QString name = describeValue(L, 2);
-    const QString key =
-        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : name;
-    const QString near = nearestName(key, names);
-    raise(L, near.isEmpty() ? RunText::tr("there is no field `%1` here; there are %2")
-                                  .arg(key.left(64), names.join(QStringLiteral(", ")))
-                            : RunText::tr("there is no field `%1` here: did you mean `%2`?")
-                                  .arg(key.left(64), near));
-}
-
-/// Gives the table on the top of the stack its metatable.
-void makeStrict(lua_State *L)
-{
-    if (lua_rawgeti(L, LUA_REGISTRYINDEX, strictKey) == LUA_TNIL) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushcfunction(L, refuseUnknown);
-        lua_setfield(L, -2, "__index");
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, LUA_REGISTRYINDEX, strictKey);
-    }
-    lua_setmetatable(L, -2);
-}
-
-void setNumber(lua_State *L, const char *name, double value)
-{
-    lua_pushnumber(L, value);
-    lua_setfield(L, -2, name);
-}
-
-void setWhole(lua_State *L, const char *name, qint64 value)
-{
-    lua_pushinteger(L, value);
-    lua_setfield(L, -2, name);
-}
-
-void setVector(lua_State *L, const char *name, Vec2 value)
-{
-    pushVector(L, value);
-    lua_setfield(L, -2, name);
 }
 
 void pushCircleState(lua_State *L, const Circle &circle, int index)
@@ -289,6 +234,8 @@ void pushRun(lua_State *L, RunView &view)
     setVector(L, "gravity", run.variant.preset.gravity);
     setWhole(L, "step_count", run.steps());
     setWhole(L, "circle_count", run.circleCount());
+    lua_pushstring(L, view.language.toUtf8().constData());
+    lua_setfield(L, -2, "language");
     pushSquare(L, run.variant.preset.halfWidth);
     lua_setfield(L, -2, "square");
     constexpr luaL_Reg functions[] = {

@@ -10,6 +10,7 @@ namespace cradle {
 /// A run as a check in Lua sees it; outlives the Lua state.
 struct RunView {
     const Observation &run;
+    QString language;        ///< of the student
     std::vector<Hit> hits{}; ///< filled in when they are asked for
     bool knowsHits = false;
 };

@@ -129,6 +129,16 @@ void TestCliVerify::unsoundLabDoesNotPass_data()
     row("solution that errs", "S1/solution.lua", load + "local v = nil .. 'x'\n",
         "! solution stops with an error at line 4: ");
     row("no solution", "S1/solution.lua", {}, "! there is no solution.lua");
+    row("scene that does not pass", "S1/solution-preset.json",
+        R"({"format": 1, "circles": [{"position": [-2, 2], "velocity": [0, 2]}]})",
+        "! solution-preset fails with seed 1 by velocity: ");
+    // It drifts from (−2, 2) by 2 m in 1 s, to (0, 2).
+    QByteArray tight = soundLab()["S1/task.json"];
+    tight.replace(R"("kind": "integrates", "title": "It drifts",)",
+                  R"("kind": "ends_at", "title": "It drifts",
+                     "parameters": {"positions": [[0.0006, 2]], "tolerance": 0.001},)");
+    row("tolerance that the solution nearly uses up", "S1/task.json", tight,
+        "! the check drifts allows 0.001, and the solution itself is off by 0.0006");
     row("check that no mistake fails", "S1/mistakes/twice.lua", {},
         "! no mistake fails the check drifts");
 }
@@ -162,6 +172,16 @@ void TestCliVerify::fileThatCannotBeReadIsNamed_data()
     QTest::newRow("step with an unknown key")
         << QByteArray("S1/task.json") << QByteArray(R"({"format": 1, "points": 3})")
         << text("/S1/task.json: ");
+    QByteArray script = soundLab()["S1/task.json"];
+    script.replace(R"("kind": "integrates", "title": "It drifts",)",
+                   R"("kind": "script", "title": "It drifts", "parameters": {"script": "d.lua"},)");
+    QTest::newRow("check in Lua that is not there")
+        << QByteArray("S1/task.json") << script << text("/S1/checks/d.lua: ");
+    QByteArray unknown = soundLab()["S1/task.json"];
+    unknown.replace("\"velocity\": [2, 0]", "\"speed\": 2");
+    QTest::newRow("unknown parameter") << QByteArray("S1/task.json") << unknown
+                                       << text("/S1/task.json: /checks/0/parameters/speed: start "
+                                               "has no parameter \"speed\"");
     QTest::newRow("broken preset") << QByteArray("S1/preset.json") << QByteArray("{\n\"format\"")
                                    << text("/S1/preset.json:2: ");
 }

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/lab_findings.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct VerifyText {
+    Q_DECLARE_TR_FUNCTIONS(LabVerifier)
+};
+
+using Role = VerifiedProgram::Role;
+
+bool isFailedBy(const CheckReport &report, const QString &check)
+{
+    return std::any_of(report.checks.begin(), report.checks.end(),
+                       [&](const CheckOutcome &c) { return c.id == check && !c.passed; });
+}
+
+const CheckOutcome *firstFailure(const CheckReport &report)
+{
+    const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [](const CheckOutcome &check) { return !check.passed; });
+    return found == report.checks.end() ? nullptr : &*found;
+}
+
+using Kind = LabFinding::Kind;
+
+/// What is wrong with one report of a program; it fills in \p finding.
+/// \return false if all is as it should be
+bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabFinding &finding)
+{
+    const auto say = [&](Kind kind, const QString &message) {
+        finding.kind = kind;
+        finding.message = message;
+        return true;
+    };
+    const CheckOutcome *failure = firstFailure(report);
+    const QString how =
+        failure ? QStringLiteral("%1: %2").arg(failure->id, failure->message) : QString();
+    finding.check = failure ? failure->id : QString();
+    if (report.error)
+        return say(Kind::ProgramErrs, VerifyText::tr("stops with an error at line %1: %2")
+                                          .arg(report.error->line)
+                                          .arg(report.error->message));
+    switch (program.role) {
+    case Role::Starter:
+        return report.passed
+               && say(Kind::StarterPasses,
+                      VerifyText::tr("passes; a starter should fail by a check"));
+    case Role::Solution:
+        return !report.passed
+               && say(Kind::SolutionFails,
+                      VerifyText::tr("fails with seed %1 by %2").arg(report.seed).arg(how));
+    case Role::Mistake:
+        if (report.passed)
+            return say(Kind::MistakePasses,
+                       VerifyText::tr("passes; a mistake should fail by a check"));
+        if (!report.diagnosis)
+            return say(Kind::MistakeNotRecognised, VerifyText::tr("is not recognised"));
+        return report.diagnosis->mistake != program.name
+               && say(Kind::MistakeTakenForAnother,
+                      VerifyText::tr("is taken for %1").arg(report.diagnosis->mistake));
+    case Role::Remark:
+        break;
+    }
+    if (!report.passed)
+        return say(Kind::RemarkFails,
+                   VerifyText::tr("fails by %1; work that gets a remark passes").arg(how));
+    const bool seen = std::any_of(report.remarks.begin(), report.remarks.end(),
+                                  [&](const Remark &remark) { return remark.id == program.name; });
+    return !seen && say(Kind::RemarkNotRecognised, VerifyText::tr("is not recognised"));
+}
+
+/// "x . x": which checks failed.
+QString rowOf(const VerifiedTask &task, const CheckReport &report)
+{
+    QStringList marks;
+    for (const QString &check : task.checks)
+        marks.append(isFailedBy(report, check) ? QStringLiteral("x") : QStringLiteral("."));
+    return marks.join(QStringLiteral("  "));
+}
+
+} // namespace
+
+void findProblems(const Task &task, VerifiedTask &verified)
+{
+    for (const VerifiedProgram &program : verified.programs) {
+        for (const CheckReport &report : program.reports) {
+            LabFinding finding{.task = task.id, .program = programPath(program)};
+            finding.seed = report.seed;
+            if (findProblem(program, report, finding)) {
+                finding.message = finding.program + QLatin1Char(' ') + finding.message;
+                verified.findings.push_back(finding);
+                break;
+            }
+        }
+    }
+    if (task.solution.isEmpty())
+        verified.findings.push_back({.kind = Kind::NoSolution,
+                                     .task = task.id,
+                                     .message = VerifyText::tr("there is no solution.lua")});
+    for (const QString &check : verified.checks) {
+        const bool caught = std::any_of(
+            verified.programs.begin(), verified.programs.end(), [&](const VerifiedProgram &p) {
+                return p.role == Role::Mistake && isFailedBy(p.reports.front(), check);
+            });
+        if (!caught)
+            verified.findings.push_back(
+                {.kind = Kind::CheckNeverFails,
+                 .task = task.id,
+                 .check = check,
+                 .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
+    }
+}
+
+LabFinding tooTight(const Task &task, const CheckSpec &check, const TightTolerance &tight)
+{
+    const auto figure = [&](double value) {
+        return QString::number(value, 'g', 3)
+               + (tight.unit.isEmpty() ? QString() : QLatin1Char(' ') + tight.unit);
+    };
+    return {.kind = Kind::ToleranceTooTight,
+            .task = task.id,
+            .program = QStringLiteral("solution"),
+            .check = check.id,
+            .message =
+                VerifyText::tr("the check %1 allows %2, and the solution itself is off by %3 "
+                               "(%4): other right programs may fail; at least %5 is right")
+                    .arg(check.id, figure(tight.allowed), figure(tight.needed), tight.variant,
+                         figure(toleranceMargin * tight.needed))};
+}
+
+QString programPath(const VerifiedProgram &program)
+{
+    switch (program.role) {
+    case Role::Starter:
+    case Role::Solution:
+        return program.name;
+    case Role::Remark:
+        return QStringLiteral("remarks/") + program.name;
+    case Role::Mistake:
+        break;
+    }
+    return QStringLiteral("mistakes/") + program.name;
+}
+
+QString describeVerified(const VerifiedTask &task)
+{
+    QString text = QStringLiteral("%1  %2\n").arg(task.id, task.title);
+    for (qsizetype i = 0; i < task.checks.size(); ++i)
+        text += QStringLiteral("  %1 %2\n").arg(i + 1, 36).arg(task.checks[i]);
+    for (const VerifiedProgram &program : task.programs) {
+        const CheckReport &report = program.reports.front();
+        QString note;
+        if (program.role == Role::Mistake)
+            note = report.diagnosis ? report.diagnosis->mistake : QStringLiteral("-");
+        else if (program.role == Role::Remark)
+            note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
+        text += QStringLiteral("  %1 %2   %3\n")
+                    .arg(programPath(program), -36)
+                    .arg(rowOf(task, report), note);
+    }
+    for (const LabFinding &finding : task.findings)
+        text += QStringLiteral("  ! %1\n").arg(finding.message);
+    return text;
+}
+
+} // namespace cradle

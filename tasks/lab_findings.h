@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/lab_verifier.h"
+#include "tasks/tolerance_margin.h"
+
+namespace cradle {
+
+/// Fills in the findings of \p verified, whose programs have been judged.
+void findProblems(const Task &task, VerifiedTask &verified);
+
+/// The finding about a tolerance that the solution nearly uses up.
+[[nodiscard]] LabFinding tooTight(const Task &task, const CheckSpec &check,
+                                  const TightTolerance &tight);
+
+} // namespace cradle
