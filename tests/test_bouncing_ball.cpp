@@ -321,6 +321,12 @@ void TestBouncingBall::luaCheckDoesNotGiveTheAnswerAway()
     QVERIFY2(outcome->message.contains(QStringLiteral("1.35 m")), qPrintable(outcome->message));
     QCOMPARE(outcome->expected.value_or(0.0), 2.5);
     QCOMPARE(outcome->unit, QStringLiteral("m"));
+    const Lab german = *readLab(QLatin1String(bouncingBallLab), QStringLiteral("de"));
+    const Task &step = german.tasks[static_cast<std::size_t>(german.indexOf(heights))];
+    const CheckReport germanReport = *judgeTask(german, step, step.preset, 1);
+    QCOMPARE(outcomeOf(germanReport, QStringLiteral("half"))->message,
+             QStringLiteral("Nach Aufprall 3 steigt der Ball auf 1.35 m; die Hälfte von 5.00 m "
+                            "sind 2.50 m"));
 }
 
 void TestBouncingBall::picturesOfTheTextsAreThere()

@@ -4,12 +4,24 @@ local bounces_asked = 3
 local part_asked = 0.5
 local allowed = 0.35 -- m
 
+local texts = {
+  en = {
+    few = "The ball comes off the floor %d times in %g s; %d times are right",
+    height = "After bounce %d the ball rises to %.2f m; half of %.2f m is %.2f m",
+  },
+  de = {
+    few = "Der Ball springt %d-mal in %g s vom Boden hoch; richtig sind %d Male",
+    height = "Nach Aufprall %d steigt der Ball auf %.2f m; die Hälfte von %.2f m sind %.2f m",
+  },
+}
+
 -- Of the rim above the floor, in m.
 local function height(run, circle)
   return circle.position.y - circle.radius - run.square.bottom
 end
 
 function check(run)
+  local text = texts[run.language] or texts.en
   local first = height(run, run:circle(1):at(0))
   local bounces, was_falling = 0, false
   local top, top_time = 0, 0
@@ -25,15 +37,12 @@ function check(run)
     end
   end
   if bounces < bounces_asked then
-    return false, string.format("The ball comes off the floor %d times in %g s; %d times are right",
-                                bounces, run.duration, bounces_asked)
+    return false, string.format(text.few, bounces, run.duration, bounces_asked)
   end
   local asked = part_asked * first
   if math.abs(top - asked) <= allowed then
     return true
   end
-  return false,
-    string.format("After bounce %d the ball rises to %.2f m; half of %.2f m is %.2f m",
-                  bounces_asked, top, first, asked),
+  return false, string.format(text.height, bounces_asked, top, first, asked),
     {time = top_time, expected = asked, observed = top, unit = "m"}
 end
