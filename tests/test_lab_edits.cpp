@@ -289,11 +289,11 @@ void TestLabEdits::formThatDoesNotFitIsRefused()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, step));
-    form.checks[2].kind = text("teleports");
+    form.checks[2].title = QString(201, QLatin1Char('x'));
     const Result<LabFiles> lab = withTask(m_lab, step, form);
     QVERIFY(!lab);
     QCOMPARE(lab.error().file, step + text("/task.json"));
-    QCOMPARE(lab.error().pointer, text("/checks/2/kind"));
+    QCOMPARE(lab.error().pointer, text("/checks/2/title"));
     QVERIFY(!taskForm(m_lab, text("nowhere")));
 }
 
