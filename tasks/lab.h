@@ -63,6 +63,7 @@ struct Task {
     bool extra = false;                     ///< not in the original lab
     std::optional<Prediction> prediction{}; ///< asked before the scene is watched
     std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{};  ///< that scene
 };
 
 /// A lab; a plain value.

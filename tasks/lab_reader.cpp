@@ -136,6 +136,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
+    task.solutionScene = solution;
     if (solution)
         task.laws = solution->laws;
     task.prediction = readPrediction(*json, words);
