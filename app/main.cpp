@@ -4,6 +4,7 @@
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/screenshot.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/lab_reader.h"
 #include "views/shortcut_guard.h"
 
@@ -12,6 +13,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTextStream>
 
 #include <cstdio>
@@ -114,9 +116,18 @@ std::optional<Error> missingStep(const QString &folder, const QString &step)
 }
 
 /// Opens what the command line names: a lab, a scene, or with both a step and a scene that scene
-/// as the student's work on the step. \return what is wrong with it
-std::optional<Error> openNamed(Workbench &bench, const QString &path, const QString &step)
+/// as the student's work on the step. An archive is unpacked into \p labs first.
+/// \return what is wrong with it
+std::optional<Error> openNamed(Workbench &bench, const QString &named, const QString &step,
+                               const QString &labs)
 {
+    QString path = named;
+    if (isLabArchive(named)) {
+        const Result<QString> folder = importLab(named, labs);
+        if (!folder)
+            return folder.error();
+        path = *folder;
+    }
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
     const QString folder = isLab && !path.isEmpty() ? path : QLatin1String(shippedLab);
     if (const auto error = missingStep(folder, step))
@@ -170,7 +181,7 @@ int main(int argc, char **argv)
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addPositionalArgument(
-        QStringLiteral("LAB-DIR or PRESET.json"),
+        QStringLiteral("LAB-DIR, LAB.cradle or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
                        options.script, options.screenshot, options.at, options.size});
@@ -218,11 +229,13 @@ int main(int argc, char **argv)
         picture ? QString()
                 : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                       + QStringLiteral("/progress.json");
+    const QTemporaryDir passing; // where a picture's lab is unpacked
     Workbench bench(progressFile);
     bench.setMode(*mode);
     MainWindow window(bench, settings, *theme);
     if (const auto error =
-            openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step)))
+            openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step),
+                      picture ? passing.path() : userLabsFolder()))
         return complain(QStringLiteral("cradle: ") + error->toString());
     if (parser.isSet(options.example)) {
         if (const auto error = openExampleNamed(bench, parser.value(options.example)))

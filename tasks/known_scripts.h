@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab.h"
+#include "tasks/lab_source.h"
 
 namespace cradle {
 
 /// The comment block that a program begins with, without the dashes: CommonMark.
 [[nodiscard]] QString firstCommentBlock(const QString &source);
 
-/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/ and
-/// remarks/. What cannot be read is named in Lab::findings.
+/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/,
+/// remarks/ and the checks in Lua. What cannot be read is named in Lab::findings.
+/// \param step   the step's folder
 /// \param json   the step's task.json
 /// \param words  its texts in another language, where it has them
-void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, Lab &lab);
+void readScripts(const LabSource &source, const QString &step, const QJsonObject &json,
+                 const QJsonObject &words, Task &task, Lab &lab);
 
 } // namespace cradle

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/preset.h"
+#include "tasks/prediction.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -17,10 +18,12 @@ namespace cradle {
 struct CheckSpec {
     QString id;
     QString title;
-    QString kind;               ///< see tasks/checks/check_library.h
+    QString kind;               ///< see tasks/checks/check_kinds.h
     std::vector<int> circles{}; ///< the circles that it looks at, from 0
     QJsonObject parameters{};   ///< of the kind
     QJsonObject scene{};        ///< which scenes it runs, see tasks/variant.h
+    double points = 1.0;        ///< what passing it is worth, 0 to 1000
+    QString source{};           ///< of a check in Lua: its program
 
     friend bool operator==(const CheckSpec &, const CheckSpec &) = default;
 };
@@ -57,8 +60,10 @@ struct Task {
     QString solution{};      ///< the reference program; empty if there is none
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
-    bool extra = false;         ///< not in the original lab
-    std::optional<Laws> laws{}; ///< that it asks for: those of the scene that passes it
+    bool extra = false;                     ///< not in the original lab
+    std::optional<Prediction> prediction{}; ///< asked before the scene is watched
+    std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{};  ///< that scene
 };
 
 /// A lab; a plain value.

@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/authoring/lab_files.h"
 #include "tasks/lab.h"
 
 namespace cradle {
 
-/// The lab that ships inside the program.
+/// The labs that ship inside the program; the first is the one that opens by itself.
 inline constexpr char shippedLab[] = ":/labs/lab-4.2";
+inline constexpr char bouncingBallLab[] = ":/labs/bouncing-ball";
 
 /// Reads a lab's folder. Steps that cannot be read are left out and named in Lab::findings; texts
 /// are taken in \p language ("de") where the lab has them, else in its own.
 /// \return an error if there is no lab.json that can be read
 Result<Lab> readLab(const QString &folder, const QString &language = QStringLiteral("en"));
+
+/// The same of files that are at hand: of an author's unsaved lab, or of an archive.
+/// \param folder  where they lie or will lie, for messages and pictures
+Result<Lab> readLab(const LabFiles &files, const QString &folder,
+                    const QString &language = QStringLiteral("en"));
 
 } // namespace cradle

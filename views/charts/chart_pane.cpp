@@ -5,6 +5,7 @@
 #include "views/charts/frame_throttle.h"
 #include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
+#include "views/circle_name.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
@@ -186,7 +187,7 @@ QString ChartPane::nameOf(std::size_t circle) const
 {
     const auto &circles = m_simulation.preset().circles;
     const QString name = circle < circles.size() ? circles[circle].name : QString();
-    return name.isEmpty() ? tr("circle %1").arg(circle + 1) : name;
+    return shownCircleName(name.isEmpty() ? plainCircleName(circle + 1) : name);
 }
 
 QString ChartPane::title() const
