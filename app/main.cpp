@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -173,6 +174,8 @@ int main(int argc, char **argv)
     QApplication::setApplicationName(QStringLiteral("cradle"));
     QApplication::setApplicationDisplayName(QStringLiteral("Cradle"));
     QApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("cradle"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/desktop/cradle.svg")));
     QSettings settings;
 
     const Options options;
