@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/mutations.h"
-#include "tasks/lab_reader.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
@@ -37,12 +37,13 @@ ExitCode suggest(const QStringList &arguments)
         "pass "
         "every check (a check may be missing) and those that fail without a diagnosis (a mistake "
         "may be missing)."));
-    parser.addPositionalArgument(QStringLiteral("LAB-DIR"), SuggestText::tr("the lab's folder"));
+    parser.addPositionalArgument(QStringLiteral("LAB"),
+                                 SuggestText::tr("the lab's folder, or NAME.cradle"));
     parser.addPositionalArgument(QStringLiteral("STEP"), SuggestText::tr("this step alone"),
                                  QStringLiteral("[STEP]"));
     if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
-    const Result<Lab> lab = readLab(parser.positionalArguments().first());
+    const Result<Lab> lab = readLabOrArchive(parser.positionalArguments().first());
     if (!lab)
         return complain(lab.error());
     for (const Error &finding : lab->findings)
