@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <optional>
@@ -23,6 +24,9 @@ constexpr std::size_t maxLabs = 100;
 /// The title in a JSON file that fits the schema; nullopt if there is no such file.
 std::optional<QString> titleIn(const QString &path, const QString &schema)
 {
+    // A pipe would keep the menu waiting.
+    if (!QFileInfo(path).isFile())
+        return std::nullopt;
     const Result<QByteArray> text = readFile(path, maxBytes);
     if (!text)
         return std::nullopt;

@@ -37,7 +37,8 @@ ExitCode suggest(const QStringList &arguments)
         "pass "
         "every check (a check may be missing) and those that fail without a diagnosis (a mistake "
         "may be missing)."));
-    parser.addPositionalArgument(QStringLiteral("LAB-DIR"), SuggestText::tr("the lab's folder"));
+    parser.addPositionalArgument(QStringLiteral("LAB"),
+                                 SuggestText::tr("the lab's folder, or NAME.cradle"));
     parser.addPositionalArgument(QStringLiteral("STEP"), SuggestText::tr("this step alone"),
                                  QStringLiteral("[STEP]"));
     if (const auto code = parse(parser, arguments, 1, 2))

@@ -65,14 +65,13 @@ Result<QByteArray> packLab(const LabFiles &files)
     }
     if (!files.contents.contains(QStringLiteral("lab.json")))
         return Error{.message = PackText::tr("there is no lab.json")};
-    zip_error_t error;
-    zip_error_init(&error);
-    const ZipSource memory(zip_source_buffer_create(nullptr, 0, 0, &error));
+    ZipError error;
+    const ZipSource memory(zip_source_buffer_create(nullptr, 0, 0, error));
     if (!memory)
-        return failed(zip_error_strerror(&error));
-    ZipArchive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, &error));
+        return failed(error.text());
+    ZipArchive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, error));
     if (!archive)
-        return failed(zip_error_strerror(&error));
+        return failed(error.text());
     // The archive frees the source with itself; what it wrote is read afterwards.
     zip_source_keep(memory.get());
     for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {

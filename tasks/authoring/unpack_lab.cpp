@@ -219,18 +219,17 @@ private:
 
 Result<LabFiles> unpackLab(const QByteArray &archive, const QString &source)
 {
-    zip_error_t error;
-    zip_error_init(&error);
+    ZipError error;
     const auto refuse = [&] {
         return Error{.message = UnpackText::tr("this is no archive of a lab: %1")
-                                    .arg(QString::fromUtf8(zip_error_strerror(&error))),
+                                    .arg(QString::fromUtf8(error.text())),
                      .file = source};
     };
     ZipSource memory(
-        zip_source_buffer_create(archive.constData(), zip_uint64_t(archive.size()), 0, &error));
+        zip_source_buffer_create(archive.constData(), zip_uint64_t(archive.size()), 0, error));
     if (!memory)
         return refuse();
-    const ZipArchive opened(zip_open_from_source(memory.get(), ZIP_RDONLY | ZIP_CHECKCONS, &error));
+    const ZipArchive opened(zip_open_from_source(memory.get(), ZIP_RDONLY | ZIP_CHECKCONS, error));
     if (!opened)
         return refuse();
     (void)memory.release(); // the archive owns it now
