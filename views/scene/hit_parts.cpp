@@ -26,8 +26,11 @@ constexpr double smallestPart = 0.005;
 constexpr double beforeOpacity = 0.4;
 constexpr double normalReach = 0.15; ///< of the half width, beyond the disc or the wall
 constexpr double normalHead = 8.0;   ///< px
-constexpr double edgeGap = 8.0;      ///< px from the edge of the picture to what labels stand at
-constexpr double normalGap = 6.0;    ///< px that arrows keep from the normal
+/// What a place costs that lies on two other arrows: there the label of one that leaves the picture
+/// would hide more than it tells.
+constexpr double coveringCost = 7.5;
+constexpr double edgeGap = 8.0;   ///< px from the edge of the picture to what labels stand at
+constexpr double normalGap = 6.0; ///< px that arrows keep from the normal
 
 // Which labels find a place first; names come after all of them.
 constexpr int normalRank = 0;
@@ -158,6 +161,8 @@ private:
                                   .clearOfDiscs = true});
         if (rank == beforeRank)
             m_draft.wishes.back().mostCost = crampedCost;
+        else if (seen.to != place.to)
+            m_draft.wishes.back().mostCost = coveringCost;
     }
 
     SceneDraft &m_draft;
