@@ -70,7 +70,8 @@ void MainWindow::showShortcuts()
 {
     QString rows;
     const auto addRow = [&rows](const QString &what, const QString &how) {
-        rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;&nbsp;</td><td><b>%2</b></td></tr>")
+        rows += QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;&nbsp;</td>"
+                               "<td style='white-space: nowrap'><b>%2</b></td></tr>")
                     .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     };
     for (const QAction *menu : menuBar()->actions()) {
