@@ -36,6 +36,7 @@ private slots:
     void swappedVelocitiesLookDifferent();
     void discsAndLabelsStayFree_data();
     void discsAndLabelsStayFree();
+    void fastArrowsAreLabelledWhereTheyAreSeen();
     void hitFadesWhileRunning();
 };
 
@@ -162,6 +163,27 @@ void TestHitParts::discsAndLabelsStayFree()
             QVERIFY(!labelRect(label, look.camera, metrics).contains(centre));
         }
     }
+}
+
+/// At 10 m/s the arrows end 6.5 m below the floor, of which 1 m is seen.
+void TestHitParts::fastArrowsAreLabelledWhereTheyAreSeen()
+{
+    Preset preset = twoCircles();
+    preset.circles[0].body.velocity = {2.0, -10.0};
+    Simulation simulation(preset);
+    simulation.seekNextHit();
+    const SceneLook look = lookAt(preset);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
+    const double lowest = look.camera.toPixels(arrowOf(list, theme().along).to).y();
+    QVERIFY(lowest > look.camera.viewport().height() + 100.0);
+    QVERIFY(texts(list).contains(QStringLiteral("along 10.00")));
+    QVERIFY(texts(list).contains(QStringLiteral("before 10.20")));
+    const QFontMetricsF metrics(labelFont(look.font));
+    for (const DrawList::Label &label : list.labels) {
+        const QRectF rect = labelRect(label, look.camera, metrics);
+        QVERIFY2(QRectF({}, look.camera.viewport()).contains(rect), qPrintable(label.text));
+    }
+    QVERIFY(!textOverText(list, look.camera, look.font));
 }
 
 void TestHitParts::hitFadesWhileRunning()

@@ -113,6 +113,17 @@ void TestMomentumInset::momentaInOneLineLieSideBySide()
     const MomentumInset chased = insetOf(moving({3.0, 0.0}, {1.0, 0.0}));
     QVERIFY(meet(chased.arrows[0].to, chased.arrows[1].from));
     QVERIFY(chased.arrows[2].from.y() < chased.arrows[0].from.y() - 12.0);
+    // Many of them, to and fro and a little aslant, are still to be seen.
+    Preset many = twoCircles();
+    many.laws = {};
+    many.circles.resize(mostMomenta, many.circles.front());
+    for (std::size_t i = 0; i < many.circles.size(); ++i)
+        many.circles[i].body.velocity = (i % 2 == 0 ? 1.0 : -0.9) * Vec2{3.0, 0.1};
+    const MomentumInset full = insetOf(many);
+    QCOMPARE(full.arrows.size(), mostMomenta + 1);
+    QVERIFY(QLineF(full.arrows[0].from, full.arrows[0].to).length() > 20.0);
+    for (const MomentumInset::Arrow &arrow : full.arrows)
+        QVERIFY(full.frame.contains(arrow.from) && full.frame.contains(arrow.to));
 }
 
 void TestMomentumInset::equalAndOppositeMakeZero()

@@ -25,6 +25,7 @@ struct Scene {
         (void)QTest::qWaitForWindowExposed(&view);
         view.activateWindow();
         view.setFocus();
+        (void)QTest::qWaitForWindowActive(&view); // shortcuts hold in the active window only
     }
 
     [[nodiscard]] const Circle &circle(int index) const

@@ -216,6 +216,7 @@ void TestSceneGhost::paintersLookAlike()
         scene.simulation.stepForward();
     ScenePicture picture = scene.view.picture();
     picture.list.labels.clear(); // their glyphs are smoothed in two ways
+    picture.inset.reset();
     picture.chips.clear();
     picture.focusFrame = false;
     QImage byRaster(700, 700, QImage::Format_RGB32);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/image_difference.h"
 #include "tests/gui/scene_fixture.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/gl_painter.h"
@@ -9,44 +10,10 @@
 #include <QPainter>
 #include <QtTest>
 
-#include <algorithm>
-#include <cstdlib>
-
 using namespace cradle::scenes;
 using namespace cradle;
 
 namespace {
-
-/// Mean absolute difference of the channels, of 255.
-double difference(const QImage &a, const QImage &b)
-{
-    qint64 sum = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb p = a.pixel(x, y);
-            const QRgb q = b.pixel(x, y);
-            sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q))
-                   + std::abs(qBlue(p) - qBlue(q));
-        }
-    }
-    return static_cast<double>(sum) / (3.0 * a.width() * a.height());
-}
-
-/// How many pixels differ so much that they do not just have another shade at an edge.
-int differentPixels(const QImage &a, const QImage &b)
-{
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb p = a.pixel(x, y);
-            const QRgb q = b.pixel(x, y);
-            count += std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
-                               std::abs(qBlue(p) - qBlue(q))})
-                     > 64;
-        }
-    }
-    return count;
-}
 
 /// Whether \p image shows something: its pixels are not all the same.
 bool showsSomething(const QImage &image)
@@ -84,6 +51,9 @@ void TestSceneView::paintersLookAlike()
     Scene scene;
     scene.simulation.seekNextHit(); // lines, dashes, arrows, discs, labels
     scene.view.select(1);           // and a ring
+    SceneOptions options;
+    options.momenta = false; // its text is compared in test_painters
+    scene.view.setOptions(options);
     scene.view.setRenderer(Renderer::OpenGl);
     if (!glSupport().usable) {
         QCOMPARE(scene.view.activeRenderer(), Renderer::Raster);
@@ -99,7 +69,7 @@ void TestSceneView::paintersLookAlike()
     const QImage byRaster = scene.view.grab().toImage().convertToFormat(QImage::Format_RGB32);
     QCOMPARE(byGl.size(), byRaster.size());
     QVERIFY(showsSomething(byGl));
-    const double mean = difference(byGl, byRaster);
+    const double mean = pictures::compare(byGl, byRaster).mean;
     QVERIFY2(mean < 0.15, qPrintable(QString::number(mean)));
 }
 
@@ -110,6 +80,7 @@ void TestSceneView::shapesLookAlikeToThePixel()
     scene.view.select(1);
     ScenePicture picture = scene.view.picture();
     picture.list.labels.clear(); // their glyphs are smoothed in two ways
+    picture.inset.reset();
     picture.focusFrame = false;
     QImage byRaster(700, 700, QImage::Format_RGB32);
     {
@@ -126,10 +97,9 @@ void TestSceneView::shapesLookAlikeToThePixel()
     canvas.show();
     QVERIFY(QTest::qWaitForWindowExposed(&canvas));
     const QImage byGl = canvas.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-    const int different = differentPixels(byGl, byRaster);
-    const double mean = difference(byGl, byRaster);
-    QVERIFY2(different <= 10, qPrintable(QString::number(different)));
-    QVERIFY2(mean < 0.03, qPrintable(QString::number(mean)));
+    const pictures::Difference found = pictures::compare(byGl, byRaster);
+    QVERIFY2(found.visiblePixels <= 10, qPrintable(QString::number(found.visiblePixels)));
+    QVERIFY2(found.mean < 0.03, qPrintable(QString::number(found.mean)));
 }
 
 void TestSceneView::brokenShadersFallBackToRaster()

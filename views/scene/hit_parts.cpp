@@ -26,7 +26,11 @@ constexpr double smallestPart = 0.005;
 constexpr double beforeOpacity = 0.4;
 constexpr double normalReach = 0.15; ///< of the half width, beyond the disc or the wall
 constexpr double normalHead = 8.0;   ///< px
-constexpr double normalGap = 6.0;    ///< px that arrows keep from the normal
+/// What a place costs that lies on two other arrows: there the label of one that leaves the picture
+/// would hide more than it tells.
+constexpr double coveringCost = 7.5;
+constexpr double edgeGap = 8.0;   ///< px from the edge of the picture to what labels stand at
+constexpr double normalGap = 6.0; ///< px that arrows keep from the normal
 
 // Which labels find a place first; names come after all of them.
 constexpr int normalRank = 0;
@@ -58,7 +62,30 @@ QString speedText(double speed)
 /// Text needs more contrast than arrows do.
 QColor textColour(const QColor &colour)
 {
-    return theme().dark ? colour : colour.darker(140);
+    QColor opaque = theme().dark ? colour : colour.darker(140);
+    opaque.setAlphaF(1.0f);
+    QColor readable = readableOn(opaque, theme().scene);
+    readable.setAlphaF(colour.alphaF());
+    return readable;
+}
+
+/// The part of \p stretch that is seen, if it begins there.
+Stretch visiblePart(const Stretch &stretch, const Camera &camera)
+{
+    const QPointF from = camera.toPixels(stretch.from);
+    const QPointF way = camera.toPixels(stretch.to) - from;
+    const QRectF seen =
+        QRectF({}, camera.viewport()).adjusted(edgeGap, edgeGap, -edgeGap, -edgeGap);
+    if (!seen.contains(from))
+        return stretch;
+    double share = 1.0;
+    if (way.x() != 0.0)
+        share =
+            std::min(share, ((way.x() > 0.0 ? seen.right() : seen.left()) - from.x()) / way.x());
+    if (way.y() != 0.0)
+        share =
+            std::min(share, ((way.y() > 0.0 ? seen.bottom() : seen.top()) - from.y()) / way.y());
+    return {stretch.from, stretch.from + share * (stretch.to - stretch.from)};
 }
 
 /// One circle of the hit, where it was then.
@@ -74,12 +101,12 @@ class HitArrows
 {
 public:
     HitArrows(SceneDraft &draft, ArrowLanes &lanes, double halfWidth, double opacity,
-              double pixelsPerMetre)
+              const Camera &camera)
         : m_draft(draft)
         , m_lanes(lanes)
         , m_halfWidth(halfWidth)
         , m_opacity(opacity)
-        , m_scale(pixelsPerMetre)
+        , m_camera(camera)
     {
     }
 
@@ -103,7 +130,7 @@ public:
         m_draft.wishes.push_back(
             {.label = {.anchor = circle.body.position, .text = text, .colour = colour},
              .direction = -circle.before,
-             .clearance = circle.body.radius * m_scale + 5.0,
+             .clearance = circle.body.radius * m_camera.pixelsPerMetre() + 5.0,
              .rank = partRank,
              .clearOfDiscs = true});
     }
@@ -123,23 +150,26 @@ private:
                                        .colour = faded(colour, m_opacity),
                                        .width = 2.5,
                                        .head = 12.0});
-        m_draft.wishes.push_back({.label = {.anchor = place.to,
+        const Stretch seen = visiblePart(place, m_camera);
+        m_draft.wishes.push_back({.label = {.anchor = seen.to,
                                             .text = text,
                                             .colour = textColour(faded(labelColour, m_opacity))},
                                   .direction = velocity,
                                   .clearance = 6.0,
-                                  .elsewhere = 0.5 * (place.from + place.to),
+                                  .elsewhere = 0.5 * (seen.from + seen.to),
                                   .rank = rank,
                                   .clearOfDiscs = true});
         if (rank == beforeRank)
             m_draft.wishes.back().mostCost = crampedCost;
+        else if (seen.to != place.to)
+            m_draft.wishes.back().mostCost = coveringCost;
     }
 
     SceneDraft &m_draft;
     ArrowLanes &m_lanes;
     double m_halfWidth;
     double m_opacity;
-    double m_scale; ///< px/m
+    const Camera &m_camera;
 };
 
 /// The normal as a dashed line from the centre of a through the contact to \p end.
@@ -193,8 +223,9 @@ std::vector<ShownHit> shownHits(const SceneMoment &moment, int selected)
 }
 
 void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown,
-                 double pixelsPerMetre)
+                 const Camera &camera)
 {
+    const double pixelsPerMetre = camera.pixelsPerMetre();
     const Hit &hit = *shown.hit;
     const std::optional<qint64> frame = frameOf(moment, hit);
     if (!frame || hit.normal == Vec2{})
@@ -211,7 +242,7 @@ void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &s
     for (const HitCircle &circle : circles)
         discs.push_back(circle.body);
     ArrowLanes lanes(discs, pixelsPerMetre);
-    HitArrows arrows(draft, lanes, moment.preset.halfWidth, shown.opacity, pixelsPerMetre);
+    HitArrows arrows(draft, lanes, moment.preset.halfWidth, shown.opacity, camera);
 
     const Circle &last = discs.back();
     const double reach = last.radius + normalReach * moment.preset.halfWidth;

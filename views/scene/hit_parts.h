@@ -19,8 +19,9 @@ struct ShownHit {
 
 /// Draws \p shown: the normal, each circle's velocity before with its parts
 ///     v = (v·n) n + (v − (v·n) n)
-/// along and across the normal n, and what it became, at the place of the hit.
+/// along and across the normal n, and what it became, at the place of the hit. The label of an
+/// arrow that leaves the picture stands at the part that is seen.
 void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown,
-                 double pixelsPerMetre);
+                 const Camera &camera);
 
 } // namespace cradle

@@ -20,12 +20,15 @@ namespace cradle {
 namespace {
 
 constexpr double frameMargin = 8.0; ///< px to the edges of the viewport
-constexpr QSizeF drawingSize{144.0, 62.0};
-constexpr double labelRoom = 12.0;   ///< px that labels may stand out from the arrows
-constexpr double widestShare = 0.45; ///< of the viewport, that the frame may take
+constexpr QSizeF drawingSize{144.0, 78.0};
+constexpr double labelAside = 9.0;        ///< px from an arrow to the middle of its label
+constexpr double shortestLabelled = 12.0; ///< px of an arrow
+constexpr double labelRoom = 17.0;        ///< px that labels stand out from the arrows
+constexpr double widestShare = 0.45;      ///< of the viewport, that the frame may take
 constexpr double highestShare = 0.5;
 constexpr double discRoom = 10.0;    ///< px that the frame keeps from circles, if it can
 constexpr double laneGap = 19.0;     ///< px between arrows that would lie on each other
+constexpr double lanesShare = 0.8;   ///< of the room, that lanes may take
 constexpr double labelledGap = 15.0; ///< px; nearer ones have no room for labels
 constexpr double flat = 0.1; ///< a chain that is less wide than this, of its length, is a line
 constexpr double longestBar = 48.0; ///< px
@@ -162,10 +165,10 @@ void placeLabels(MomentumInset &inset, const std::vector<Link> &chain, Vec2 asid
         const QLineF line(arrow.from, arrow.to);
         if (arrow.isSum && line.length() < MomentumInset::shortest) {
             arrow.label = QStringLiteral("Σ = 0");
-            arrow.labelAt = arrow.from - QPointF(0.0, labelRoom);
+            arrow.labelAt = arrow.from - QPointF(0.0, labelAside);
             continue;
         }
-        if (line.length() < labelRoom || (aside != Vec2{} && gap < labelledGap))
+        if (line.length() < shortestLabelled || (aside != Vec2{} && gap < labelledGap))
             continue;
         arrow.label = arrow.isSum ? QStringLiteral("Σ") : QString::number(chain[i].circle + 1);
         QPointF away(aside.x, -aside.y);
@@ -174,7 +177,7 @@ void placeLabels(MomentumInset &inset, const std::vector<Link> &chain, Vec2 asid
             if (QPointF::dotProduct(away, line.center() - inside) < 0.0)
                 away = -away;
         }
-        arrow.labelAt = line.center() + 9.0 * away;
+        arrow.labelAt = line.center() + labelAside * away;
     }
 }
 
@@ -194,8 +197,9 @@ std::optional<MomentumInset> momentumInset(const SceneMoment &moment, const Came
     if (chain.empty())
         return std::nullopt;
     const Vec2 aside = layLanes(chain);
-    const QSizeF room = drawingSize - QSizeF(labelRoom, 2.0 * labelRoom);
-    const double gap = std::min(laneGap, room.height() / std::max(1, chain.back().lane));
+    const QSizeF room = drawingSize - QSizeF(2.0 * labelRoom, 2.0 * labelRoom);
+    const double gap =
+        std::min(laneGap, lanesShare * room.height() / std::max(1, chain.back().lane));
     const double scale = scaleFor(chain, aside, gap, room);
 
     MomentumInset inset;

@@ -216,7 +216,7 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
     const std::vector<ShownHit> hits =
         options.hitParts ? shownHits(moment, look.selected) : std::vector<ShownHit>{};
     for (const ShownHit &hit : hits)
-        addHitParts(draft, moment, hit, look.camera.pixelsPerMetre());
+        addHitParts(draft, moment, hit, look.camera);
     // While a hit stands still, the arrows of what it did to the circles would lie on its own.
     const auto standsInHit = [&](int index) {
         return !moment.running
