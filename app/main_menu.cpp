@@ -3,6 +3,7 @@
 #include "app/main_menu.h"
 
 #include "app/code_desk.h"
+#include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "views/charts/chart_pane.h"
@@ -92,6 +93,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("&Previous step"), QKeySequence(Qt::CTRL | Qt::Key_PageUp), bench,
         &Workbench::openPreviousTask);
     menu->addSeparator();
+    addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
