@@ -77,6 +77,7 @@ void addExport(MainWindow &window, QMenu *menu)
     QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
     // The charts learn of another language after the window.
     QObject::connect(exports, &QMenu::aboutToShow, &window, [w = &window, exports] {
+        qDeleteAll(exports->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
         exports->clear();
         fillExport(*w, exports);
     });
