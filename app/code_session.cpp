@@ -46,7 +46,8 @@ void CodeSession::open(const Lab &lab, int index)
     m_taskId = lab.tasks[static_cast<std::size_t>(index)].id;
     m_text = m_workspace.textOf(lab, index);
     m_fault = findSyntaxError(m_text);
-    auto script = std::make_unique<StudentScript>(m_fault ? QString() : m_text);
+    m_running = m_fault ? QString() : m_text;
+    auto script = std::make_unique<StudentScript>(m_running);
     if (m_active)
         m_simulation.setProgram(script.get());
     m_script = std::move(script);
@@ -125,8 +126,9 @@ void CodeSession::apply()
 /// The old program lives until the simulation has let go of it.
 void CodeSession::run()
 {
+    m_running = m_text;
     auto script =
-        std::make_unique<StudentScript>(m_text, StudentScript::Options{.pinned = m_pinned});
+        std::make_unique<StudentScript>(m_running, StudentScript::Options{.pinned = m_pinned});
     if (m_active)
         m_simulation.setProgram(script.get());
     m_script = std::move(script);

@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] const QString &text() const { return m_text; }
     /// The text of the program that moves the circles; empty while the laws do.
-    [[nodiscard]] QString runningText() const { return program() ? m_script->source() : QString(); }
+    [[nodiscard]] QString runningText() const { return m_active ? m_running : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
     [[nodiscard]] bool isSaved() const { return !m_unsaved; }
     /// What keeps the text from being read; the last good version runs on.
@@ -69,6 +69,7 @@ private:
     Workspace m_workspace;
     QString m_taskId;
     QString m_text;
+    QString m_running;                       ///< the text of what runs
     std::unique_ptr<StudentScript> m_script; ///< what runs: the last text that could be read
     std::optional<ProgramError> m_fault;
     QTimer m_saveSoon;

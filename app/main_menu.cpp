@@ -46,21 +46,22 @@ void addExamples(MainWindow &window, QMenu *menu)
     }
 }
 
-void addExport(MainWindow &window, QMenu *menu)
+/// A submenu that is filled when it is opened, so that it knows what can be done.
+template <typename Chart>
+void addExportOf(QMenu *exports, const QString &name, Chart *chart)
 {
-    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
-    for (ChartPane *chart : window.findChildren<ChartPane *>()) {
-        QMenu *formats = exports->addMenu(chart->title());
-        QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
-            formats->clear();
-            chart->addExports(*formats);
-        });
-    }
-    QMenu *phase = exports->addMenu(window.phaseChart().windowTitle());
-    QObject::connect(phase, &QMenu::aboutToShow, &window.phaseChart(), [w = &window, phase] {
-        phase->clear();
-        w->phaseChart().addExports(*phase);
+    QMenu *formats = exports->addMenu(name);
+    QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
+        formats->clear();
+        chart->addExports(*formats);
     });
+}
+
+void fillExport(MainWindow &window, QMenu *exports)
+{
+    for (ChartPane *chart : window.findChildren<ChartPane *>())
+        addExportOf(exports, chart->name(), chart);
+    addExportOf(exports, window.phaseChart().windowTitle(), &window.phaseChart());
     exports->addSeparator();
     MainWindow *w = &window;
     const std::pair<RunTable, QString> tables[] = {
@@ -69,6 +70,17 @@ void addExport(MainWindow &window, QMenu *menu)
         {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
     for (const auto &[table, text] : tables)
         add(exports, text, {}, w, [w, kind = table] { w->exportRun(kind); });
+}
+
+void addExport(MainWindow &window, QMenu *menu)
+{
+    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
+    // The charts learn of another language after the window.
+    QObject::connect(exports, &QMenu::aboutToShow, &window, [w = &window, exports] {
+        qDeleteAll(exports->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
+        exports->clear();
+        fillExport(*w, exports);
+    });
 }
 
 void addLab(MainWindow &window, QMenuBar &bar)

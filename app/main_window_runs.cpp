@@ -5,6 +5,7 @@
 #include "app/notice_bar.h"
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
+#include "views/scene/scene_view.h"
 
 #include <QFileDialog>
 
@@ -29,6 +30,7 @@ void MainWindow::wireCharts()
     connect(m_phase, &PhaseChart::failed, this, &MainWindow::report);
     connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });
     connect(&m_workbench, &Workbench::taskChanged, this, [this] { m_pins.clear(); });
+    connect(m_scene, &SceneView::newRunRequested, this, &MainWindow::startNewRunHere);
     m_pins.setNow(runSource());
 }
 

@@ -67,6 +67,7 @@ QMenu *TestChartExport::exportMenu(const QString &name)
 {
     QMenu *lab = m_open->window.menuBar()->actions().front()->menu();
     QMenu *exports = actionNamed(*lab, QStringLiteral("Export"))->menu();
+    emit exports->aboutToShow();
     QAction *found = actionNamed(*exports, name);
     if (!found || !found->menu())
         return nullptr;
@@ -76,7 +77,7 @@ QMenu *TestChartExport::exportMenu(const QString &name)
 
 void TestChartExport::tableHasTheRecordedNumbers()
 {
-    QMenu *menu = exportMenu(QStringLiteral("MOMENTUM"));
+    QMenu *menu = exportMenu(QStringLiteral("Momentum"));
     QVERIFY(menu);
     answerFileDialog(path(QStringLiteral("m.csv")));
     actionNamed(*menu, QStringLiteral("CSV"))->trigger();
@@ -168,7 +169,7 @@ void TestChartExport::totalsAndEventsAreThoseOfTheRecording()
 
 void TestChartExport::pngIsOpened()
 {
-    QMenu *menu = exportMenu(QStringLiteral("ENERGY"));
+    QMenu *menu = exportMenu(QStringLiteral("Energy"));
     QVERIFY(menu);
     answerFileDialog(path(QStringLiteral("c.png")));
     actionNamed(*menu, QStringLiteral("PNG"))->trigger();
@@ -186,7 +187,7 @@ void TestChartExport::pngIsOpened()
 
 void TestChartExport::svgIsParsed()
 {
-    QMenu *menu = exportMenu(QStringLiteral("MOMENTUM"));
+    QMenu *menu = exportMenu(QStringLiteral("Momentum"));
     answerFileDialog(path(QStringLiteral("c.svg")));
     actionNamed(*menu, QStringLiteral("SVG"))->trigger();
     QSvgRenderer renderer(path(QStringLiteral("c.svg")));

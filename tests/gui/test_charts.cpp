@@ -379,7 +379,7 @@ void TestCharts::pastIsShownBeforeTheMoment()
     Simulation simulation(falling(2));
     RunCurves curves(simulation);
     EnergyChart chart(simulation, curves);
-    chart.window().show(TimeWindow::Kind::LastSeconds);
+    chart.timeWindow().show(TimeWindow::Kind::LastSeconds);
     chart.resize(420, 260);
     chart.show();
     run(simulation, 1800);

@@ -127,7 +127,9 @@ void TestSceneEditing::laterDragOnlyTellsWhatToDo()
     scene.drag(at, at + Vec2{0.5, -1.0});
     QCOMPARE(scene.document.preset(), twoCircles());
     QCOMPARE(scene.simulation.current(), qint64{3});
-    QCOMPARE(scene.chips(), QStringList{QStringLiteral("Press Restart (R) to change the start")});
+    QCOMPARE(scene.chips(),
+             QStringList{QStringLiteral("Press Restart (R) to change the start, or "
+                                        "start a new run from here (Ctrl+Shift+R)")});
     QTRY_VERIFY_WITH_TIMEOUT(scene.chips().isEmpty(), 3000);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/student_script.h"
 #include "views/timeline.h"
 
 #include <QAccessible>
@@ -51,6 +52,8 @@ private slots:
     void labelsNeverOverlap();
     void labelsTellEndsAndHits();
     void marksComeFirst();
+    void stoppedProgramIsMarked();
+    void runsOnFromThePast();
     void isAccessibleAsSlider();
     void paintsManyHitsFast();
 };
@@ -177,6 +180,45 @@ void TestTimeline::marksComeFirst()
     const auto labels = timeline.labels();
     QCOMPARE(labels.front().text, QStringLiteral("energy grows"));
     QVERIFY(!timeline.grab().isNull());
+}
+
+void TestTimeline::stoppedProgramIsMarked()
+{
+    Simulation simulation(bouncing());
+    StudentScript program(QStringLiteral("function on_update(timestep)\n"
+                                         "  circle1.position = circle1.position + vec(0.01, 0)\n"
+                                         "  if step > 30 then error('no more') end\n"
+                                         "end"));
+    simulation.setProgram(&program);
+    Timeline timeline(simulation);
+    timeline.resize(900, 56);
+    QVERIFY(timeline.recordedMarks().empty());
+    simulation.goTo(60);
+    QVERIFY(simulation.programError());
+    const auto marks = timeline.recordedMarks();
+    QCOMPARE(marks.size(), std::size_t{1});
+    QCOMPARE(marks[0].kind, Timeline::Mark::Kind::Error);
+    QCOMPARE(marks[0].time, simulation.recording().time(simulation.recording().last()));
+    QCOMPARE(timeline.labels().front().text, QStringLiteral("program stopped in line 3"));
+    simulation.restart();
+    QVERIFY(timeline.recordedMarks().empty());
+    simulation.setProgram(nullptr);
+}
+
+void TestTimeline::runsOnFromThePast()
+{
+    Simulation simulation(bouncing());
+    Timeline timeline(simulation);
+    run(simulation, 60);
+    const World then = simulation.recording().world(40);
+    timeline.setValue(20);
+    QCOMPARE(simulation.current(), 20);
+    simulation.start();
+    QTRY_VERIFY(simulation.current() > 25);
+    simulation.pause();
+    QCOMPARE(simulation.recording().world(40), then); // what has happened happens again
+    QCOMPARE(timeline.value(), static_cast<int>(simulation.current()));
+    QCOMPARE(simulation.recording().last(), std::max<qint64>(60, simulation.current()));
 }
 
 void TestTimeline::isAccessibleAsSlider()

@@ -124,6 +124,7 @@ void ChartPane::followWindow()
 void ChartPane::setTexts(const QString &heading, const QString &unit, const QString &empty)
 {
     const QString capitals = heading.toUpper();
+    m_name = heading;
     m_unit = unit;
     m_heading->setText(unit.isEmpty() ? capitals
                                       : tr("%1 · %2", "heading · unit").arg(capitals, unit));

@@ -30,11 +30,13 @@ public:
     /// Lets this chart share the time that is shown, and runs that are kept, with others. They are
     /// borrowed.
     void share(TimeWindow &window, PinnedRuns &pins);
-    [[nodiscard]] TimeWindow &window() const { return *m_window; }
+    [[nodiscard]] TimeWindow &timeWindow() const { return *m_window; }
     [[nodiscard]] const ChartPlot &plot() const { return *m_plot; }
     [[nodiscard]] const PinLegend &legend() const { return *m_legend; }
     /// The heading as text, with the unit.
     [[nodiscard]] QString title() const;
+    /// What it is of: "Momentum".
+    [[nodiscard]] const QString &name() const { return m_name; }
     [[nodiscard]] const QString &unit() const { return m_unit; }
     /// What can be done with the chart, anew for each time that it is shown.
     void fillMenu(QMenu &menu);
@@ -117,6 +119,7 @@ private:
     PinLegend *m_legend;
     ChartPlot *m_plot;
     FrameThrottle *m_throttle;
+    QString m_name;
     QString m_unit;
     QString m_emptyText;
     SteadyRange m_range;

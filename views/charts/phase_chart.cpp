@@ -69,6 +69,7 @@ PhaseChart::PhaseChart(const Simulation &simulation, QWidget *parent)
     const auto addMenu = [this](QuietButton *button, bool arrow, auto fill) {
         auto *menu = new QMenu(button);
         connect(menu, &QMenu::aboutToShow, this, [menu, fill] {
+            qDeleteAll(menu->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
             menu->clear();
             fill(*menu);
         });

@@ -171,7 +171,8 @@ void SceneEditor::nudgeSelected(Vec2 by)
     if (m_selection.empty())
         return;
     if (!m_document.simulation().atStart()) {
-        emit noticed(tr("Press Restart (R) to change the start"));
+        emit noticed(tr("Press Restart (R) to change the start, or start a new run "
+                        "from here (Ctrl+Shift+R)"));
         return;
     }
     Preset changed = preset();

@@ -77,6 +77,7 @@ public slots:
 signals:
     void selectionChanged(int index);
     void circleActivated(int index); ///< it was double clicked
+    void newRunRequested();          ///< from the moment shown
 
 protected:
     bool event(QEvent *event) override;

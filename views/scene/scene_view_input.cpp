@@ -98,7 +98,8 @@ void SceneView::beginMove()
         return; // this click took it out of the selection
     Simulation &simulation = m_document.simulation();
     if (!simulation.atStart()) {
-        notice(SceneEditor::tr("Press Restart (R) to change the start"));
+        notice(SceneEditor::tr("Press Restart (R) to change the start, or start a new run "
+                               "from here (Ctrl+Shift+R)"));
         return;
     }
     simulation.pause();

@@ -99,6 +99,9 @@ void SceneView::contextMenuEvent(QContextMenuEvent *event)
     const Vec2 at = m_camera.toMetres(place);
     QMenu menu(this);
     menu.addAction(tr("Add circle here"), this, [this, at] { addCircle(at); });
+    QAction *branch =
+        menu.addAction(tr("Start a new run from here"), this, &SceneView::newRunRequested);
+    branch->setEnabled(!m_document.simulation().atStart());
     menu.addSeparator();
     menu.addActions(m_actions->all());
     menu.addSeparator();
