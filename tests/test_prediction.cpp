@@ -192,7 +192,7 @@ void TestPrediction::takesATranslationThatIsWhole()
 void TestPrediction::rightAnswerMustBeOneOfThem_data()
 {
     QTest::addColumn<int>("right");
-    QTest::addColumn<bool>("good");
+    QTest::addColumn<bool>("valid");
     QTest::newRow("none") << 0 << false;
     QTest::newRow("first") << 1 << true;
     QTest::newRow("last") << 3 << true;
@@ -202,13 +202,13 @@ void TestPrediction::rightAnswerMustBeOneOfThem_data()
 void TestPrediction::rightAnswerMustBeOneOfThem()
 {
     QFETCH(int, right);
-    QFETCH(bool, good);
-    QJsonObject json = object(::good);
+    QFETCH(bool, valid);
+    QJsonObject json = object(good);
     QJsonObject part = json.value(QStringLiteral("prediction")).toObject();
     part.insert(QStringLiteral("right"), right);
     json.insert(QStringLiteral("prediction"), part);
-    QCOMPARE(predictionFault(json).isEmpty(), good);
-    QCOMPARE(readPrediction(json, {}).has_value(), good);
+    QCOMPARE(predictionFault(json).isEmpty(), valid);
+    QCOMPARE(readPrediction(json, {}).has_value(), valid);
 }
 
 /// The step stays, without its question.

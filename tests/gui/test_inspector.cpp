@@ -28,6 +28,8 @@ private slots:
     void noteAppearsAwayFromTheStart();
     void fitsItsPane_data();
     void fitsItsPane();
+    void groupsAreAsLowAsTheirWidthAllows_data();
+    void groupsAreAsLowAsTheirWidthAllows();
 
 private:
     std::unique_ptr<OpenInspector> m_open;
@@ -221,6 +223,36 @@ void TestInspector::fitsItsPane()
             return each->mapTo(&m_open->inspector, QPoint(each->width(), 0)).x();
         };
         QTRY_VERIFY2(right() <= size.width(), qPrintable(each->accessibleName()));
+    }
+}
+
+void TestInspector::groupsAreAsLowAsTheirWidthAllows_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("row");
+    QTest::newRow("wide, world and laws beside each other") << 700 << false;
+    QTest::newRow("less, laws in a row below the world") << 500 << true;
+    QTest::newRow("narrow, laws below each other") << 330 << false;
+}
+
+void TestInspector::groupsAreAsLowAsTheirWidthAllows()
+{
+    QFETCH(int, width);
+    QFETCH(bool, row);
+    m_open->inspector.resize(width, 400);
+    QCoreApplication::processEvents();
+    const auto placeOf = [this](const QWidget *widget) {
+        return widget->mapTo(&m_open->inspector, QPoint());
+    };
+    const QPoint walls = placeOf(m_open->law(QStringLiteral("Walls")));
+    const QPoint circles = placeOf(m_open->law(QStringLiteral("Circles")));
+    const QPoint timing = placeOf(m_open->law(QStringLiteral("Timing")));
+    QCOMPARE(circles.y() == walls.y(), row);
+    QCOMPARE(timing.y() == walls.y(), row);
+    QCOMPARE(circles.x() == walls.x(), !row);
+    if (row) {
+        QVERIFY(timing.x() + m_open->law(QStringLiteral("Timing"))->width() <= width);
+        QVERIFY(placeOf(m_open->table()).y() < 250); // in sight
     }
 }
 

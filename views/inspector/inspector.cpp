@@ -17,6 +17,7 @@ namespace cradle {
 namespace {
 
 constexpr int margin = 12;       ///< px
+constexpr int scrollBar = 10;    ///< px, where the groups are higher than the pane
 constexpr int groupGap = 24;     ///< px between World and Laws
 constexpr int besideTable = 640; ///< px that the table wants beside the other groups
 
@@ -123,15 +124,24 @@ void Inspector::showStartNote()
 }
 
 /// The table beside the other groups where there is room for both; fields of the world in one
-/// column where two do not fit, and the groups below one another where even that is too wide.
+/// column where two do not fit, and the groups below one another where even that is too wide, each
+/// as low as its width allows, so that the table stays in sight.
 void Inspector::arrange()
 {
-    const int laws = m_laws->sizeHint().width();
+    const int laws = m_laws->columnWidth();
     const int oneRow = m_world->twoColumnWidth() + groupGap + laws + 2 * margin;
     m_world->arrange(oneRow <= width() ? WorldGroup::TwoColumns : WorldGroup::OneColumn);
     const bool sideBySide = m_world->sizeHint().width() + groupGap + laws + 2 * margin <= width();
-    if (!sideBySide)
-        m_world->arrange(WorldGroup::OwnRows);
+    if (sideBySide) {
+        m_laws->arrange(LawsGroup::Column);
+    } else {
+        const int room = width() - 2 * margin - scrollBar;
+        m_laws->arrange(m_laws->rowWidth() <= room ? LawsGroup::Row : LawsGroup::Column);
+        m_world->arrange(m_world->twoColumnWidth() <= room ? WorldGroup::TwoColumns
+                                                           : WorldGroup::OneColumn);
+        if (m_world->sizeHint().width() > room)
+            m_world->arrange(WorldGroup::OwnRows);
+    }
     m_top->setDirection(sideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_top->setSpacing(sideBySide ? groupGap : 6);
     m_top->setAlignment(m_laws, sideBySide ? Qt::Alignment() : Qt::AlignLeft);

@@ -9,12 +9,15 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace cradle {
 
 namespace {
+
+constexpr int gap = 8; ///< px between two columns
 
 /// Names the items in the order of the enumeration, each with a sentence on what it does.
 void setItems(QComboBox *list, const std::vector<std::pair<QString, QString>> &items)
@@ -43,22 +46,19 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
     m_heading = new QLabel(this);
     m_heading->setFont(headingFont());
     setKind(m_heading, "heading");
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(4);
-    grid->addWidget(m_heading, 0, 0, 1, 2);
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(gap);
+    m_grid->setVerticalSpacing(4);
     int row = 0;
     for (QComboBox **list : {&m_walls, &m_circles, &m_timing}) {
         *list = new QComboBox(this);
         (*list)->installEventFilter(this);
         m_captions[row] = new QLabel(this);
         m_captions[row]->setBuddy(*list);
-        grid->addWidget(m_captions[row], row + 1, 0);
-        grid->addWidget(*list, row + 1, 1);
         ++row;
     }
-    grid->setRowStretch(row + 1, 1);
+    arrange(Column);
     retranslate();
     connect(m_walls, &QComboBox::activated, this, [this](int index) {
         Laws laws = m_document.preset().laws;
@@ -76,6 +76,42 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
         choose(tr("Change timing"), laws);
     });
     connect(&document.simulation(), &Simulation::presetChanged, this, &LawsGroup::reload);
+}
+
+void LawsGroup::arrange(Arrangement arrangement)
+{
+    if (arrangement == m_arrangement)
+        return;
+    m_arrangement = arrangement;
+    const bool row = arrangement == Row;
+    m_grid->addWidget(m_heading, 0, 0, 1, 3);
+    QComboBox *const lists[] = {m_walls, m_circles, m_timing};
+    for (int i = 0; i < 3; ++i) {
+        m_grid->addWidget(m_captions[i], row ? 1 : i + 1, row ? i : 0);
+        m_grid->addWidget(lists[i], row ? 2 : i + 1, row ? i : 1);
+    }
+    m_grid->setRowStretch(4, row ? 0 : 1);
+}
+
+int LawsGroup::columnWidth() const
+{
+    int captions = 0;
+    int choices = 0;
+    const QComboBox *const lists[] = {m_walls, m_circles, m_timing};
+    for (int i = 0; i < 3; ++i) {
+        captions = std::max(captions, m_captions[i]->sizeHint().width());
+        choices = std::max(choices, lists[i]->sizeHint().width());
+    }
+    return captions + gap + choices;
+}
+
+int LawsGroup::rowWidth() const
+{
+    int width = 2 * gap;
+    const QComboBox *const lists[] = {m_walls, m_circles, m_timing};
+    for (int i = 0; i < 3; ++i)
+        width += std::max(m_captions[i]->sizeHint().width(), lists[i]->sizeHint().width());
+    return width;
 }
 
 void LawsGroup::choose(const QString &text, const Laws &laws)

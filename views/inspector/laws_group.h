@@ -6,7 +6,10 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QComboBox;
+class QGridLayout;
 class QLabel;
 
 namespace cradle {
@@ -18,6 +21,14 @@ class LawsGroup final : public QWidget
 public:
     explicit LawsGroup(PresetDocument &document, QWidget *parent = nullptr);
 
+    enum Arrangement {
+        Column, ///< below each other, the name beside each
+        Row     ///< beside each other, the name above each
+    };
+    void arrange(Arrangement arrangement);
+    [[nodiscard]] int columnWidth() const; ///< px that a column of them needs
+    [[nodiscard]] int rowWidth() const;    ///< px that a row of them needs
+
 protected:
     void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -28,6 +39,8 @@ private:
     void choose(const QString &text, const Laws &laws);
 
     PresetDocument &m_document;
+    QGridLayout *m_grid = nullptr;
+    std::optional<Arrangement> m_arrangement{};
     QLabel *m_heading = nullptr;
     QLabel *m_captions[3] = {};
     QComboBox *m_walls = nullptr;
