@@ -3,6 +3,7 @@
 #include "app/main_menu.h"
 
 #include "app/code_desk.h"
+#include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "views/scene/scene_view.h"
@@ -54,6 +55,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("&Previous step"), QKeySequence(Qt::CTRL | Qt::Key_PageUp), bench,
         &Workbench::openPreviousTask);
     menu->addSeparator();
+    addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
@@ -80,10 +82,7 @@ void addEdit(MainWindow &window, QMenuBar &bar)
     menu->addSeparator();
     add(menu, MenuText::tr("&Add circle"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), scene,
         [scene] { scene->addCircle(); });
-    add(menu, MenuText::tr("&Duplicate circle"), QKeySequence(Qt::CTRL | Qt::Key_D), scene,
-        &SceneView::duplicateSelected);
-    add(menu, MenuText::tr("Re&move circle"), QKeySequence(Qt::CTRL | Qt::Key_Backspace), scene,
-        &SceneView::removeSelected);
+    menu->addActions(scene->circleActions());
     menu->addSeparator();
     add(menu, MenuText::tr("Reset to the &step's scene"), {}, document,
         &PresetDocument::resetToOriginal);
@@ -142,6 +141,8 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
     addOption(MenuText::tr("&Trails"), &SceneOptions::trails);
     addOption(MenuText::tr("&Parts of a hit"), &SceneOptions::hitParts);
+    addOption(MenuText::tr("&Momenta tip to tail"), &SceneOptions::momenta);
+    addOption(MenuText::tr("&Centre of mass and its way"), &SceneOptions::centreOfMass);
     addOption(MenuText::tr("&Drawings of the program"), &SceneOptions::programDrawings);
     addOption(MenuText::tr("&Names"), &SceneOptions::names);
     addOption(MenuText::tr("&Grid"), &SceneOptions::grid);
@@ -151,6 +152,12 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     exact->setChecked(window.workbench().simulation().shadow() != nullptr);
     exact->setToolTip(MenuText::tr("Outlines where every circle would be without any error of "
                                    "the integrator, the program or the timestep"));
+    QAction *follow = menu->addAction(MenuText::tr("&Follow the centre of mass"));
+    follow->setCheckable(true);
+    follow->setChecked(scene->followsCentreOfMass());
+    follow->setToolTip(MenuText::tr("The view moves along with it: in its frame the momenta of all "
+                                    "circles add up to nothing"));
+    QObject::connect(follow, &QAction::toggled, scene, &SceneView::followCentreOfMass);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
     add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,

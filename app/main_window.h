@@ -54,6 +54,7 @@ public slots:
     void unlockPanes(bool unlocked);  ///< gives the panes title bars to move them by
     void resetLayout();
     void openLabFolder();
+    void openLab(const QString &folder);
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();

@@ -18,8 +18,12 @@ namespace cradle {
 void MainWindow::openLabFolder()
 {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
-    if (folder.isEmpty())
-        return;
+    if (!folder.isEmpty())
+        openLab(folder);
+}
+
+void MainWindow::openLab(const QString &folder)
+{
     if (const auto error = m_workbench.openLab(folder, currentLanguage()))
         report(*error);
 }
