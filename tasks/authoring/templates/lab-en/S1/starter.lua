@@ -1,0 +1,12 @@
+-- Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  -- Set gravity here.
+end
+
+-- Runs every step; timestep is how long the step lasts.
+function on_update(timestep)
+  circle1.velocity = circle1.velocity + gravity * timestep
+  circle1.position = circle1.position + circle1.velocity * timestep
+end
