@@ -15,6 +15,8 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include <optional>
+
 namespace cradle {
 
 namespace {
@@ -127,6 +129,27 @@ Error explain(Place place, const QString &source)
             .pointer = place.pointer};
 }
 
+/// A file of a later version: what else is strange in it is no mistake of its author.
+std::optional<Error> newerFormat(const QJsonObject &object, const QJsonObject &schema,
+                                 const QString &source)
+{
+    const QString key = QStringLiteral("format");
+    const QJsonArray known = schema.value(QStringLiteral("properties"))
+                                 .toObject()
+                                 .value(key)
+                                 .toObject()
+                                 .value(QStringLiteral("enum"))
+                                 .toArray();
+    const double format = object.value(key).toDouble();
+    if (known.isEmpty() || format <= known.last().toDouble())
+        return std::nullopt;
+    return Error{.message =
+                     SchemaText::tr("needs a newer Cradle: format %1, this one reads %2")
+                         .arg(shortestNumber(format), shortestNumber(known.last().toDouble())),
+                 .file = source,
+                 .pointer = QLatin1Char('/') + key};
+}
+
 Error syntaxError(const QByteArray &text, const QJsonParseError &fault, const QString &source)
 {
     const auto line = 1 + text.left(fault.offset).count('\n');
@@ -164,6 +187,8 @@ Result<QJsonObject> parseJson(const QByteArray &text, const QString &schemaResou
         return syntaxError(text, fault, source);
 
     const QJsonObject schemaObject = loadSchema(schemaResource);
+    if (const auto newer = newerFormat(document.object(), schemaObject, source))
+        return *newer;
     const QJsonValue value =
         document.isObject() ? QJsonValue(document.object()) : QJsonValue(document.array());
     valijson::Schema schema;

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/known_scripts.h"
 
-#include "model/json_schema.h"
 #include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFile>
 #include <QJsonArray>
-#include <QStringDecoder>
 
 namespace cradle {
 
@@ -19,40 +15,44 @@ struct ReaderText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
-QString readProgram(const QString &path, Lab &lab)
+QString readProgram(const LabSource &source, const QString &path, Lab &lab)
 {
-    const Result<QByteArray> text = readFile(path, limits::sourceBytes);
-    if (!text) {
-        lab.findings.push_back(text.error());
-        return {};
-    }
-    QStringDecoder decode(QStringDecoder::Utf8);
-    QString decoded = decode(*text);
-    if (decode.hasError())
-        lab.findings.push_back({.message = ReaderText::tr("the text is not in UTF-8, which would "
-                                                          "be right; some letters are lost"),
-                                .file = path});
-    return decoded;
+    return source.readText(path, limits::sourceBytes, lab.findings);
 }
 
-QString readIfThere(const QString &path, Lab &lab)
+QString readIfThere(const LabSource &source, const QString &path, Lab &lab)
 {
-    return QFile::exists(path) ? readProgram(path, lab) : QString();
+    return source.has(path) ? readProgram(source, path, lab) : QString();
 }
 
-KnownScript readKnown(const QString &path, const QJsonObject &texts, Lab &lab)
+KnownScript readKnown(const LabSource &source, const QString &path, const QJsonObject &texts,
+                      Lab &lab)
 {
     KnownScript known;
-    known.name = QFileInfo(path).completeBaseName();
-    known.source = readProgram(path, lab);
+    known.name = path.section(QLatin1Char('/'), -1).chopped(4);
+    known.source = readProgram(source, path, lab);
     known.message = texts.value(known.name).toString(firstCommentBlock(known.source));
     if (known.message.isEmpty())
         lab.findings.push_back(
             {.message = ReaderText::tr("the program begins without a comment; what the student "
                                        "should read of it stands there"),
-             .file = path,
+             .file = source.fullPath(path),
              .line = 1});
     return known;
+}
+
+/// The programs in a folder, in order of their names.
+QStringList programsIn(const LabSource &source, const QString &folder)
+{
+    const auto &files = source.files().contents;
+    QStringList paths;
+    for (auto it = files.lowerBound(folder); it != files.end() && it.key().startsWith(folder);
+         ++it) {
+        if (it.key().endsWith(QLatin1String(".lua"))
+            && it.key().indexOf(QLatin1Char('/'), folder.size()) < 0)
+            paths.append(it.key());
+    }
+    return paths;
 }
 
 RemarkSpec::Compare compareFromName(const QString &name)
@@ -63,14 +63,16 @@ RemarkSpec::Compare compareFromName(const QString &name)
                                            : RemarkSpec::Compare::Velocities;
 }
 
-void readRemarks(const QJsonObject &json, const QJsonObject &texts, Task &task, Lab &lab)
+void readRemarks(const LabSource &source, const QString &step, const QJsonObject &json,
+                 const QJsonObject &texts, Task &task, Lab &lab)
 {
     for (const QJsonValue &value : json.value(QStringLiteral("remarks")).toArray()) {
         const QJsonObject object = value.toObject();
         const auto text = [&](const char *key) { return object.value(QLatin1String(key)); };
         RemarkSpec remark;
-        remark.script = readKnown(
-            task.folder + QStringLiteral("/remarks/%1.lua").arg(text("id").toString()), texts, lab);
+        remark.script =
+            readKnown(source, QStringLiteral("%1/remarks/%2.lua").arg(step, text("id").toString()),
+                      texts, lab);
         remark.compare = compareFromName(text("compare").toString());
         remark.scene = text("scene").toObject();
         const QJsonArray circles = text("circles").toArray();
@@ -96,18 +98,17 @@ QString firstCommentBlock(const QString &source)
     return lines.join(QLatin1Char('\n')).trimmed();
 }
 
-void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, Lab &lab)
+void readScripts(const LabSource &source, const QString &step, const QJsonObject &json,
+                 const QJsonObject &words, Task &task, Lab &lab)
 {
-    task.solution = readIfThere(task.folder + QStringLiteral("/solution.lua"), lab);
-    task.starter = readIfThere(task.folder + QStringLiteral("/starter.lua"), lab);
+    task.solution = readIfThere(source, step + QStringLiteral("/solution.lua"), lab);
+    task.starter = readIfThere(source, step + QStringLiteral("/starter.lua"), lab);
     if (task.starter.isEmpty() && !lab.tasks.empty())
         task.starter = lab.tasks.back().solution;
-    const QDir mistakes(task.folder + QStringLiteral("/mistakes"));
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();
-    for (const QString &file :
-         mistakes.entryList({QStringLiteral("*.lua")}, QDir::Files, QDir::Name))
-        task.mistakes.push_back(readKnown(mistakes.filePath(file), texts, lab));
-    readRemarks(json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
+    for (const QString &path : programsIn(source, step + QStringLiteral("/mistakes/")))
+        task.mistakes.push_back(readKnown(source, path, texts, lab));
+    readRemarks(source, step, json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
 }
 
 } // namespace cradle

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab.h"
+#include "tasks/lab_source.h"
 
 namespace cradle {
 
@@ -11,8 +11,10 @@ namespace cradle {
 
 /// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/ and
 /// remarks/. What cannot be read is named in Lab::findings.
+/// \param step   the step's folder
 /// \param json   the step's task.json
 /// \param words  its texts in another language, where it has them
-void readScripts(const QJsonObject &json, const QJsonObject &words, Task &task, Lab &lab);
+void readScripts(const LabSource &source, const QString &step, const QJsonObject &json,
+                 const QJsonObject &words, Task &task, Lab &lab);
 
 } // namespace cradle

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_reader.h"
 
-#include "model/json_schema.h"
-#include "model/preset_json.h"
 #include "tasks/known_scripts.h"
+#include "tasks/lab_source.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDir>
-#include <QDirIterator>
-#include <QFileInfo>
 #include <QJsonArray>
-#include <QStringDecoder>
 
 #include <algorithm>
 
@@ -24,49 +19,28 @@ struct ReaderText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
-/// Far above what a step needs; a larger file is a mistake.
-constexpr qint64 maxTextBytes = 2 * 1024 * 1024;
-
-Result<QJsonObject> readJson(const QString &path, const char *schema)
-{
-    const Result<QByteArray> text = readFile(path, maxTextBytes);
-    if (!text)
-        return text.error();
-    return parseJson(*text, QLatin1String(":/schemas/") + QLatin1String(schema), path);
-}
-
 /// The texts of "NAME.LANGUAGE.json" beside "NAME.json"; empty if there are none.
-QJsonObject translationOf(const QString &path, const QString &language, Lab &lab)
+QJsonObject translationOf(const LabSource &source, const QString &path, const QString &language,
+                          Lab &lab)
 {
     QString translated = path;
     translated.replace(QStringLiteral(".json"),
                        QLatin1Char('.') + language + QStringLiteral(".json"));
-    if (!QFile::exists(translated))
+    if (!source.has(translated))
         return {};
-    const Result<QJsonObject> json = readJson(translated, "translation.schema.json");
+    const Result<QJsonObject> json = source.readJson(translated, "translation.schema.json");
     if (json)
         return *json;
     lab.findings.push_back(json.error());
     return {};
 }
 
-QString textOf(const QString &folder, const QString &language, Lab &lab)
+QString textOf(const LabSource &source, const QString &step, const QString &language, Lab &lab)
 {
-    const QString own = folder + QStringLiteral("/instructions.md");
-    const QString translated = folder + QStringLiteral("/instructions.%1.md").arg(language);
-    const QString path = QFile::exists(translated) ? translated : own;
-    const Result<QByteArray> text = readFile(path, maxTextBytes);
-    if (!text) {
-        lab.findings.push_back(text.error());
-        return {};
-    }
-    QStringDecoder decode(QStringDecoder::Utf8);
-    const QString decoded = decode(*text);
-    if (decode.hasError())
-        lab.findings.push_back({.message = ReaderText::tr("the text is not in UTF-8, which would "
-                                                          "be right; some letters are lost"),
-                                .file = path});
-    return decoded;
+    const QString own = step + QStringLiteral("/instructions.md");
+    const QString translated = step + QStringLiteral("/instructions.%1.md").arg(language);
+    return source.readText(source.has(translated) ? translated : own, limits::labFileBytes,
+                           lab.findings);
 }
 
 QStringList stringsOf(const QJsonValue &list)
@@ -100,28 +74,28 @@ std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titl
 }
 
 /// The laws that the step asks for, where the lab has a scene that passes it.
-std::optional<Laws> lawsOf(const QString &folder, Lab &lab)
+std::optional<Laws> lawsOf(const LabSource &source, const QString &step, Lab &lab)
 {
-    const QString path = folder + QStringLiteral("/solution-preset.json");
-    if (!QFileInfo::exists(path))
+    const QString path = step + QStringLiteral("/solution-preset.json");
+    if (!source.has(path))
         return std::nullopt;
-    const Result<Preset> solution = readPreset(path);
+    const Result<Preset> solution = source.readPreset(path);
     if (solution)
         return solution->laws;
     lab.findings.push_back(solution.error());
     return std::nullopt;
 }
 
-void readTask(const QString &folder, const QString &language, Lab &lab)
+void readTask(const LabSource &source, const QString &step, const QString &language, Lab &lab)
 {
-    const QString path = folder + QStringLiteral("/task.json");
-    const Result<QJsonObject> json = readJson(path, "task.schema.json");
+    const QString path = step + QStringLiteral("/task.json");
+    const Result<QJsonObject> json = source.readJson(path, "task.schema.json");
     if (!json) {
         lab.findings.push_back(json.error());
         return;
     }
     const auto text = [&](const char *key) { return json->value(QLatin1String(key)).toString(); };
-    const Result<Preset> preset = readPreset(folder + QLatin1Char('/') + text("preset"));
+    const Result<Preset> preset = source.readPreset(step + QLatin1Char('/') + text("preset"));
     if (!preset) {
         lab.findings.push_back(preset.error());
         return;
@@ -131,17 +105,17 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
             {.message = ReaderText::tr("another step has the id %1 already; an id "
                                        "of its own is right")
                             .arg(text("id")),
-             .file = path,
+             .file = source.fullPath(path),
              .pointer = QStringLiteral("/id")});
         return;
     }
-    const QJsonObject words = translationOf(path, language, lab);
+    const QJsonObject words = translationOf(source, path, language, lab);
     Task task;
     task.id = text("id");
     task.title = words.value(QStringLiteral("title")).toString(text("title"));
     task.commit = text("commit");
-    task.folder = folder;
-    task.instructions = textOf(folder, language, lab);
+    task.folder = source.fullPath(step);
+    task.instructions = textOf(source, step, language, lab);
     task.hints = stringsOf(json->value(QStringLiteral("hints")));
     const QStringList hints = stringsOf(words.value(QStringLiteral("hints")));
     if (hints.size() == task.hints.size())
@@ -153,27 +127,58 @@ void readTask(const QString &folder, const QString &language, Lab &lab)
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
-    task.laws = lawsOf(folder, lab);
-    readScripts(*json, words, task, lab);
+    task.laws = lawsOf(source, step, lab);
+    readScripts(source, step, *json, words, task, lab);
     lab.tasks.push_back(task);
 }
 
 /// SHA-256 over names and contents of all files, in order of their names.
-QString hashOf(const QString &folder)
+QString hashOf(const LabFiles &files)
 {
-    QStringList files;
-    QDirIterator it(folder, QDir::Files, QDirIterator::Subdirectories);
-    while (it.hasNext())
-        files.append(it.next());
-    files.sort();
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    for (const QString &path : std::as_const(files)) {
-        hash.addData(QDir(folder).relativeFilePath(path).toUtf8() + '\n');
-        QFile file(path);
-        if (file.open(QIODevice::ReadOnly))
-            hash.addData(&file);
+    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
+        hash.addData(it.key().toUtf8() + '\n');
+        hash.addData(*it);
     }
     return QString::fromLatin1(hash.result().toHex());
+}
+
+/// Reads the steps that lab.json lists, each once.
+void readTasks(const LabSource &source, const QJsonObject &json, const QString &language, Lab &lab)
+{
+    const QStringList steps = stringsOf(json.value(QStringLiteral("steps")));
+    for (qsizetype i = 0; i < steps.size(); ++i) {
+        if (steps.indexOf(steps[i]) == i)
+            readTask(source, steps[i], language, lab);
+        else
+            lab.findings.push_back({.message = ReaderText::tr("the step %1 is listed already; "
+                                                              "each step once is right")
+                                                   .arg(steps[i]),
+                                    .file = source.fullPath(QStringLiteral("lab.json")),
+                                    .pointer = QStringLiteral("/steps/%1").arg(i)});
+    }
+}
+
+Result<Lab> readFrom(const LabSource &source, const QString &folder, const QString &language)
+{
+    const QString path = QStringLiteral("lab.json");
+    const Result<QJsonObject> json = source.readJson(path, "lab.schema.json");
+    if (!json)
+        return json.error();
+    Lab lab;
+    const auto text = [&](const char *key) { return json->value(QLatin1String(key)).toString(); };
+    lab.id = text("id");
+    lab.title = translationOf(source, path, language, lab)
+                    .value(QStringLiteral("title"))
+                    .toString(text("title"));
+    lab.version = text("version");
+    lab.language = text("language");
+    lab.folder = folder;
+    lab.hash = hashOf(source.files());
+    readTasks(source, *json, language, lab);
+    for (const Error &fault : source.untold(lab.findings))
+        lab.findings.push_back(fault);
+    return lab;
 }
 
 } // namespace
@@ -187,22 +192,19 @@ int Lab::indexOf(const QString &taskId) const
 
 Result<Lab> readLab(const QString &folder, const QString &language)
 {
-    const QString path = folder + QStringLiteral("/lab.json");
-    const Result<QJsonObject> json = readJson(path, "lab.schema.json");
-    if (!json)
-        return json.error();
-    Lab lab;
-    const auto text = [&](const char *key) { return json->value(QLatin1String(key)).toString(); };
-    lab.id = text("id");
-    lab.title =
-        translationOf(path, language, lab).value(QStringLiteral("title")).toString(text("title"));
-    lab.version = text("version");
-    lab.language = text("language");
-    lab.folder = folder;
-    lab.hash = hashOf(folder);
-    for (const QString &step : stringsOf(json->value(QStringLiteral("steps"))))
-        readTask(folder + QLatin1Char('/') + step, language, lab);
-    return lab;
+    std::vector<Error> faults;
+    const Result<LabFiles> files = readLabFiles(folder, &faults);
+    if (!files) {
+        Error error = files.error();
+        error.file += QStringLiteral("/lab.json");
+        return error;
+    }
+    return readFrom(LabSource(*files, folder, std::move(faults)), folder, language);
+}
+
+Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString &language)
+{
+    return readFrom(LabSource(files, folder, {}), folder, language);
 }
 
 } // namespace cradle

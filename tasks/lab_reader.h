@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/authoring/lab_files.h"
 #include "tasks/lab.h"
 
 namespace cradle {
@@ -13,5 +14,10 @@ inline constexpr char shippedLab[] = ":/labs/lab-4.2";
 /// are taken in \p language ("de") where the lab has them, else in its own.
 /// \return an error if there is no lab.json that can be read
 Result<Lab> readLab(const QString &folder, const QString &language = QStringLiteral("en"));
+
+/// The same of files that are at hand: of an author's unsaved lab, or of an archive.
+/// \param folder  where they lie or will lie, for messages and pictures
+Result<Lab> readLab(const LabFiles &files, const QString &folder,
+                    const QString &language = QStringLiteral("en"));
 
 } // namespace cradle

@@ -148,7 +148,7 @@ void TestLabReader::refusesALabWithoutAUsableIndex_data()
     };
     row("no_lab_json", ": cannot be read");
     row("no_such_folder", ": cannot be read");
-    row("wrong_format", ": /format: ");
+    row("wrong_format", ": /format: needs a newer Cradle: format 2, this one reads 1");
     row("unknown_key", ": /author: unknown key");
     row("step_outside", ": /steps/1: ");
     row("step_dots", ": /steps/1: ");

@@ -233,7 +233,7 @@ void TestPresetJson::badFilesAreRefused_data()
     broken("bare_null", 1);
 
     wrong("list", "", "an object with format");
-    wrong("unknown_format", "/format", "right would be 1");
+    wrong("unknown_format", "/format", "needs a newer Cradle: format 2, this one reads 1");
     wrong("format_text", "/format", "right would be 1");
     wrong("no_format", "", "\"format\" is missing");
     wrong("no_circles", "", "\"circles\" is missing");

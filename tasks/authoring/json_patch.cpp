@@ -41,7 +41,7 @@ void insertMember(JsonPieces &pieces, const QString &key, const QByteArray &valu
         pieces.pieces.begin(), pieces.pieces.end(),
         [&](const JsonPieces::Piece &piece) { return rankOf(piece.key) > rankOf(key); });
     const QByteArray lead = printJson(key, 0, {}) + ": ";
-    pieces.pieces.insert(after, {.key = key, .lead = lead, .value = value});
+    pieces.pieces.insert(after, {.key = key, .lead = lead, .value = value, .gap = {}});
 }
 
 /// Of an object that is not written yet, the members that an edit changed; else \p after.
@@ -114,12 +114,16 @@ QByteArray patchedList(const QByteArray &text, const QJsonArray &before, const Q
         const QJsonValue element = after.at(i);
         const qsizetype origin = originOf(element, i, before, after.size());
         const bool isWritten = origin >= 0 && origin < qsizetype(pieces.pieces.size());
-        wanted.push_back(
-            {.key = {},
-             .lead = {},
-             .value = isWritten ? patched(pieces.pieces[static_cast<std::size_t>(origin)].value,
-                                          before.at(origin), element, levels - 2, inner)
-                                : printJson(element, levels - 2, inner)});
+        JsonPieces::Piece piece;
+        if (isWritten) {
+            const JsonPieces::Piece &old = pieces.pieces[static_cast<std::size_t>(origin)];
+            piece.value = patched(old.value, before.at(origin), element, levels - 2, inner);
+            if (origin == i)
+                piece.gap = old.gap;
+        } else {
+            piece.value = printJson(element, levels - 2, inner);
+        }
+        wanted.push_back(piece);
     }
     pieces.pieces = wanted;
     return pieces.toText();

@@ -116,8 +116,11 @@ QByteArray JsonPieces::toText() const
     if (pieces.empty())
         return open.left(1) + close.right(1);
     QByteArray text = open;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        text += (i == 0 ? QByteArray() : separator) + pieces[i].lead + pieces[i].value;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (i > 0)
+            text += pieces[i].gap.isEmpty() ? separator : pieces[i].gap;
+        text += pieces[i].lead + pieces[i].value;
+    }
     return text + close;
 }
 
@@ -136,6 +139,7 @@ JsonPieces takeApart(const QByteArray &text)
     const qsizetype first = skipSpace(text, at + 1);
     result.open = text.mid(at, first - at);
     at = first;
+    QByteArray gap;
     while (at < text.size() && text[at] != '}' && text[at] != ']') {
         JsonPieces::Piece piece;
         qsizetype value = at;
@@ -147,13 +151,15 @@ JsonPieces takeApart(const QByteArray &text)
         }
         const qsizetype end = skipValue(text, value);
         piece.value = text.mid(value, end - value);
+        piece.gap = gap;
         if (const int twin = isObject ? result.indexOf(piece.key) : -1; twin >= 0)
             result.pieces.erase(result.pieces.begin() + twin);
         const qsizetype comma = skipSpace(text, end);
         if (comma < text.size() && text[comma] == ',') {
             at = skipSpace(text, comma + 1);
+            gap = text.mid(end, at - end);
             if (result.pieces.empty())
-                result.separator = text.mid(end, at - end);
+                result.separator = gap;
         } else {
             result.close = text.mid(end, comma - end);
             at = comma;

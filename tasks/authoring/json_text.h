@@ -17,10 +17,11 @@ struct JsonPieces {
         QString key{};     ///< of a member; empty for an element
         QByteArray lead{}; ///< "key": with its spaces; empty for an element
         QByteArray value{};
+        QByteArray gap{}; ///< between the piece before and this one; empty: the separator
     };
 
     QByteArray open;             ///< the bracket and the space after it
-    QByteArray separator = ", "; ///< between two pieces
+    QByteArray separator = ", "; ///< between a new piece and the one before
     QByteArray close;            ///< the space before the bracket and the bracket
     std::vector<Piece> pieces{};
 

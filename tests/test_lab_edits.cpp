@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/authoring_labs.h"
+
+#include "tasks/lab_reader.h"
+#include "tasks/lab_verifier.h"
+
+using namespace cradle;
+using namespace cradle::authoring;
+
+/// Edits of a lab change what they say, and no byte besides.
+class TestLabEdits : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void formReadAndWrittenKeepsEveryByte_data();
+    void formReadAndWrittenKeepsEveryByte();
+    void oneFieldChangesOneLine_data();
+    void oneFieldChangesOneLine();
+    void fieldSetBackKeepsEveryByte_data();
+    void fieldSetBackKeepsEveryByte();
+    void checksAreAddedMovedAndRemoved();
+    void translationTakesTheTextsAlone();
+    void newTranslationHoldsWhatIsTranslated();
+    void textsFollowARenamedCheck();
+    void sceneChangesWhatDiffers();
+    void sceneThatCannotBeIsRefused();
+    void formThatDoesNotFitIsRefused();
+    void unknownKeysAreKept();
+    void textOfAnotherSystemKeepsItsLineEnds();
+
+private:
+    LabFiles m_lab;
+};
+
+namespace {
+
+/// A change of one field, by the name of the row.
+void change(TaskForm &form, const QByteArray &field)
+{
+    if (field == "title")
+        form.title = text("Another title");
+    else if (field == "commit")
+        form.commit = text("Another \"commit\"");
+    else if (field == "hint")
+        form.hints[1] = text("Another hint");
+    else if (field == "code hint")
+        form.codeHints.last() = text("Another hint");
+    else if (field == "title of a check")
+        form.checks[0].title = text("Another check");
+    else if (field == "parameter")
+        form.checks[0].parameters.insert(text("tolerance"), 0.25);
+    else if (field == "scene")
+        form.checks.back().scene.insert(text("duration"), 7.5);
+    else if (field == "extra")
+        form.extra = !form.extra;
+    else if (field == "remark")
+        form.remarks[0].compare = text("positions");
+}
+
+void addFields()
+{
+    QTest::addColumn<QByteArray>("field");
+    for (const char *field : {"title", "commit", "hint", "code hint", "title of a check",
+                              "parameter", "scene", "extra", "remark"})
+        QTest::newRow(field) << QByteArray(field);
+}
+
+const QString step = text("L42T14"); // it has remarks
+
+} // namespace
+
+void TestLabEdits::initTestCase()
+{
+    TAKE(m_lab, readLabFiles(shippedFolder));
+    QVERIFY(m_lab.contents.size() > 200);
+}
+
+void TestLabEdits::formReadAndWrittenKeepsEveryByte_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("language");
+    for (const QString &each : stepsOf(m_lab)) {
+        for (const char *language : {"", "en", "de", "fr"})
+            QTest::addRow("%s in %s", qPrintable(each), language) << each << text(language);
+    }
+}
+
+void TestLabEdits::formReadAndWrittenKeepsEveryByte()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, language);
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step, language));
+    QVERIFY(!form.checks.empty() && form.hints.size() >= 3 && !form.title.isEmpty());
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form, language));
+    Preset preset;
+    TAKE(preset, presetOf(lab, step));
+    TAKE(lab, withPreset(lab, step, preset));
+    TAKE(preset, presetOf(lab, step, StepPreset::Solution));
+    TAKE(lab, withPreset(lab, step, preset, StepPreset::Solution));
+    LabForm whole;
+    TAKE(whole, labForm(lab, language));
+    TAKE(lab, withLab(lab, whole, language));
+    for (const KnownKind kind : {KnownKind::Mistake, KnownKind::Remark}) {
+        for (const QString &name : knownNames(lab, step, kind)) {
+            const QString path = knownPath(step, kind, name);
+            QVERIFY(lab.contents.contains(path));
+            lab = withText(lab, path, textOf(lab, path));
+        }
+    }
+    const QString instructions = instructionsPath(lab, step, text("de"));
+    lab = withText(lab, instructions, textOf(lab, instructions));
+    QCOMPARE(differences(m_lab, lab), QStringList());
+}
+
+void TestLabEdits::oneFieldChangesOneLine_data()
+{
+    addFields();
+}
+
+void TestLabEdits::oneFieldChangesOneLine()
+{
+    QFETCH(QByteArray, field);
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step));
+    change(form, field);
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form));
+    const QString path = step + text("/task.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{path});
+    const QList<QByteArray> lines = newLines(m_lab.contents[path], lab.contents[path]);
+    QVERIFY2(lines.size() == 1, lines.join('\n').constData());
+    TaskForm again;
+    TAKE(again, taskForm(lab, step));
+    QVERIFY(again == form);
+    QVERIFY(readLab(lab, text("lab"))->findings.empty());
+}
+
+void TestLabEdits::fieldSetBackKeepsEveryByte_data()
+{
+    addFields();
+}
+
+void TestLabEdits::fieldSetBackKeepsEveryByte()
+{
+    QFETCH(QByteArray, field);
+    TaskForm before;
+    TAKE(before, taskForm(m_lab, step));
+    TaskForm form = before;
+    change(form, field);
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form));
+    QVERIFY(lab != m_lab);
+    TAKE(lab, withTask(lab, step, before));
+    QCOMPARE(differences(m_lab, lab), QStringList());
+}
+
+void TestLabEdits::checksAreAddedMovedAndRemoved()
+{
+    const QString path = step + text("/task.json");
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step));
+    const std::vector<CheckForm> checks = form.checks;
+    form.checks.insert(form.checks.begin() + 1,
+                       CheckForm{.id = text("new"),
+                                 .kind = text("settles"),
+                                 .title = text("It comes to rest"),
+                                 .circles = {1},
+                                 .parameters = {{text("tolerance"), 1e-3}},
+                                 .scene = {{text("kind"), text("drop")}, {text("count"), 5}}});
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form));
+    QCOMPARE(
+        newLines(m_lab.contents[path], lab.contents[path]),
+        (QList<QByteArray>{"    {\"id\": \"new\", \"kind\": \"settles\", \"title\": \"It comes to "
+                           "rest\", \"circles\": [2], \"parameters\": {\"tolerance\": 0.001}, "
+                           "\"scene\": {\"kind\": \"drop\", \"count\": 5}},"}));
+    std::swap(form.checks[0], form.checks[2]);
+    TAKE(lab, withTask(lab, step, form));
+    TaskForm again;
+    TAKE(again, taskForm(lab, step));
+    QVERIFY(again == form);
+    form.checks = checks;
+    TAKE(lab, withTask(lab, step, form));
+    QCOMPARE(differences(m_lab, lab), QStringList());
+    form.checks.clear();
+    TAKE(lab, withTask(lab, step, form));
+    QVERIFY(lab.contents[path].contains("\"checks\": []"));
+    form.checks = {checks[0]};
+    TAKE(lab, withTask(lab, step, form));
+    QVERIFY(lab.contents[path].contains("\"checks\": [\n    {\"id\": \"start-1\", "));
+}
+
+void TestLabEdits::translationTakesTheTextsAlone()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step, text("de")));
+    form.title = text("Größer");
+    form.checks[1].title = text("Eine Prüfung");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form, text("de")));
+    const QString german = step + text("/task.de.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{german});
+    QCOMPARE(newLines(m_lab.contents[german], lab.contents[german]).size(), 2);
+    // What is no text belongs to all languages.
+    form.checks[1].circles = {0};
+    form.commit = text("Committed");
+    TAKE(lab, withTask(lab, step, form, text("de")));
+    QCOMPARE(differences(m_lab, lab), (QStringList{german, step + text("/task.json")}));
+    TaskForm english;
+    TAKE(english, taskForm(lab, step));
+    QCOMPARE(english.title, taskForm(m_lab, step)->title);
+    QCOMPARE(english.checks[1].title, taskForm(m_lab, step)->checks[1].title);
+    QCOMPARE(english.checks[1].circles, std::vector<int>{0});
+    QCOMPARE(english.commit, text("Committed"));
+}
+
+void TestLabEdits::newTranslationHoldsWhatIsTranslated()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step, text("fr")));
+    form.checks[1].title = text("Une preuve");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form, text("fr")));
+    QCOMPARE(lab.contents.value(step + text("/task.fr.json")),
+             QByteArray("{\n  \"checks\": {\n    \"start-2\": \"Une preuve\"\n  }\n}\n"));
+    QCOMPARE(languagesOf(lab), (QStringList{text("en"), text("de"), text("fr")}));
+    QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
+}
+
+void TestLabEdits::textsFollowARenamedCheck()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step));
+    form.checks[0].id = text("begin-1");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, step, form));
+    const TaskForm before = *taskForm(m_lab, step, text("de"));
+    TaskForm german;
+    TAKE(german, taskForm(lab, step, text("de")));
+    QCOMPARE(german.checks[0].title, before.checks[0].title);
+    QVERIFY(!lab.contents[step + text("/task.de.json")].contains("\"start-1\""));
+    // One that is gone takes its text with it.
+    form.checks.erase(form.checks.begin());
+    TAKE(lab, withTask(lab, step, form));
+    QVERIFY(!lab.contents[step + text("/task.de.json")].contains("begin-1"));
+}
+
+void TestLabEdits::sceneChangesWhatDiffers()
+{
+    Preset preset;
+    TAKE(preset, presetOf(m_lab, step));
+    preset.gravity = {0, -1.5};
+    preset.circles[1].body.radius = 0.3;
+    LabFiles lab;
+    TAKE(lab, withPreset(m_lab, step, preset));
+    const QString path = step + text("/preset.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{path});
+    QCOMPARE(newLines(m_lab.contents[path], lab.contents[path]),
+             (QList<QByteArray>{"  \"gravity\": [0, -1.5],", "      \"radius\": 0.3,"}));
+    Preset again;
+    TAKE(again, presetOf(lab, step));
+    QVERIFY(again == preset);
+    // Another number of circles, and a crowd.
+    preset.circles.erase(preset.circles.begin());
+    TAKE(lab, withPreset(lab, step, preset));
+    QVERIFY(*presetOf(lab, step) == preset);
+    preset.fill = CircleFill{.count = 20};
+    preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    TAKE(lab, withPreset(lab, step, preset));
+    QVERIFY(*presetOf(lab, step) == preset);
+}
+
+void TestLabEdits::sceneThatCannotBeIsRefused()
+{
+    Preset preset;
+    TAKE(preset, presetOf(m_lab, step));
+    preset.circles[0].body.radius = -1;
+    const Result<LabFiles> lab = withPreset(m_lab, step, preset);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().file, step + text("/preset.json"));
+    QCOMPARE(lab.error().pointer, text("/circles/0/radius"));
+}
+
+void TestLabEdits::formThatDoesNotFitIsRefused()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, step));
+    form.checks[2].kind = text("teleports");
+    const Result<LabFiles> lab = withTask(m_lab, step, form);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().file, step + text("/task.json"));
+    QCOMPARE(lab.error().pointer, text("/checks/2/kind"));
+    QVERIFY(!taskForm(m_lab, text("nowhere")));
+}
+
+void TestLabEdits::unknownKeysAreKept()
+{
+    LabFiles lab = m_lab;
+    const QString path = step + text("/preset.json");
+    // In the forms that people write: tabs, exponents, no space after a colon.
+    lab.contents[path] = "{ \"format\":1,\n\t\"restitution\" : 1.0e0,\"circles\":[\n"
+                         "\t\t{\"position\":[0,  1]},\t{\"position\":[2.50, 1]} ]\n}";
+    Preset preset;
+    TAKE(preset, presetOf(lab, step));
+    preset.circles[1].body.velocity = {1, 0};
+    TAKE(lab, withPreset(lab, step, preset));
+    QCOMPARE(
+        lab.contents[path],
+        QByteArray("{ \"format\":1,\n\t\"restitution\" : 1.0e0,\"circles\":[\n"
+                   "\t\t{\"position\":[0,  1]},\t{\"position\":[2.50, 1], \"velocity\": [1, 0]} "
+                   "]\n}"));
+}
+
+void TestLabEdits::textOfAnotherSystemKeepsItsLineEnds()
+{
+    LabFiles lab = m_lab;
+    const QString path = step + text("/instructions.md");
+    lab.contents[path] = "\xef\xbb\xbf# Title\r\nText\r\n";
+    QCOMPARE(textOf(lab, path), text("# Title\nText\n"));
+    QCOMPARE(withText(lab, path, text("# Title\nText\n")).contents[path], lab.contents[path]);
+    QCOMPARE(withText(lab, path, text("# Other\n")).contents[path], QByteArray("# Other\n"));
+}
+
+QTEST_GUILESS_MAIN(TestLabEdits)
+#include "test_lab_edits.moc"
