@@ -59,6 +59,8 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
         &MainWindow::openPresetFile);
     addExamples(window, menu);
+    add(menu, MenuText::tr("&Author a lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+        &window, &MainWindow::authorLab);
     add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
     menu->addSeparator();

@@ -7,11 +7,13 @@
 #include "views/theme.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 class QSettings;
 
 namespace cradle {
 
+class AuthorWindow;
 class CodeDesk;
 class CodePane;
 class ConsoleView;
@@ -44,6 +46,10 @@ public:
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
+    /// The window in which a lab is written, if it is open.
+    [[nodiscard]] AuthorWindow *author() const;
+    /// Opens that window with the lab in \p folder. \return what is wrong with it
+    std::optional<Error> openAuthor(const QString &folder);
     [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
 
 public slots:
@@ -57,6 +63,7 @@ public slots:
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
+    void authorLab(); ///< opens the open lab in a window in which it can be written
     void showAbout();
     void showShortcuts();
 
@@ -99,6 +106,7 @@ private:
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;
+    QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
     bool m_unlocked = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/author_window.h"
 #include "app/language.h"
 #include "model/preset_json.h"
 
@@ -22,6 +23,42 @@ void MainWindow::openLabFolder()
         return;
     if (const auto error = m_workbench.openLab(folder, currentLanguage()))
         report(*error);
+}
+
+AuthorWindow *MainWindow::author() const
+{
+    return m_author;
+}
+
+void MainWindow::authorLab()
+{
+    if (m_author) {
+        m_author->raise();
+        m_author->activateWindow();
+        return;
+    }
+    if (const auto error = openAuthor(m_workbench.lab().folder))
+        report(*error);
+    else
+        m_author->show();
+}
+
+std::optional<Error> MainWindow::openAuthor(const QString &folder)
+{
+    auto author = std::make_unique<AuthorWindow>(m_settings);
+    if (auto error = author->open(folder))
+        return error;
+    author->document().setLanguage(currentLanguage());
+    author->setAttribute(Qt::WA_DeleteOnClose);
+    connect(author.get(), &AuthorWindow::studentRequested, this, [this](const QString &lab) {
+        if (const auto error = m_workbench.openLab(lab, currentLanguage()))
+            report(*error);
+        show();
+        raise();
+        activateWindow();
+    });
+    m_author = author.release();
+    return std::nullopt;
 }
 
 void MainWindow::openPresetFile()

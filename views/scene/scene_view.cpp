@@ -176,13 +176,19 @@ void SceneView::notice(const QString &text)
     refresh();
 }
 
+ScenePicture SceneView::plainPicture(QSizeF size) const
+{
+    ScenePicture picture{.camera = m_camera, .font = font()};
+    picture.camera.resize(size);
+    picture.list = buildScene(moment(), m_options, {.camera = picture.camera, .font = font()});
+    return picture;
+}
+
 QImage SceneView::renderToImage(QSize size, qreal dpr) const
 {
     QImage image(size * dpr, QImage::Format_RGB32);
     image.setDevicePixelRatio(dpr);
-    ScenePicture picture{.camera = m_camera, .font = font()};
-    picture.camera.resize(size);
-    picture.list = buildScene(moment(), m_options, {.camera = picture.camera, .font = font()});
+    const ScenePicture picture = plainPicture(size);
     QPainter painter(&image);
     paintShapes(painter, picture.list, picture.camera);
     paintOverlay(painter, picture);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/figure.h"
+
+#include "views/scene/raster_painter.h"
+#include "views/scene/scene_view.h"
+#include "views/theme_override.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <QSvgGenerator>
+
+namespace cradle {
+
+QByteArray figureOf(const SceneView &scene)
+{
+    const ThemeOverride light(Theme::lightTheme());
+    const ScenePicture picture = scene.plainPicture(scene.size());
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    const QSize size = picture.camera.viewport().toSize();
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setSize(size);
+    svg.setViewBox(QRect({}, size));
+    svg.setTitle(QStringLiteral("Scene"));
+    QPainter painter(&svg);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintShapes(painter, picture.list, picture.camera);
+    paintLabels(painter, picture.list, picture.camera, picture.font);
+    painter.end();
+    return buffer.data();
+}
+
+} // namespace cradle
