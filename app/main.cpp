@@ -5,6 +5,7 @@
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/screenshot.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/lab_reader.h"
 #include "views/shortcut_guard.h"
 
@@ -13,6 +14,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTextStream>
 
 #include <cstdio>
@@ -123,9 +125,18 @@ std::optional<Error> missingStep(const QString &folder, const QString &step)
 }
 
 /// Opens what the command line names: a lab, a scene, or with both a step and a scene that scene
-/// as the student's work on the step. \return what is wrong with it
-std::optional<Error> openNamed(Workbench &bench, const QString &path, const QString &step)
+/// as the student's work on the step. An archive is unpacked into \p labs first.
+/// \return what is wrong with it
+std::optional<Error> openNamed(Workbench &bench, const QString &named, const QString &step,
+                               const QString &labs)
 {
+    QString path = named;
+    if (isLabArchive(named)) {
+        const Result<QString> folder = importLab(named, labs);
+        if (!folder)
+            return folder.error();
+        path = *folder;
+    }
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
     const QString folder = isLab && !path.isEmpty() ? path : QLatin1String(shippedLab);
     if (const auto error = missingStep(folder, step))
@@ -205,7 +216,7 @@ int main(int argc, char **argv)
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addPositionalArgument(
-        QStringLiteral("LAB-DIR or PRESET.json"),
+        QStringLiteral("LAB-DIR, LAB.cradle or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
                        options.script, options.author, options.tab, options.screenshot, options.at,
@@ -254,12 +265,14 @@ int main(int argc, char **argv)
         picture ? QString()
                 : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                       + QStringLiteral("/progress.json");
+    const QTemporaryDir passing; // where a picture's lab is unpacked
     Workbench bench(progressFile);
     bench.setMode(*mode);
     MainWindow window(bench, settings, *theme);
     const bool author = parser.isSet(options.author);
     if (const auto error = openNamed(bench, parser.positionalArguments().value(0),
-                                     author ? QString() : parser.value(options.step)))
+                                     author ? QString() : parser.value(options.step),
+                                     picture ? passing.path() : userLabsFolder()))
         return complain(QStringLiteral("cradle: ") + error->toString());
     if (author) {
         if (const auto error = openAuthor(window, parser.value(options.author),

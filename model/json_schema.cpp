@@ -15,6 +15,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include <map>
 #include <optional>
 
 namespace cradle {
@@ -25,12 +26,28 @@ struct SchemaText {
     Q_DECLARE_TR_FUNCTIONS(Schema)
 };
 
-QJsonObject loadSchema(const QString &resource)
+/// A schema, as text for explanations and made ready for use.
+struct ReadySchema {
+    QJsonObject json{};
+    valijson::Schema schema{};
+};
+
+/// Each is made ready once in a thread: for the many files of a lab that takes longer than all
+/// else.
+const ReadySchema &schemaAt(const QString &resource)
 {
+    thread_local std::map<QString, ReadySchema> schemas;
+    const auto found = schemas.find(resource);
+    if (found != schemas.end())
+        return found->second;
     QFile file(resource);
     const bool open = file.open(QIODevice::ReadOnly);
-    Q_ASSERT_X(open, "loadSchema", qPrintable(resource));
-    return QJsonDocument::fromJson(file.readAll()).object();
+    Q_ASSERT_X(open, "schemaAt", qPrintable(resource));
+    ReadySchema &ready = schemas[resource];
+    ready.json = QJsonDocument::fromJson(file.readAll()).object();
+    valijson::SchemaParser().populateSchema(
+        valijson::adapters::QtJsonAdapter(QJsonValue(ready.json)), ready.schema);
+    return ready;
 }
 
 /// One step of a JSON pointer: "~" and "/" are escaped (RFC 6901).
@@ -186,17 +203,14 @@ Result<QJsonObject> parseJson(const QByteArray &text, const QString &schemaResou
     if (fault.error != QJsonParseError::NoError)
         return syntaxError(text, fault, source);
 
-    const QJsonObject schemaObject = loadSchema(schemaResource);
-    if (const auto newer = newerFormat(document.object(), schemaObject, source))
+    const ReadySchema &schema = schemaAt(schemaResource);
+    if (const auto newer = newerFormat(document.object(), schema.json, source))
         return *newer;
     const QJsonValue value =
         document.isObject() ? QJsonValue(document.object()) : QJsonValue(document.array());
-    valijson::Schema schema;
-    valijson::SchemaParser().populateSchema(
-        valijson::adapters::QtJsonAdapter(QJsonValue(schemaObject)), schema);
     valijson::ValidationResults results;
     const valijson::adapters::QtJsonAdapter target(value);
-    if (valijson::Validator().validate(schema, target, &results))
+    if (valijson::Validator().validate(schema.schema, target, &results))
         return document.object();
 
     // The deepest place says most: an error inside a branch of anyOf is reported there too.
@@ -205,7 +219,7 @@ Result<QJsonObject> parseJson(const QByteArray &text, const QString &schemaResou
         if (error.context.size() > deepest.size())
             deepest = error.context;
     }
-    Place place{schemaObject, schemaObject, value};
+    Place place{schema.json, schema.json, value};
     for (std::size_t i = 1; i < deepest.size(); ++i)
         place.enter(QString::fromStdString(deepest[i].substr(1, deepest[i].size() - 2)));
     return explain(place, source);

@@ -5,6 +5,7 @@
 
 #include "app/cli/program_file.h"
 #include "model/preset_json.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
 #include "tasks/report_formats.h"
@@ -89,9 +90,10 @@ ExitCode check(const QStringList &arguments)
     const QCommandLineOption preset(QStringLiteral("preset"),
                                     CheckText::tr("the scene; without it that of the step"),
                                     QStringLiteral("P.json"));
-    const QCommandLineOption labDir(QStringLiteral("lab"),
-                                    CheckText::tr("the lab's folder; without it the shipped lab"),
-                                    QStringLiteral("DIR"));
+    const QCommandLineOption labDir(
+        QStringLiteral("lab"),
+        CheckText::tr("the lab's folder or NAME.cradle; without it the shipped lab"),
+        QStringLiteral("LAB"));
     const QCommandLineOption seed(QStringLiteral("seed"),
                                   CheckText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
                                   QStringLiteral("1"));
@@ -121,7 +123,7 @@ ExitCode check(const QStringList &arguments)
         return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
 
     const Result<Lab> lab =
-        readLab(parser.isSet(labDir) ? parser.value(labDir) : QLatin1String(shippedLab));
+        readLabOrArchive(parser.isSet(labDir) ? parser.value(labDir) : QLatin1String(shippedLab));
     if (!lab)
         return complain(lab.error());
     for (const Error &finding : lab->findings)

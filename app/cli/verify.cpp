@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
-#include "tasks/lab_reader.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/lab_verifier.h"
 
 #include <QCoreApplication>
@@ -42,7 +42,8 @@ ExitCode verify(const QStringList &arguments)
         "Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails "
         "and is recognised, and every check is failed by a mistake. Prints which mistake (row) "
         "fails which check (column, x) and what it is taken for."));
-    parser.addPositionalArgument(QStringLiteral("LAB-DIR"), VerifyText::tr("the lab's folder"));
+    parser.addPositionalArgument(QStringLiteral("LAB"),
+                                 VerifyText::tr("the lab's folder, or NAME.cradle"));
     const QCommandLineOption only(QStringLiteral("task"), VerifyText::tr("this step alone"),
                                   QStringLiteral("L42T5"));
     parser.addOption(only);
@@ -50,7 +51,7 @@ ExitCode verify(const QStringList &arguments)
         return *code;
     QElapsedTimer timer;
     timer.start();
-    const Result<Lab> lab = readLab(parser.positionalArguments().first());
+    const Result<Lab> lab = readLabOrArchive(parser.positionalArguments().first());
     if (!lab)
         return complain(lab.error());
     for (const Error &finding : lab->findings)

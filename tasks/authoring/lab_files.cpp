@@ -46,9 +46,11 @@ private:
     void readFolder(const QString &below, int depth)
     {
         // Special files and links to nowhere are "system" files; hidden ones are not asked for.
+        // Files come first, so that no folder full of others keeps lab.json away.
         const QFileInfoList entries =
             QDir(m_folder + QLatin1Char('/') + below)
-                .entryInfoList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot, QDir::Name);
+                .entryInfoList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot,
+                               QDir::Name | QDir::DirsLast);
         for (const QFileInfo &entry : entries) {
             if (m_full)
                 return;
@@ -80,6 +82,9 @@ private:
 
     void readFile(const QFileInfo &entry, const QString &path)
     {
+        if (entry.size() > limits::labFileBytes)
+            return find(path, LabFilesText::tr("the file is too large; at most %1 are right")
+                                  .arg(QLocale::c().formattedDataSize(limits::labFileBytes)));
         if (m_files.contents.size() == limits::labFiles
             || m_bytes + entry.size() > limits::labBytes) {
             m_full = m_files.contents.size() == limits::labFiles;

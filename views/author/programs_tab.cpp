@@ -78,6 +78,7 @@ void ProgramsTab::makeLayout()
     m_list->setObjectName(QStringLiteral("programs"));
     m_list->setFrameShape(QFrame::NoFrame);
     setKind(m_list, "rows");
+    m_list->setIconSize({14, 14});
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->installEventFilter(this);
