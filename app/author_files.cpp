@@ -3,6 +3,7 @@
 #include "app/author_window.h"
 
 #include "app/notice_bar.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/figure.h"
 #include "views/author/scene_tab.h"
@@ -11,6 +12,7 @@
 #include "views/theme.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -113,6 +115,24 @@ bool AuthorWindow::saveAs()
     m_notice->hide();
     m_offer = Offer::None;
     return true;
+}
+
+void AuthorWindow::exportLab()
+{
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the lab as one file"),
+        nameFrom(m_document.lab().title) + QLatin1String(archiveSuffix),
+        tr("Labs (*.cradle);;All files (*)"), nullptr, QFileDialog::DontUseNativeDialog);
+    if (path.isEmpty())
+        return;
+    if (!isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
+        path += QLatin1String(archiveSuffix);
+    if (const auto error = cradle::exportLab(m_document.files(), path)) {
+        report(*error);
+        return;
+    }
+    m_offer = Offer::None;
+    m_notice->showNotice(tr("Exported: %1").arg(path));
 }
 
 void AuthorWindow::openAsStudent()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/author_window.h"
 
+#include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 
@@ -33,6 +34,8 @@ void AuthorWindow::fillMenus()
     add(lab, tr("&Save"), QKeySequence::Save, this, &AuthorWindow::save);
     add(lab, tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
         &AuthorWindow::saveAs);
+    add(lab, tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
+        &AuthorWindow::exportLab);
     lab->addSeparator();
     add(lab, tr("Open as a s&tudent"), QKeySequence(Qt::Key_F5), this,
         &AuthorWindow::openAsStudent);
@@ -62,6 +65,21 @@ void AuthorWindow::fillMenus()
         &StepsPanel::moveUp);
     add(step, tr("Move d&own"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Down), m_steps,
         &StepsPanel::moveDown);
+
+    QMenu *proof = menuBar()->addMenu(tr("&Proof"));
+    add(proof, tr("&Verify this step"), QKeySequence(Qt::CTRL | Qt::Key_Return), this, [this] {
+        showTab(Proof);
+        m_proofTab->verifyStep();
+    });
+    add(proof, tr("Verify the &lab"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return), this,
+        [this] {
+            showTab(Proof);
+            m_proofTab->verifyAll();
+        });
+    add(proof, tr("&Suggest mistakes"), {}, this, [this] {
+        showTab(Proof);
+        m_proofTab->suggest();
+    });
 
     QMenu *view = menuBar()->addMenu(tr("&View"));
     for (int i = 0; i < m_tabs->count(); ++i)

@@ -5,6 +5,7 @@
 #include "app/notice_bar.h"
 #include "views/author/checks_tab.h"
 #include "views/author/programs_tab.h"
+#include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
@@ -32,6 +33,7 @@ AuthorWindow::AuthorWindow(QSettings &settings)
 {
     makePanes();
     wire();
+    wireProof();
     retranslate();
     resize(firstSize.boundedTo(screen()->availableGeometry().size() - QSize(0, 32)));
     restoreGeometry(settings.value(QStringLiteral("authorGeometry")).toByteArray());
@@ -53,9 +55,10 @@ void AuthorWindow::makePanes()
     m_textTab = new TextTab(m_document, m_tabs);
     m_checksTab = new ChecksTab(m_document, m_tabs);
     m_programsTab = new ProgramsTab(m_document, m_tabs);
-    for (QWidget *tab :
-         {static_cast<QWidget *>(m_sceneTab), static_cast<QWidget *>(m_textTab),
-          static_cast<QWidget *>(m_checksTab), static_cast<QWidget *>(m_programsTab)})
+    m_proofTab = new ProofTab(m_document, m_tabs);
+    for (QWidget *tab : {static_cast<QWidget *>(m_sceneTab), static_cast<QWidget *>(m_textTab),
+                         static_cast<QWidget *>(m_checksTab), static_cast<QWidget *>(m_programsTab),
+                         static_cast<QWidget *>(m_proofTab)})
         m_tabs->addTab(tab, QString());
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setStretchFactor(1, 1);
@@ -82,6 +85,32 @@ void AuthorWindow::wire()
         } else if (m_offer == Offer::Reload) {
             if (const auto error = m_document.reload())
                 report(*error);
+        }
+    });
+}
+
+void AuthorWindow::wireProof()
+{
+    connect(m_proofTab, &ProofTab::programRequested, this, [this](const QString &program) {
+        showTab(Programs);
+        m_programsTab->showProgram(program + QStringLiteral(".lua"));
+    });
+    connect(m_proofTab, &ProofTab::checkRequested, this, [this](const QString &id) {
+        showTab(Checks);
+        m_checksTab->showCheck(id);
+    });
+    connect(m_proofTab, &ProofTab::runRequested, this,
+            [this](const Preset &scene, const QString &source, qint64 step) {
+                showTab(Scene);
+                m_sceneTab->visit(scene, source, step);
+            });
+    connect(m_sceneTab, &SceneTab::visitingChanged, this, [this](bool visiting) {
+        if (visiting) {
+            m_offer = Offer::None;
+            m_notice->showNotice(
+                tr("This is a scene of the proof, at the moment where it went wrong."));
+        } else {
+            m_notice->hide();
         }
     });
 }

@@ -19,6 +19,7 @@ namespace cradle {
 class NoticeBar;
 class ChecksTab;
 class ProgramsTab;
+class ProofTab;
 class SceneTab;
 class StepsPanel;
 class TextTab;
@@ -41,6 +42,7 @@ public:
     [[nodiscard]] TextTab &textTab() { return *m_textTab; }
     [[nodiscard]] ChecksTab &checksTab() { return *m_checksTab; }
     [[nodiscard]] ProgramsTab &programsTab() { return *m_programsTab; }
+    [[nodiscard]] ProofTab &proofTab() { return *m_proofTab; }
     [[nodiscard]] StepsPanel &steps() { return *m_steps; }
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] QTabWidget &tabs() { return *m_tabs; }
@@ -51,8 +53,9 @@ public:
 public slots:
     void newLab();
     void openLab();
-    bool save();   ///< \return whether all is saved
-    bool saveAs(); ///< also makes the copy of a lab that is read-only
+    bool save();      ///< \return whether all is saved
+    bool saveAs();    ///< also makes the copy of a lab that is read-only
+    void exportLab(); ///< as one file
     void openAsStudent();
     void insertFigure(); ///< the scene as it is shown
     void showTab(int tab);
@@ -68,6 +71,7 @@ protected:
 private:
     void makePanes();
     void wire();
+    void wireProof();
     void fillMenus();
     void retranslate();
     void showState();
@@ -88,6 +92,7 @@ private:
     TextTab *m_textTab = nullptr;
     ChecksTab *m_checksTab = nullptr;
     ProgramsTab *m_programsTab = nullptr;
+    ProofTab *m_proofTab = nullptr;
     enum class Offer { None, Copy, Reload } m_offer = Offer::None; ///< of the notice's button
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/known_scripts.h"
 
+#include "tasks/script/check_script.h"
 #include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>
@@ -84,6 +85,21 @@ void readRemarks(const LabSource &source, const QString &step, const QJsonObject
     }
 }
 
+/// The programs of the checks that are written in Lua.
+void readCheckScripts(const LabSource &source, const QString &step, Task &task, Lab &lab)
+{
+    for (CheckSpec &check : task.checks) {
+        if (check.kind != QLatin1String("script"))
+            continue;
+        const QString path = step + QStringLiteral("/checks/")
+                             + check.parameters.value(QStringLiteral("script")).toString();
+        check.source = readProgram(source, path, lab);
+        if (const auto error = findCheckScriptError(check.source))
+            lab.findings.push_back(
+                {.message = error->message, .file = source.fullPath(path), .line = error->line});
+    }
+}
+
 } // namespace
 
 QString firstCommentBlock(const QString &source)
@@ -108,6 +124,7 @@ void readScripts(const LabSource &source, const QString &step, const QJsonObject
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();
     for (const QString &path : programsIn(source, step + QStringLiteral("/mistakes/")))
         task.mistakes.push_back(readKnown(source, path, texts, lab));
+    readCheckScripts(source, step, task, lab);
     readRemarks(source, step, json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
 }
 

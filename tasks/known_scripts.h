@@ -9,8 +9,8 @@ namespace cradle {
 /// The comment block that a program begins with, without the dashes: CommonMark.
 [[nodiscard]] QString firstCommentBlock(const QString &source);
 
-/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/ and
-/// remarks/. What cannot be read is named in Lab::findings.
+/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/,
+/// remarks/ and the checks in Lua. What cannot be read is named in Lab::findings.
 /// \param step   the step's folder
 /// \param json   the step's task.json
 /// \param words  its texts in another language, where it has them

@@ -60,7 +60,9 @@ struct Task {
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
     bool extra = false;         ///< not in the original lab
+    QStringList locked{};       ///< fields that the student may not change, see tasks/locks.h
     std::optional<Laws> laws{}; ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{}; ///< that scene
 };
 
 /// A lab; a plain value.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_reader.h"
 
+#include "tasks/checks/check_validation.h"
 #include "tasks/known_scripts.h"
 #include "tasks/lab_source.h"
 
@@ -73,15 +74,15 @@ std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titl
     return checks;
 }
 
-/// The laws that the step asks for, where the lab has a scene that passes it.
-std::optional<Laws> lawsOf(const LabSource &source, const QString &step, Lab &lab)
+/// The scene that passes the step, where the lab has one.
+std::optional<Preset> solutionOf(const LabSource &source, const QString &step, Lab &lab)
 {
     const QString path = step + QStringLiteral("/solution-preset.json");
     if (!source.has(path))
         return std::nullopt;
     const Result<Preset> solution = source.readPreset(path);
     if (solution)
-        return solution->laws;
+        return *solution;
     lab.findings.push_back(solution.error());
     return std::nullopt;
 }
@@ -109,6 +110,14 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
              .pointer = QStringLiteral("/id")});
         return;
     }
+    const std::optional<Preset> solution = solutionOf(source, step, lab);
+    const std::size_t circles =
+        std::max(preset->circles.size(), solution ? solution->circles.size() : 0);
+    const std::vector<Error> faults = findCheckFaults(*json, circles, source.fullPath(path));
+    if (!faults.empty()) {
+        lab.findings.insert(lab.findings.end(), faults.begin(), faults.end());
+        return;
+    }
     const QJsonObject words = translationOf(source, path, language, lab);
     Task task;
     task.id = text("id");
@@ -127,7 +136,10 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     task.preset = *preset;
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     task.extra = json->value(QStringLiteral("extra")).toBool();
-    task.laws = lawsOf(source, step, lab);
+    task.solutionScene = solution;
+    if (solution)
+        task.laws = solution->laws;
+    task.locked = stringsOf(json->value(QStringLiteral("locked")));
     readScripts(source, step, *json, words, task, lab);
     lab.tasks.push_back(task);
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_verifier.h"
 
-#include "tasks/checker.h"
+#include "tasks/tolerance_margin.h"
 
 #include <QCoreApplication>
+#include <QMutex>
 #include <QtConcurrent>
 
 #include <algorithm>
@@ -24,20 +25,75 @@ constexpr int seeds = 5; ///< with which a solution must pass
 /// One judgement to make, and where its report belongs.
 struct Job {
     const Task *task = nullptr;
-    QString source;
+    Submission submission{};
     qint64 seed = 1;
     CheckReport *report = nullptr;
 };
 
-void addProgram(VerifiedTask &verified, std::vector<QString> &sources, Role role,
-                const QString &name, const QString &source)
+/// One tolerance to judge.
+struct ToleranceJob {
+    std::size_t task = 0; ///< index of its step
+    const CheckSpec *check = nullptr;
+    std::optional<TightTolerance> tight{};
+};
+
+/// Lets the caller's hooks be called from many threads, one at a time.
+class Watch
 {
-    if (source.isEmpty())
-        return;
-    VerifiedProgram program{role, name, {}};
-    program.reports.resize(role == Role::Solution ? seeds : 1);
-    verified.programs.push_back(program);
-    sources.push_back(source);
+public:
+    Watch(const JudgeHooks &hooks, std::size_t total)
+        : m_hooks(hooks)
+        , m_total(static_cast<int>(total))
+    {
+    }
+
+    void advance()
+    {
+        const QMutexLocker lock(&m_mutex);
+        ++m_done;
+        if (m_hooks.progress && !m_cancelled)
+            m_hooks.progress(m_done, m_total);
+    }
+
+    /// Once said, it holds.
+    [[nodiscard]] bool isCancelled()
+    {
+        const QMutexLocker lock(&m_mutex);
+        m_cancelled = m_cancelled || (m_hooks.cancelled && m_hooks.cancelled());
+        return m_cancelled;
+    }
+
+private:
+    const JudgeHooks &m_hooks;
+    int m_total;
+    int m_done = 0;
+    bool m_cancelled = false;
+    QMutex m_mutex;
+};
+
+/// A program or scene of a step before it is judged.
+struct Candidate {
+    Role role = Role::Mistake;
+    QString name;
+    Submission submission{};
+};
+
+std::vector<Candidate> candidatesOf(const Task &task)
+{
+    std::vector<Candidate> found;
+    const auto add = [&](Role role, const QString &name, const QString &source) {
+        if (!source.isEmpty())
+            found.push_back({role, name, Submission(task.preset, source)});
+    };
+    add(Role::Starter, QStringLiteral("starter"), task.starter);
+    add(Role::Solution, QStringLiteral("solution"), task.solution);
+    if (task.solutionScene)
+        found.push_back({Role::Solution, QStringLiteral("solution-preset"), *task.solutionScene});
+    for (const KnownScript &mistake : task.mistakes)
+        add(Role::Mistake, mistake.name, mistake.source);
+    for (const RemarkSpec &remark : task.remarks)
+        add(Role::Remark, remark.script.name, remark.script.source);
+    return found;
 }
 
 bool isFailedBy(const CheckReport &report, const QString &check)
@@ -46,84 +102,107 @@ bool isFailedBy(const CheckReport &report, const QString &check)
                        [&](const CheckOutcome &c) { return c.id == check && !c.passed; });
 }
 
-QString firstFailure(const CheckReport &report)
+const CheckOutcome *firstFailure(const CheckReport &report)
 {
     const auto found = std::find_if(report.checks.begin(), report.checks.end(),
                                     [](const CheckOutcome &check) { return !check.passed; });
-    return found == report.checks.end() ? QString()
-                                        : QStringLiteral("%1: %2").arg(found->id, found->message);
+    return found == report.checks.end() ? nullptr : &*found;
 }
 
-/// What is wrong with one report; empty if it is as it should be.
-QString problemOf(const VerifiedProgram &program, const CheckReport &report)
+using Kind = LabFinding::Kind;
+
+/// What is wrong with one report of a program; it fills in \p finding.
+/// \return false if all is as it should be
+bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabFinding &finding)
 {
+    const auto say = [&](Kind kind, const QString &message) {
+        finding.kind = kind;
+        finding.message = message;
+        return true;
+    };
+    const CheckOutcome *failure = firstFailure(report);
+    const QString how =
+        failure ? QStringLiteral("%1: %2").arg(failure->id, failure->message) : QString();
+    finding.check = failure ? failure->id : QString();
     if (report.error)
-        return VerifyText::tr("stops with an error at line %1: %2")
-            .arg(report.error->line)
-            .arg(report.error->message);
+        return say(Kind::ProgramErrs, VerifyText::tr("stops with an error at line %1: %2")
+                                          .arg(report.error->line)
+                                          .arg(report.error->message));
     switch (program.role) {
     case Role::Starter:
-        return report.passed ? VerifyText::tr("passes; a starter should fail by a check")
-                             : QString();
+        return report.passed
+               && say(Kind::StarterPasses,
+                      VerifyText::tr("passes; a starter should fail by a check"));
     case Role::Solution:
-        return report.passed ? QString()
-                             : VerifyText::tr("fails with seed %1 by %2")
-                                   .arg(report.seed)
-                                   .arg(firstFailure(report));
+        return !report.passed
+               && say(Kind::SolutionFails,
+                      VerifyText::tr("fails with seed %1 by %2").arg(report.seed).arg(how));
     case Role::Mistake:
         if (report.passed)
-            return VerifyText::tr("passes; a mistake should fail by a check");
+            return say(Kind::MistakePasses,
+                       VerifyText::tr("passes; a mistake should fail by a check"));
         if (!report.diagnosis)
-            return VerifyText::tr("is not recognised");
-        return report.diagnosis->mistake == program.name
-                   ? QString()
-                   : VerifyText::tr("is taken for %1").arg(report.diagnosis->mistake);
+            return say(Kind::MistakeNotRecognised, VerifyText::tr("is not recognised"));
+        return report.diagnosis->mistake != program.name
+               && say(Kind::MistakeTakenForAnother,
+                      VerifyText::tr("is taken for %1").arg(report.diagnosis->mistake));
     case Role::Remark:
         break;
     }
     if (!report.passed)
-        return VerifyText::tr("fails by %1; work that gets a remark passes")
-            .arg(firstFailure(report));
+        return say(Kind::RemarkFails,
+                   VerifyText::tr("fails by %1; work that gets a remark passes").arg(how));
     const bool seen = std::any_of(report.remarks.begin(), report.remarks.end(),
                                   [&](const Remark &remark) { return remark.id == program.name; });
-    return seen ? QString() : VerifyText::tr("is not recognised");
-}
-
-QString roleName(const VerifiedProgram &program)
-{
-    switch (program.role) {
-    case Role::Starter:
-        return QStringLiteral("starter");
-    case Role::Solution:
-        return QStringLiteral("solution");
-    case Role::Remark:
-        return QStringLiteral("remarks/") + program.name;
-    case Role::Mistake:
-        break;
-    }
-    return QStringLiteral("mistakes/") + program.name;
+    return !seen && say(Kind::RemarkNotRecognised, VerifyText::tr("is not recognised"));
 }
 
 void findProblems(const Task &task, VerifiedTask &verified)
 {
     for (const VerifiedProgram &program : verified.programs) {
         for (const CheckReport &report : program.reports) {
-            if (const QString problem = problemOf(program, report); !problem.isEmpty()) {
-                verified.problems.append(roleName(program) + QLatin1Char(' ') + problem);
+            LabFinding finding{.task = task.id, .program = programPath(program)};
+            finding.seed = report.seed;
+            if (findProblem(program, report, finding)) {
+                finding.message = finding.program + QLatin1Char(' ') + finding.message;
+                verified.findings.push_back(finding);
                 break;
             }
         }
     }
     if (task.solution.isEmpty())
-        verified.problems.append(VerifyText::tr("there is no solution.lua"));
+        verified.findings.push_back({.kind = Kind::NoSolution,
+                                     .task = task.id,
+                                     .message = VerifyText::tr("there is no solution.lua")});
     for (const QString &check : verified.checks) {
         const bool caught = std::any_of(
             verified.programs.begin(), verified.programs.end(), [&](const VerifiedProgram &p) {
                 return p.role == Role::Mistake && isFailedBy(p.reports.front(), check);
             });
         if (!caught)
-            verified.problems.append(VerifyText::tr("no mistake fails the check %1").arg(check));
+            verified.findings.push_back(
+                {.kind = Kind::CheckNeverFails,
+                 .task = task.id,
+                 .check = check,
+                 .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
     }
+}
+
+LabFinding tooTight(const Task &task, const CheckSpec &check, const TightTolerance &tight)
+{
+    const auto figure = [&](double value) {
+        return QString::number(value, 'g', 3)
+               + (tight.unit.isEmpty() ? QString() : QLatin1Char(' ') + tight.unit);
+    };
+    return {.kind = Kind::ToleranceTooTight,
+            .task = task.id,
+            .program = QStringLiteral("solution"),
+            .check = check.id,
+            .message =
+                VerifyText::tr("the check %1 allows %2, and the solution itself is off by %3 "
+                               "(%4): other right programs may fail; at least %5 is right")
+                    .arg(check.id, figure(tight.allowed), figure(tight.needed), tight.variant,
+                         figure(toleranceMargin * tight.needed))};
 }
 
 /// "x . x": which checks failed.
@@ -137,45 +216,70 @@ QString rowOf(const VerifiedTask &task, const CheckReport &report)
 
 } // namespace
 
-std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only)
+QString programPath(const VerifiedProgram &program)
+{
+    switch (program.role) {
+    case Role::Starter:
+    case Role::Solution:
+        return program.name;
+    case Role::Remark:
+        return QStringLiteral("remarks/") + program.name;
+    case Role::Mistake:
+        break;
+    }
+    return QStringLiteral("mistakes/") + program.name;
+}
+
+std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks)
 {
     std::vector<VerifiedTask> result;
-    std::vector<std::vector<QString>> sources;
     std::vector<const Task *> tasks;
+    std::vector<std::vector<Candidate>> candidates;
     for (const Task &task : lab.tasks) {
         if (!only.isEmpty() && task.id != only)
             continue;
         VerifiedTask verified{task.id, task.title, {}, {}, {}};
-        std::vector<QString> own;
         for (const CheckSpec &check : task.checks)
             verified.checks.append(check.id);
-        const auto add = [&](Role role, const QString &name, const QString &source) {
-            addProgram(verified, own, role, name, source);
-        };
-        add(Role::Starter, QStringLiteral("starter"), task.starter);
-        add(Role::Solution, QStringLiteral("solution"), task.solution);
-        for (const KnownScript &mistake : task.mistakes)
-            add(Role::Mistake, mistake.name, mistake.source);
-        for (const RemarkSpec &remark : task.remarks)
-            add(Role::Remark, remark.script.name, remark.script.source);
+        candidates.push_back(candidatesOf(task));
+        for (const Candidate &candidate : candidates.back()) {
+            VerifiedProgram program{candidate.role, candidate.name, {}};
+            program.reports.resize(candidate.role == Role::Solution ? seeds : 1);
+            verified.programs.push_back(program);
+        }
         result.push_back(verified);
-        sources.push_back(own);
         tasks.push_back(&task);
     }
     std::vector<Job> jobs;
+    std::vector<ToleranceJob> tolerances;
     for (std::size_t t = 0; t < result.size(); ++t) {
         for (std::size_t p = 0; p < result[t].programs.size(); ++p) {
             qint64 seed = 1;
             for (CheckReport &report : result[t].programs[p].reports)
-                jobs.push_back({tasks[t], sources[t][p], seed++, &report});
+                jobs.push_back({tasks[t], candidates[t][p].submission, seed++, &report});
         }
+        for (const CheckSpec &check : tasks[t]->checks)
+            tolerances.push_back({t, &check, {}});
     }
-    QtConcurrent::blockingMap(jobs, [&lab](const Job &job) {
-        *job.report =
-            *judgeTask(lab, *job.task, Submission(job.task->preset, job.source), job.seed);
+    Watch watch(hooks, jobs.size() + tolerances.size());
+    const JudgeHooks cancel{.cancelled = [&watch] { return watch.isCancelled(); }};
+    QtConcurrent::blockingMap(jobs, [&](const Job &job) {
+        if (auto report = judgeTask(lab, *job.task, job.submission, job.seed, cancel))
+            *job.report = std::move(*report);
+        watch.advance();
     });
+    QtConcurrent::blockingMap(tolerances, [&](ToleranceJob &job) {
+        job.tight = findTightTolerance(*tasks[job.task], *job.check, cancel.cancelled);
+        watch.advance();
+    });
+    if (watch.isCancelled())
+        return {};
     for (std::size_t t = 0; t < result.size(); ++t)
         findProblems(*tasks[t], result[t]);
+    for (const ToleranceJob &job : tolerances) {
+        if (job.tight)
+            result[job.task].findings.push_back(tooTight(*tasks[job.task], *job.check, *job.tight));
+    }
     return result;
 }
 
@@ -192,11 +296,11 @@ QString describeVerified(const VerifiedTask &task)
         else if (program.role == Role::Remark)
             note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
         text += QStringLiteral("  %1 %2   %3\n")
-                    .arg(roleName(program), -36)
+                    .arg(programPath(program), -36)
                     .arg(rowOf(task, report), note);
     }
-    for (const QString &problem : task.problems)
-        text += QStringLiteral("  ! %1\n").arg(problem);
+    for (const LabFinding &finding : task.findings)
+        text += QStringLiteral("  ! %1\n").arg(finding.message);
     return text;
 }
 

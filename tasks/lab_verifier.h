@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
-#include "tasks/lab.h"
+#include "tasks/judgement.h"
 
 namespace cradle {
 
@@ -16,20 +15,53 @@ struct VerifiedProgram {
     std::vector<CheckReport> reports{}; ///< one for each seed
 };
 
+/// Something about a lab that is not as it should be.
+struct LabFinding {
+    enum class Kind {
+        NoSolution,             ///< the step has no solution.lua
+        ProgramErrs,            ///< a program does not load or stops with an error
+        StarterPasses,          ///< it should fail by a check
+        SolutionFails,          ///< by \c check with \c seed
+        MistakePasses,          ///< it should fail by a check
+        MistakeNotRecognised,   ///< it fails, and nothing is said of it
+        MistakeTakenForAnother, ///< it gets the diagnosis of another
+        RemarkFails,            ///< work that gets a remark should pass
+        RemarkNotRecognised,    ///< it passes, and nothing is said of it
+        CheckNeverFails,        ///< no mistake fails \c check
+        ToleranceTooTight       ///< the solution itself nearly uses up that of \c check
+    };
+
+    Kind kind = Kind::ProgramErrs;
+    QString task;      ///< id of the step
+    QString program{}; ///< "starter", "mistakes/NAME": its file in the step's folder without the
+                       ///< ending; "solution-preset" is a scene; empty if it is about none
+    QString check{};   ///< id of the check; empty if it is about none
+    qint64 seed = 1;   ///< with which it shows
+    QString message{}; ///< what is wrong and what would be right
+};
+
 /// A step of a lab with what its programs showed of it.
 struct VerifiedTask {
     QString id;
     QString title;
     QStringList checks{}; ///< ids
     std::vector<VerifiedProgram> programs{};
-    QStringList problems{}; ///< what is not as it should be, with what would be
+    std::vector<LabFinding> findings{};
 };
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
 /// with five seeds; every mistake fails and is diagnosed as itself; every remark passes and is
-/// recognised; every check is failed by a mistake. Uses all processors.
-/// \param only  the id of one step; empty for all
-[[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {});
+/// recognised; every check is failed by a mistake; no tolerance is nearly used up by the solution
+/// itself. Where a step has a solution-preset.json, the laws of that scene pass, too. Uses all
+/// processors.
+/// \param only   the id of one step; empty for all
+/// \param hooks  called from other threads, never two at once
+/// \return nothing if it was cancelled
+[[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
+                                                  const JudgeHooks &hooks = {});
+
+/// "mistakes/NAME", "starter": the file of a program in its step without the ending.
+[[nodiscard]] QString programPath(const VerifiedProgram &program);
 
 /// The matrix of mistakes and checks of a step, and its problems, for a terminal.
 [[nodiscard]] QString describeVerified(const VerifiedTask &task);

@@ -5,6 +5,8 @@
 #include "model/stepper.h"
 #include "tasks/script/student_script.h"
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -13,6 +15,20 @@ namespace {
 constexpr qint64 maxBytes = 512LL * 1024 * 1024;
 
 } // namespace
+
+Circle Observation::circleAt(int index, double seconds) const
+{
+    const double place = std::clamp(seconds / timestep(), 0.0, static_cast<double>(steps()));
+    const auto before = static_cast<qint64>(place);
+    Circle at = circle(index, before);
+    const double share = place - static_cast<double>(before);
+    if (share > 0.0) {
+        const Circle &after = circle(index, before + 1);
+        at.position = at.position + share * (after.position - at.position);
+        at.velocity = at.velocity + share * (after.velocity - at.velocity);
+    }
+    return at;
+}
 
 Observation observe(const Variant &variant, const QString *script,
                     const std::function<bool()> &stop)

@@ -25,6 +25,9 @@ struct Observation {
     {
         return states.circles(step)[static_cast<std::size_t>(index)];
     }
+    /// The same \p seconds from the start, on the straight line between the states around it; at
+    /// the end where the run is shorter.
+    [[nodiscard]] Circle circleAt(int index, double seconds) const;
     /// Length of every step, s, to the last bit: the difference of two times is not.
     [[nodiscard]] double timestep() const { return variant.preset.timestep; }
     [[nodiscard]] int circleCount() const { return static_cast<int>(states.circleCount()); }

@@ -102,6 +102,8 @@ public:
                 addFlight(i);
             else if (m_spec.kind == QLatin1String("encounters"))
                 addEncounter(i);
+            else if (m_spec.kind == QLatin1String("parting"))
+                addParting(i);
             else if (m_spec.kind == QLatin1String("drop"))
                 addDrop(i);
             else if (m_spec.kind == QLatin1String("corners"))
@@ -226,6 +228,24 @@ private:
         a.position = place - t * a.velocity;
         b.position = place + (a.radius + b.radius) * n - t * b.velocity;
         add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);
+    }
+
+    /// As after a hit that was told late: they overlap, and for one update more while they part.
+    void addParting(int i)
+    {
+        Preset preset = stage(i, 2);
+        Circle &a = preset.circles[0].body;
+        Circle &b = preset.circles[1].body;
+        const double degrees = 360.0 * (i + m_random.between(0.0, 1.0)) / m_spec.count;
+        const Vec2 n = fromAngle(degrees);
+        const double speed = range(m_spec.speeds);
+        const Vec2 common = range({0.5, 1.5}) * fromAngle(m_random.between(0.0, 360.0));
+        a.velocity = common - 0.5 * speed * n;
+        b.velocity = common + 0.5 * speed * n;
+        const double touching = a.radius + b.radius;
+        const double overlap = speed * preset.timestep * m_random.between(1.2, 1.8);
+        b.position = std::max(touching - overlap, 0.5 * touching) * n;
+        add(VariantText::tr("parting at %1°").arg(degrees, 0, 'f', 1), preset);
     }
 
     /// Puts the circles that a shot does not need where it will not come.

@@ -21,6 +21,7 @@ struct Variant {
 ///     corners     the same straight at the corners and just beside them
 ///     encounters  circles 1 and 2 thrown so that they meet, from \c count angles, up to
 ///                 \c offset · (r₁ + r₂) off centre
+///     parting     circles 1 and 2 overlap and move apart already
 ///     drop        circle 1 falls onto the floor
 /// All but \c own pin square, positions, velocities, radii, densities, gravity (none if not given)
 /// and restitution (1 if not given) and keep no circles beyond those that the check needs.

@@ -87,7 +87,7 @@ void TestLabReader::readsALab()
     QCOMPARE(task.commit, QStringLiteral("Did step 1"));
     QCOMPARE(task.hints.size(), 3);
     QVERIFY(task.instructions.startsWith(QStringLiteral("# Step 1")));
-    QCOMPARE(task.preset.name, QStringLiteral("One circle"));
+    QCOMPARE(task.preset.name, QStringLiteral("Two circles"));
     QVERIFY(!task.extra && lab->tasks[1].extra);
     QCOMPARE(task.checks.size(), std::size_t{2});
     QCOMPARE(task.checks[0].kind, QStringLiteral("start"));
@@ -185,7 +185,8 @@ void TestLabReader::leavesABrokenStepOutAndSaysWhy_data()
     row("task_wrong_format", "/S2/task.json: /format: ");
     row("task_broken_syntax", "/S2/task.json:4: this is not JSON");
     row("unknown_check", "/S2/task.json: /checks/1/kind: \"teleports\"");
-    row("unknown_parameter", "/S2/task.json: /checks/0/parameters/colour: unknown key");
+    row("unknown_parameter",
+        "/S2/task.json: /checks/0/parameters/colour: start has no parameter \"colour\"");
     row("unknown_scene", "/S2/task.json: /checks/0/scene/kind: \"moon\"");
     row("circle_zero", "/S2/task.json: /checks/1/circles/0: 0");
     row("hint_too_long", "/S2/task.json: /hints/1: ");

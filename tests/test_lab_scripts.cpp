@@ -72,7 +72,7 @@ void TestLabScripts::stepHasNoProblems()
     const std::vector<VerifiedTask> tasks = verifyLab(m_lab, step);
     QCOMPARE(tasks.size(), std::size_t{1});
     const VerifiedTask &task = tasks.front();
-    QVERIFY2(task.problems.isEmpty(), qPrintable(task.problems.join(QLatin1Char('\n'))));
+    QVERIFY2(task.findings.empty(), qPrintable(describeVerified(task)));
     // A starter, a solution and at least three mistakes were judged.
     QVERIFY2(task.programs.size() >= 5, qPrintable(describeVerified(task)));
 }

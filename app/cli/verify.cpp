@@ -20,9 +20,9 @@ struct VerifyText {
 QString summary(const std::vector<VerifiedTask> &tasks, qint64 milliseconds)
 {
     std::size_t mistakes = 0;
-    qsizetype problems = 0;
+    std::size_t problems = 0;
     for (const VerifiedTask &task : tasks) {
-        problems += task.problems.size();
+        problems += task.findings.size();
         for (const VerifiedProgram &program : task.programs)
             mistakes += program.role == VerifiedProgram::Role::Mistake ? 1 : 0;
     }
@@ -63,7 +63,7 @@ ExitCode verify(const QStringList &arguments)
     QString text;
     for (const VerifiedTask &task : tasks) {
         text += describeVerified(task) + QLatin1Char('\n');
-        sound = sound && task.problems.isEmpty();
+        sound = sound && task.findings.empty();
     }
     if (const auto error = writeText({}, (text + summary(tasks, timer.elapsed())).toUtf8()))
         return complain(*error);

@@ -32,6 +32,7 @@ struct Turn {
     qint64 step;
     Vec2 gravity;
     double restitution;
+    double tolerance;
 
     [[nodiscard]] std::optional<Fault> faultAlong(Wall low, Wall high) const;
 
@@ -55,7 +56,7 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     const Vec2 axis = outwardNormal(high);
     const Circle &before = o.circle(circle, step);
     const double change = dot(motion::kick(o, circle, step, gravity), axis);
-    if (std::abs(change) <= motion::sameVelocity * (1.0 + length(before.velocity)))
+    if (std::abs(change) <= tolerance * (1.0 + length(before.velocity)))
         return std::nullopt;
     const double reach = motion::travel(o, circle, step, gravity);
     for (const Wall wall : {low, high}) {
@@ -95,7 +96,7 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double into = dot(o.circle(circle, step).velocity, n);
     const double after = dot(o.circle(circle, step + 1).velocity, n);
     const double pull = dot(gravity, n) * dt;
-    const double slack = motion::sameVelocity * (1.0 + length(o.circle(circle, step).velocity));
+    const double slack = tolerance * (1.0 + length(o.circle(circle, step).velocity));
     if (into + std::max(pull, 0.0) <= restingSteps * std::abs(pull) + slack
         && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
         return std::nullopt;
@@ -127,14 +128,13 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
                  last, after);
 }
 
-} // namespace
-
-std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
+/// \param more  how much further than the way of one step is allowed, m
+std::optional<Fault> outside(const CheckSpec &check, const Observation &o, double more)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
     for (const int i : check.circles) {
         for (qint64 k = 1; k <= o.steps(); ++k) {
-            const double allowed = motion::travel(o, i, k - 1, gravity);
+            const double allowed = motion::travel(o, i, k - 1, gravity) + more;
             for (const Wall wall : allWalls) {
                 const double beyond = -motion::wallGap(o, o.circle(i, k), wall);
                 if (beyond <= allowed)
@@ -207,10 +207,18 @@ std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gra
     return std::nullopt;
 }
 
+} // namespace
+
+std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
+{
+    return outside(check, o, motion::toleranceOf(check, 0.0));
+}
+
 std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
 {
-    if (auto fault = staysInside(check, o))
+    if (auto fault = outside(check, o, 0.0))
         return fault;
+    const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
     const Vec2 gravity = motion::gravityOf(check, o);
     const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
     const double restitution = check.parameters.value(QStringLiteral("restitution"))
@@ -221,10 +229,10 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
         if (auto fault = leap(o, i, collisions, gravity))
             return fault;
         for (qint64 k = 0; k < o.steps(); ++k) {
-            if (!motion::isKicked(o, i, k, gravity)
+            if (!motion::isKicked(o, i, k, gravity, tolerance)
                 || (collisions && motion::isNearCircle(o, i, k, gravity)))
                 continue;
-            const Turn turn{o, i, k, gravity, restitution};
+            const Turn turn{o, i, k, gravity, restitution, tolerance};
             if (auto fault = turn.faultAlong(Wall::Left, Wall::Right))
                 return fault;
             if (auto fault = turn.faultAlong(Wall::Bottom, Wall::Top))

@@ -22,6 +22,8 @@ struct KindText {
 
 /// Larger numbers than these are mistakes, m, m/s, m/s².
 constexpr double farthest = 1e6;
+/// What rounding makes of hundreds of operations on doubles.
+constexpr double rounding = 1e-9;
 
 ParameterInfo gravity()
 {
@@ -75,6 +77,29 @@ ParameterInfo laws()
         QJsonArray{QStringLiteral("impulse")});
 }
 
+ParameterInfo tolerance(double standard, const char *unit)
+{
+    return usually(inUnit(make("tolerance", Type::Number, KindText::tr("Tolerance"),
+                               KindText::tr("How far off is still right")),
+                          unit, {0.0, farthest}),
+                   standard);
+}
+
+/// A tolerance that has no unit.
+ParameterInfo share(double standard, const QString &help)
+{
+    ParameterInfo info =
+        usually(make("tolerance", Type::Number, KindText::tr("Tolerance"), help), standard);
+    return inUnit(info, "", {0.0, 1.0});
+}
+
+ParameterInfo list(const char *name, const QString &label, const char *unit)
+{
+    return inUnit(make(name, Type::Vectors, label,
+                       KindText::tr("One for each of the circles; not looked at if left out")),
+                  unit, {-farthest, farthest});
+}
+
 ParameterInfo vector(const char *name, const QString &label, const char *unit)
 {
     return inUnit(make(name, Type::Vector, label, KindText::tr("Not looked at if left out")), unit,
@@ -105,20 +130,31 @@ std::vector<KindInfo> motionKinds()
               positive("density", KindText::tr("Density"), "1000 kg/m³"),
               inUnit(make("count", Type::Count, KindText::tr("How many circles there are"),
                           KindText::tr("Not looked at if left out")),
-                     "", {1.0, 100.0})}),
+                     "", {1.0, 100.0}),
+              tolerance(rounding, "")}),
         kind("integrates", KindText::tr("Moves by an integrator"),
              KindText::tr("Every step far from walls is one of the named integrators under the "
                           "named gravity"),
-             1, {integrators(), gravity(), collisions()}),
+             1, {integrators(), gravity(), collisions(), tolerance(rounding, "m")}),
         kind("closed_form", KindText::tr("Follows x₀ + v₀t + ½gt²"),
              KindText::tr("Up to the first bounce it is where the formula says"), 1,
-             {gravity(), collisions()}),
+             {gravity(), collisions(), tolerance(rounding, "m")}),
         kind("together", KindText::tr("Stay together"),
              KindText::tr("Two circles are in the same place with the same velocity at every step"),
-             2, {}),
+             2, {tolerance(rounding, "m")}),
         kind("same_integrator", KindText::tr("Use the same integrator"),
              KindText::tr("Two circles follow one and the same integrator, whichever it is"), 2,
              {gravity(), collisions()}),
+        kind(
+            "ends_at", KindText::tr("Is there at a moment"),
+            KindText::tr("Positions and velocities at a moment; between two steps, on the straight "
+                         "line between them"),
+            1,
+            {inUnit(make("time", Type::Number, KindText::tr("Moment"),
+                         KindText::tr("Seconds from the start; the end if left out")),
+                    "s", {0.0, 600.0}),
+             list("positions", KindText::tr("Positions"), "m"),
+             list("velocities", KindText::tr("Velocities"), "m/s"), tolerance(1e-6, "")}),
     };
 }
 
@@ -130,12 +166,24 @@ std::vector<KindInfo> wallKinds()
              KindText::tr(
                  "At a wall v_n' = −e v_n; the part along the wall stays; at the rim and in "
                  "time"),
-             1, {restitution(), gravity(), collisions()}),
+             1, {restitution(), gravity(), collisions(), tolerance(rounding, "m/s")}),
         kind("stays_inside", KindText::tr("Stays inside"),
-             KindText::tr("Never further beyond a wall than the way of one step"), 1, {gravity()}),
+             KindText::tr("Never further beyond a wall than the way of one step and the tolerance"),
+             1, {gravity(), tolerance(0.0, "m")}),
+        kind("bounce_heights", KindText::tr("Bounces to the heights e²ⁿ h₀"),
+             KindText::tr("After the n-th bounce it rises to e²ⁿ times the height it came from"), 1,
+             {restitution(),
+              usually(inUnit(make("bounces", Type::Count, KindText::tr("Bounces"),
+                                  KindText::tr("How many are looked at; those lower than the "
+                                               "tolerance are not")),
+                             "", {1.0, 100.0}),
+                      3),
+              share(0.05, KindText::tr("How far off is still right, as a share of the first "
+                                       "height")),
+              gravity()}),
         kind("settles", KindText::tr("Comes to rest"),
              KindText::tr("At the end it lies on the floor as still as its integrator allows"), 1,
-             {gravity(), collisions()}),
+             {gravity(), collisions(), tolerance(0.06, "m")}),
     };
 }
 
@@ -147,7 +195,15 @@ std::vector<KindInfo> pairKinds()
             "collides", KindText::tr("Collide by a law"),
             KindText::tr("Circles 1 and 2 answer every contact, in time, by one of the named laws: "
                          "stop, exchange velocities, exchange normal parts, impulse with e"),
-            2, {laws(), restitution(), contacts(), gravity()}),
+            2, {laws(), restitution(), contacts(), gravity(), tolerance(rounding, "m/s")}),
+        kind("touches", KindText::tr("Hit when the gap closes"),
+             KindText::tr("Circles 1 and 2 answer every contact when their rims meet, neither "
+                          "earlier nor later, in whatever way"),
+             2, {contacts(), gravity(), tolerance(rounding, "m")}),
+        kind("rebounds", KindText::tr("Part with e times the speed"),
+             KindText::tr("In every hit of circles 1 and 2 their relative speed along the line of "
+                          "centres becomes e times what it was"),
+             2, {restitution(), contacts(), gravity(), tolerance(rounding, "m/s")}),
         kind("conserves", KindText::tr("Keep momentum and energy"),
              KindText::tr("Every hit of circles 1 and 2 keeps the momentum and, if asked, the "
                           "kinetic energy"),
@@ -155,22 +211,30 @@ std::vector<KindInfo> pairKinds()
              {usually(make("energy", Type::Flag, KindText::tr("Kinetic energy, too"),
                            KindText::tr("Else only the momentum is looked at")),
                       false),
-              gravity()}),
+              gravity(), share(rounding, KindText::tr("What share may be missing"))}),
         kind("after_contact", KindText::tr("Leave the first hit with"),
              KindText::tr("The velocities of circles 1 and 2 after their first hit"), 2,
              {needed(inUnit(make("velocities", Type::Vectors, KindText::tr("Velocities"),
                                  KindText::tr("One for each of the two circles")),
                             "m/s", {-farthest, farthest})),
-              usually(inUnit(make("tolerance", Type::Number, KindText::tr("Tolerance"),
-                                  KindText::tr("How far off is still right")),
-                             "m/s", {0.0, farthest}),
-                      1e-6),
-              gravity()}),
+              tolerance(1e-6, "m/s"), gravity()}),
         kind("loses_energy", KindText::tr("Lose energy"),
              KindText::tr("The first hit of circles 1 and 2 takes kinetic energy"), 2, {gravity()}),
         kind("passes_through", KindText::tr("Pass through each other"),
              KindText::tr("Circles 1 and 2 cross without changing"), 2, {gravity()}),
     };
+}
+
+KindInfo scriptKind()
+{
+    return kind(
+        "script", KindText::tr("Your own, in Lua"),
+        KindText::tr("The function check(run) of a file looks at the whole run and says what "
+                     "is wrong with it"),
+        1,
+        {needed(make("script", Type::Script, KindText::tr("File"),
+                     KindText::tr("In the folder checks of the step, such as "
+                                  "heights.lua")))});
 }
 
 } // namespace
@@ -182,6 +246,7 @@ std::vector<KindInfo> checkKinds()
         kinds.push_back(std::move(kind));
     for (KindInfo &kind : pairKinds())
         kinds.push_back(std::move(kind));
+    kinds.push_back(scriptKind());
     return kinds;
 }
 

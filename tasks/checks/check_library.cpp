@@ -13,7 +13,7 @@ namespace {
 
 using Judge = std::optional<Fault> (*)(const CheckSpec &, const Observation &);
 
-constexpr std::array<std::pair<const char *, Judge>, 13> library{{
+constexpr std::array<std::pair<const char *, Judge>, 18> library{{
     {"start", kinds::start},
     {"integrates", kinds::integrates},
     {"closed_form", kinds::closedForm},
@@ -23,10 +23,15 @@ constexpr std::array<std::pair<const char *, Judge>, 13> library{{
     {"same_integrator", kinds::sameIntegrator},
     {"passes_through", kinds::passesThrough},
     {"collides", kinds::collides},
+    {"rebounds", kinds::rebounds},
+    {"touches", kinds::touches},
     {"conserves", kinds::conserves},
     {"after_contact", kinds::afterContact},
     {"loses_energy", kinds::losesEnergy},
     {"settles", kinds::settles},
+    {"ends_at", kinds::endsAt},
+    {"script", kinds::script},
+    {"bounce_heights", kinds::bounceHeights},
 }};
 
 Judge find(const QString &kind)

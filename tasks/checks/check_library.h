@@ -25,10 +25,15 @@ struct Fault {
 ///     same_integrator two circles follow one and the same integrator
 ///     passes_through  two circles cross without changing
 ///     collides        circles 1 and 2 answer every contact by one of the named laws, in time
+///     rebounds        v_n' = e v_n of the relative velocity along the line of centres, in time
+///     touches         circles 1 and 2 answer every contact when the gap closes, in whatever way
 ///     conserves       momentum, and if asked kinetic energy, in every contact
 ///     after_contact   the velocities after the first contact
 ///     loses_energy    the first contact takes kinetic energy
 ///     settles         comes to rest on the floor as the reference with the same integrator does
+///     ends_at         positions and velocities at a moment
+///     script          what a program in Lua says of the run; see tasks/script/check_script.h
+///     bounce_heights  the n-th bounce off the floor reaches h_n = e^(2n) h_0
 /// \return nullopt if nothing is wrong
 [[nodiscard]] std::optional<Fault> judge(const CheckSpec &check, const Observation &observation);
 

@@ -10,6 +10,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <functional>
 
 namespace cradle::kinds {
 
@@ -29,12 +30,14 @@ struct Answer {
     int b;
     const motion::Contact &contact;
     double restitution;
+    double tolerance;
 
     [[nodiscard]] bool follows(CircleLaw law) const;
     [[nodiscard]] std::pair<Vec2, Vec2> expected(CircleLaw law, Vec2 n) const;
     [[nodiscard]] Vec2 usedNormal() const;
     [[nodiscard]] bool isHonest(Vec2 n) const;
     [[nodiscard]] Vec2 middleNormal() const;
+    [[nodiscard]] Vec2 normal() const;
     [[nodiscard]] double approach() const;
 };
 
@@ -49,6 +52,13 @@ Vec2 Answer::usedNormal() const
 Vec2 Answer::middleNormal() const
 {
     return normalized(contact.normalFirst + contact.normalLast);
+}
+
+/// The normal that the program took if it is honest, else that of the middle of the step.
+Vec2 Answer::normal() const
+{
+    const Vec2 used = usedNormal();
+    return isHonest(used) ? used : middleNormal();
 }
 
 double Answer::approach() const
@@ -88,7 +98,8 @@ bool Answer::follows(CircleLaw law) const
     if (directed && !isHonest(n))
         return false;
     const auto [afterA, afterB] = expected(law, n);
-    return motion::isSame(contact.afterA, afterA) && motion::isSame(contact.afterB, afterB);
+    return motion::isSame(contact.afterA, afterA, tolerance)
+           && motion::isSame(contact.afterB, afterB, tolerance);
 }
 
 std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
@@ -129,8 +140,7 @@ Fault hitAgain(const Answer &answer)
 Fault wrongAnswer(const Answer &answer, CircleLaw law)
 {
     const motion::Contact &contact = answer.contact;
-    const Vec2 used = answer.usedNormal();
-    const Vec2 n = answer.isHonest(used) ? used : answer.middleNormal();
+    const Vec2 n = answer.normal();
     const auto [afterA, afterB] = answer.expected(law, n);
     const Vec2 error = contact.afterA - afterA;
     const bool x = std::abs(error.x) > std::abs(error.y);
@@ -148,17 +158,43 @@ Fault wrongAnswer(const Answer &answer, CircleLaw law)
             .step = contact.step + 1};
 }
 
-std::optional<Fault> faultOf(const Answer &answer, const std::vector<CircleLaw> &laws,
-                             double gravitySlack)
+/// A hit too early, or of circles that part already.
+std::optional<Fault> untimely(const Answer &answer, double gapAllowed)
 {
-    if (answer.contact.nearest > motion::samePosition + gravitySlack)
+    if (answer.contact.nearest > gapAllowed)
         return tooEarly(answer);
     const double slack = motion::sameVelocity * (1.0 + length(answer.contact.beforeA));
-    if (answer.approach() < -slack)
-        return hitAgain(answer);
+    return answer.approach() < -slack ? std::optional(hitAgain(answer)) : std::nullopt;
+}
+
+std::optional<Fault> notBy(const std::vector<CircleLaw> &laws, const Answer &answer)
+{
     const bool follows =
         std::any_of(laws.begin(), laws.end(), [&](CircleLaw law) { return answer.follows(law); });
     return follows ? std::nullopt : std::optional(wrongAnswer(answer, laws.front()));
+}
+
+/// Newton's law of restitution: what parts them along the normal is e times what closed the gap.
+std::optional<Fault> wrongRebound(const Answer &answer)
+{
+    const motion::Contact &contact = answer.contact;
+    const Vec2 n = answer.normal();
+    const double closing = dot(contact.beforeA - contact.beforeB, n);
+    const double parting = dot(contact.afterB - contact.afterA, n);
+    const double right = answer.restitution * closing;
+    if (std::abs(parting - right) <= answer.tolerance * (1.0 + std::abs(closing)))
+        return std::nullopt;
+    return Fault{.message = CollideText::tr("At step %1 the circles met with %2 m/s along the line "
+                                            "of centres and parted with %3 m/s; e times as much, "
+                                            "with e = %4, is %5 m/s")
+                                .arg(QString::number(contact.step + 1), motion::figure(closing),
+                                     motion::figureBeside(parting, right),
+                                     motion::figure(answer.restitution),
+                                     motion::figureBeside(right, parting)),
+                 .expected = right,
+                 .observed = parting,
+                 .unit = QStringLiteral("m/s"),
+                 .step = contact.step + 1};
 }
 
 Fault missed(qint64 step)
@@ -187,20 +223,26 @@ double slackOf(const Observation &o, Vec2 gravity)
     return length(gravity) * dt * dt;
 }
 
-} // namespace
+using JudgeAnswer = std::function<std::optional<Fault>(const Answer &)>;
 
-std::optional<Fault> collides(const CheckSpec &check, const Observation &o)
+/// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
+/// and none missed.
+std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double gapAllowed,
+                            const JudgeAnswer &judge)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
-    const std::vector<CircleLaw> laws = wantedLaws(check);
     const double e = check.parameters.value(QStringLiteral("restitution"))
                          .toDouble(o.variant.preset.restitution);
+    const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
     const std::vector<motion::Contact> contacts = motion::contactsOf(o, 0, 1, gravity);
     const qint64 missedStep = motion::missedContact(o, 0, 1);
     for (const motion::Contact &contact : contacts) {
         if (missedStep >= 0 && missedStep < contact.step)
             return missed(missedStep);
-        if (auto fault = faultOf({o, 0, 1, contact, e}, laws, slackOf(o, gravity)))
+        const Answer answer{o, 0, 1, contact, e, tolerance};
+        if (auto fault = untimely(answer, gapAllowed + slackOf(o, gravity)))
+            return fault;
+        if (auto fault = judge(answer))
             return fault;
     }
     if (missedStep >= 0)
@@ -209,6 +251,25 @@ std::optional<Fault> collides(const CheckSpec &check, const Observation &o)
     if (contacts.size() < static_cast<std::size_t>(wanted))
         return tooFew(contacts.size(), wanted);
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Fault> collides(const CheckSpec &check, const Observation &o)
+{
+    return inTurn(check, o, motion::samePosition,
+                  [laws = wantedLaws(check)](const Answer &answer) { return notBy(laws, answer); });
+}
+
+std::optional<Fault> rebounds(const CheckSpec &check, const Observation &o)
+{
+    return inTurn(check, o, motion::samePosition, wrongRebound);
+}
+
+std::optional<Fault> touches(const CheckSpec &check, const Observation &o)
+{
+    return inTurn(check, o, motion::toleranceOf(check, motion::samePosition),
+                  [](const Answer &) { return std::nullopt; });
 }
 
 } // namespace cradle::kinds

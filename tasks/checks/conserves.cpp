@@ -17,8 +17,7 @@ struct ConserveText {
 };
 
 /// Relative: a thousand roundings of a double.
-constexpr double keptMomentum = 1e-9;
-constexpr double keptEnergy = 1e-9;
+constexpr double keptShare = 1e-9;
 /// Less than this share of the energy is no loss that a student set.
 constexpr double visibleLoss = 1e-6;
 
@@ -59,10 +58,11 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
     const auto found = contacts(check, o);
     if (found.empty())
         return noContact();
+    const double kept = motion::toleranceOf(check, keptShare);
     const bool energy = check.parameters.value(QStringLiteral("energy")).toBool();
     for (const motion::Contact &contact : found) {
         const Balance b = balanceOf(o, contact);
-        if (length(b.momentumAfter - b.momentumBefore) > keptMomentum * b.scale) {
+        if (length(b.momentumAfter - b.momentumBefore) > kept * b.scale) {
             const bool x = std::abs(b.momentumAfter.x - b.momentumBefore.x)
                            > std::abs(b.momentumAfter.y - b.momentumBefore.y);
             return Fault{.message =
@@ -77,7 +77,7 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
                          .unit = QStringLiteral("kg m/s"),
                          .step = contact.step + 1};
         }
-        if (energy && std::abs(b.energyAfter - b.energyBefore) > keptEnergy * b.energyBefore) {
+        if (energy && std::abs(b.energyAfter - b.energyBefore) > kept * b.energyBefore) {
             return Fault{.message = ConserveText::tr("At step %1 the hit changed the kinetic "
                                                      "energy from %2 to %3 J; it should stay")
                                         .arg(QString::number(contact.step + 1),
@@ -97,7 +97,7 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
     const auto found = contacts(check, o);
     if (found.empty())
         return noContact();
-    const double tolerance = check.parameters.value(QStringLiteral("tolerance")).toDouble(1e-6);
+    const double tolerance = motion::toleranceOf(check, 1e-6);
     const QJsonArray wanted = check.parameters.value(QStringLiteral("velocities")).toArray();
     const std::pair<int, Vec2> leaving[] = {{0, found.front().afterA}, {1, found.front().afterB}};
     for (const auto &[circle, observed] : leaving) {

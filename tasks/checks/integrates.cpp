@@ -22,12 +22,13 @@ struct IntegratorText {
 constexpr Integrator allIntegrators[] = {Integrator::Euler, Integrator::SymplecticEuler,
                                          Integrator::Verlet, Integrator::RungeKutta4};
 
-bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 gravity)
+bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 gravity,
+            double tolerance = motion::samePosition)
 {
     const Circle &now = o.circle(i, k);
     const Motion next = advance(integrator, {now.position, now.velocity}, gravity, o.timestep());
     const double error = length(o.circle(i, k + 1).position - next.position);
-    return error <= motion::samePosition * (1.0 + length(now.position));
+    return error <= tolerance * (1.0 + length(now.position));
 }
 
 /// All integrators that step \p k agrees with.
@@ -137,6 +138,7 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
     const std::vector<Integrator> wanted = wantedIntegrators(check);
+    const double tolerance = motion::toleranceOf(check, motion::samePosition);
     for (const int i : check.circles) {
         std::vector<Integrator> left = wanted;
         bool seen = false;
@@ -144,10 +146,11 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
             if (!motion::isFree(check, o, i, k, gravity))
                 continue;
             seen = true;
-            if (motion::isKicked(o, i, k, gravity))
+            if (motion::isKicked(o, i, k, gravity, tolerance))
                 return wrongAcceleration(o, i, k, gravity);
-            std::erase_if(
-                left, [&](Integrator integrator) { return !agrees(integrator, o, i, k, gravity); });
+            std::erase_if(left, [&](Integrator integrator) {
+                return !agrees(integrator, o, i, k, gravity, tolerance);
+            });
             if (left.empty())
                 return wrongPlace(o, i, k, gravity, wanted.front());
         }
@@ -191,7 +194,7 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
             const double t = o.states.time(k + 1);
             const Vec2 right = begin.position + t * begin.velocity + (0.5 * t * t) * gravity;
             const Vec2 observed = o.circle(i, k + 1).position;
-            if (length(observed - right) <= motion::samePosition)
+            if (length(observed - right) <= motion::toleranceOf(check, motion::samePosition))
                 continue;
             const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
             return Fault{.message =

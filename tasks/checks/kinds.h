@@ -16,9 +16,14 @@ std::optional<Fault> together(const CheckSpec &check, const Observation &o);
 std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o);
 std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o);
 std::optional<Fault> collides(const CheckSpec &check, const Observation &o);
+std::optional<Fault> rebounds(const CheckSpec &check, const Observation &o);
+std::optional<Fault> touches(const CheckSpec &check, const Observation &o);
 std::optional<Fault> conserves(const CheckSpec &check, const Observation &o);
 std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o);
 std::optional<Fault> losesEnergy(const CheckSpec &check, const Observation &o);
 std::optional<Fault> settles(const CheckSpec &check, const Observation &o);
+std::optional<Fault> endsAt(const CheckSpec &check, const Observation &o);
+std::optional<Fault> script(const CheckSpec &check, const Observation &o);
+std::optional<Fault> bounceHeights(const CheckSpec &check, const Observation &o);
 
 } // namespace cradle::kinds

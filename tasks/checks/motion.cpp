@@ -28,9 +28,14 @@ double nearestCentres(const Circle &a, const Circle &b, double seconds)
 
 } // namespace
 
-bool isSame(Vec2 a, Vec2 b)
+bool isSame(Vec2 a, Vec2 b, double tolerance)
 {
-    return length(a - b) <= sameVelocity * (1.0 + length(b));
+    return length(a - b) <= tolerance * (1.0 + length(b));
+}
+
+double toleranceOf(const CheckSpec &check, double standard)
+{
+    return check.parameters.value(QStringLiteral("tolerance")).toDouble(standard);
 }
 
 Vec2 gravityOf(const CheckSpec &check, const Observation &o)
@@ -46,9 +51,9 @@ Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity)
     return o.circle(i, k + 1).velocity - o.circle(i, k).velocity - o.timestep() * gravity;
 }
 
-bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity)
+bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolerance)
 {
-    return length(kick(o, i, k, gravity)) > sameVelocity * (1.0 + length(o.circle(i, k).velocity));
+    return length(kick(o, i, k, gravity)) > tolerance * (1.0 + length(o.circle(i, k).velocity));
 }
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)

@@ -15,14 +15,18 @@ inline constexpr double sameVelocity = 1e-9;
 /// The same for positions (m), which gather the rounding of many steps.
 inline constexpr double samePosition = 1e-9;
 
-[[nodiscard]] bool isSame(Vec2 a, Vec2 b);
+[[nodiscard]] bool isSame(Vec2 a, Vec2 b, double tolerance = sameVelocity);
+
+/// The check's own "tolerance", else \p standard.
+[[nodiscard]] double toleranceOf(const CheckSpec &check, double standard);
 
 /// The gravity that the check names, else that of the scene, m/s².
 [[nodiscard]] Vec2 gravityOf(const CheckSpec &check, const Observation &o);
 
 /// What changed the velocity of circle \p i in the step after \p k besides gravity, m/s.
 [[nodiscard]] Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity);
-[[nodiscard]] bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity);
+[[nodiscard]] bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity,
+                            double tolerance = sameVelocity);
 
 /// The furthest that circle \p i can come in the step after \p k, m.
 [[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);

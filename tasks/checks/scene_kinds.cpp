@@ -112,6 +112,10 @@ std::vector<KindInfo> sceneKinds()
                      usually(make("both_move", Type::Flag, SceneText::tr("Both move"),
                                   SceneText::tr("Else circle 2 rests before the hit")),
                              false)})),
+        scene("parting", SceneText::tr("Circles that part"),
+              SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
+                            "apart already; ask for 0 hits"),
+              2, drawn({speeds(3.0)})),
         scene("drop", SceneText::tr("Drops"),
               SceneText::tr("The circles fall from rest, at about the middle of the square"), 1,
               drawn({})),

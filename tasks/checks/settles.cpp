@@ -55,7 +55,7 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         double allowed = 0.0;
         for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
-        allowed = std::max(generosity * allowed, alwaysAllowed);
+        allowed = std::max(generosity * allowed, motion::toleranceOf(check, alwaysAllowed));
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
             return Fault{.message = SettleText::tr("After %1 s circle %2 still comes %3 m above "

@@ -25,11 +25,11 @@ Fault wrongValue(const QString &what, const QString &observed, const QString &ex
 }
 
 std::optional<Fault> wrongNumber(const QString &what, double observed, const QJsonValue &value,
-                                 const QString &unit)
+                                 const QString &unit, double tolerance)
 {
     const double expected = value.toDouble();
     if (!value.isDouble()
-        || std::abs(observed - expected) <= motion::samePosition * (1.0 + std::abs(expected)))
+        || std::abs(observed - expected) <= tolerance * (1.0 + std::abs(expected)))
         return std::nullopt;
     Fault fault = wrongValue(what, motion::figureBeside(observed, expected),
                              motion::figureBeside(expected, observed), unit);
@@ -39,11 +39,11 @@ std::optional<Fault> wrongNumber(const QString &what, double observed, const QJs
 }
 
 std::optional<Fault> wrongVector(const QString &what, Vec2 observed, const QJsonValue &value,
-                                 const QString &unit)
+                                 const QString &unit, double tolerance)
 {
     const QJsonArray list = value.toArray();
     const Vec2 expected{list.at(0).toDouble(), list.at(1).toDouble()};
-    if (list.size() != 2 || length(observed - expected) <= motion::samePosition)
+    if (list.size() != 2 || length(observed - expected) <= tolerance)
         return std::nullopt;
     Fault fault = wrongValue(what, motion::figureBeside(observed, expected),
                              motion::figureBeside(expected, observed), unit);
@@ -58,20 +58,21 @@ std::optional<Fault> wrongVector(const QString &what, Vec2 observed, const QJson
 std::optional<Fault> start(const CheckSpec &check, const Observation &o)
 {
     const auto wanted = [&](const char *key) { return check.parameters.value(QLatin1String(key)); };
+    const double tolerance = motion::toleranceOf(check, motion::samePosition);
     for (const int i : check.circles) {
         const Circle &c = o.circle(i, 0);
         const QString number = QString::number(i + 1);
         if (auto f = wrongVector(StartText::tr("The position of circle %1").arg(number), c.position,
-                                 wanted("position"), QStringLiteral("m")))
+                                 wanted("position"), QStringLiteral("m"), tolerance))
             return f;
         if (auto f = wrongVector(StartText::tr("The velocity of circle %1").arg(number), c.velocity,
-                                 wanted("velocity"), QStringLiteral("m/s")))
+                                 wanted("velocity"), QStringLiteral("m/s"), tolerance))
             return f;
         if (auto f = wrongNumber(StartText::tr("The radius of circle %1").arg(number), c.radius,
-                                 wanted("radius"), QStringLiteral("m")))
+                                 wanted("radius"), QStringLiteral("m"), tolerance))
             return f;
         if (auto f = wrongNumber(StartText::tr("The density of circle %1").arg(number), c.density,
-                                 wanted("density"), QStringLiteral("· 1000 kg/m³")))
+                                 wanted("density"), QStringLiteral("· 1000 kg/m³"), tolerance))
             return f;
     }
     const QJsonValue count = wanted("count");
@@ -90,11 +91,12 @@ std::optional<Fault> together(const CheckSpec &check, const Observation &o)
 {
     const int a = check.circles.front();
     const int b = check.circles.back();
+    const double tolerance = motion::toleranceOf(check, motion::samePosition);
     for (qint64 k = 0; k <= o.steps(); ++k) {
         const Circle &ca = o.circle(a, k);
         const Circle &cb = o.circle(b, k);
         const double apart = length(cb.position - ca.position);
-        if (apart > motion::samePosition || !motion::isSame(ca.velocity, cb.velocity)) {
+        if (apart > tolerance || !motion::isSame(ca.velocity, cb.velocity, tolerance)) {
             return Fault{.message =
                              StartText::tr("At step %1 circle %2 is at %3 m with %4 m/s and circle "
                                            "%5 at %6 m with %7 m/s; they should be in the same "

@@ -99,7 +99,7 @@ void SceneView::drag(QPointF pixel, bool snap)
 {
     const Preset candidate = m_drag->candidate(m_camera.toMetres(pixel), snap);
     m_dragValue = m_drag->valueText(candidate);
-    if (const std::optional<Error> fault = findFault(candidate)) {
+    if (const std::optional<Error> fault = m_document.faultOf(candidate)) {
         m_refused = candidate.circles[static_cast<std::size_t>(m_drag->handle().index)].body;
         m_refusal = fault->message;
     } else {

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judgement.h"
+
+#include <vector>
+
+namespace cradle {
+
+/// A program with one mistake that students make, made from a solution.
+struct Mutant {
+    QString name;     ///< of a file: "sign-line-12"
+    QString source;   ///< the whole program, with \c message as its first comment block
+    QString message;  ///< CommonMark: a headline, then what was changed and where
+    int line = 0;     ///< of the solution, from 1
+    QString change{}; ///< what stands there now
+};
+
+/// All mutants of \p solution that can be read as programs: the sign of a term; a factor dropped
+/// (timestep, mass, e); the old velocity moves the circle; masses, circles or coordinates
+/// exchanged; a normal left at its length; a part of a condition missing or turned round; a
+/// statement missing or made twice.
+[[nodiscard]] std::vector<Mutant> mutantsOf(const QString &solution);
+
+/// What became of a mutant that tells the author something.
+struct Suggestion {
+    enum class Kind {
+        Passes,      ///< it does something else than the solution, and every check accepts it:
+                     ///< a check is missing
+        NotDiagnosed ///< it fails by \c check, and no mistake of the step explains it
+    };
+
+    Kind kind = Kind::NotDiagnosed;
+    Mutant mutant{};
+    QString check{};   ///< id of the first check that it fails
+    QString finding{}; ///< what that check said
+};
+
+/// Judges the mutants of the solution of \p task. Of those that do the same in all its scenes only
+/// the first is kept; those that do what the solution does, stop with an error or are diagnosed
+/// are left out.
+/// \param hooks  called from other threads, never two at once
+/// \return those that pass first; nothing if it was cancelled
+[[nodiscard]] std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task,
+                                                      const JudgeHooks &hooks = {});
+
+} // namespace cradle
