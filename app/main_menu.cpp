@@ -96,11 +96,18 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
     QMenu *menu = bar.addMenu(MenuText::tr("&Simulation"));
     TransportBar &transport = window.transportBar();
     menu->addActions({transport.runAction(), transport.stepAction(), transport.stepBackAction(),
-                      transport.nextHitAction(), transport.restartAction()});
+                      transport.nextHitAction(), transport.previousHitAction(),
+                      transport.restartAction()});
     menu->addSeparator();
     menu->addActions({transport.slowerAction(), transport.fasterAction()});
     menu->addSeparator();
     Simulation *simulation = &window.workbench().simulation();
+    QAction *pauses = menu->addAction(MenuText::tr("Pause at &hits"));
+    pauses->setCheckable(true);
+    pauses->setChecked(simulation->pausesAtHits());
+    pauses->setShortcut(Qt::SHIFT | Qt::Key_N);
+    pauses->setToolTip(MenuText::tr("A run stops at the step of every collision; Run goes on"));
+    QObject::connect(pauses, &QAction::toggled, simulation, &Simulation::setPausesAtHits);
     QAction *frameTime = menu->addAction(MenuText::tr("Steps as long as the &frames took"));
     frameTime->setCheckable(true);
     frameTime->setChecked(simulation->usesFrameTime());

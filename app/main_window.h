@@ -79,6 +79,8 @@ private:
     void arrangePanes();
     void retranslate();
     void showTask();
+    void showInstructions();
+    void showProgress();
     void showLooseScene();
     void showReport();
     void showVisit(bool visiting);

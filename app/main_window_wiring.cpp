@@ -27,8 +27,9 @@ void MainWindow::wireWorkbench()
     Workbench *bench = &m_workbench;
     connect(bench, &Workbench::labChanged, this, [this] { m_taskPane->setLab(m_workbench.lab()); });
     connect(bench, &Workbench::taskChanged, this, &MainWindow::showTask);
-    connect(bench, &Workbench::progressChanged, this,
-            [this] { m_taskPane->setProgress(m_workbench.passed(), m_workbench.current()); });
+    connect(bench, &Workbench::progressChanged, this, &MainWindow::showProgress);
+    connect(bench, &Workbench::guessChanged, this,
+            [this] { m_taskPane->setGuess(m_workbench.guess()); });
     connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
     connect(bench, &Workbench::reportStale, this, [this] { m_taskPane->setStale(true); });
     connect(bench, &Workbench::checkStarted, this, [this] {
@@ -53,6 +54,8 @@ void MainWindow::wireWorkbench()
     connect(m_transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
     connect(m_taskPane, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
     connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
+    connect(m_taskPane, &TaskPane::predicted, bench, &Workbench::predict);
+    connect(m_taskPane, &TaskPane::outcomeRequested, bench, &Workbench::revealOutcome);
     connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
     connect(m_taskPane, &TaskPane::lineRequested, this, &MainWindow::showLine);
@@ -85,9 +88,9 @@ void MainWindow::showTask()
 {
     const Task *task = m_workbench.task();
     m_transport->checkAction()->setEnabled(task != nullptr);
-    m_taskPane->setProgress(m_workbench.passed(), m_workbench.current());
+    showProgress();
     if (task) {
-        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+        showInstructions();
         // An example brought the speeds to the front; the few circles of a step have none to show.
         if (m_values->tabs().currentWidget() == m_speeds)
             m_values->tabs().setCurrentIndex(0);
@@ -104,6 +107,11 @@ void MainWindow::showTask()
                      "watch, and Check when you are done."));
     }
     retranslate();
+}
+
+void MainWindow::showProgress()
+{
+    m_taskPane->setProgress(m_workbench.passed(), m_workbench.current(), m_workbench.pass());
 }
 
 /// An example tells what there is to see, and the tab that shows it comes to the front.
@@ -136,8 +144,16 @@ void MainWindow::showMode()
                           code ? 1 : 0);
     codeDock->setVisible(code);
     (code ? codeDock : inspectorDock)->raise();
-    if (const Task *task = m_workbench.task())
-        m_taskPane->showTask(taskFor(m_workbench.mode(), *task), m_workbench.hintsOpened());
+    if (hasStep)
+        showInstructions();
+}
+
+/// Of the open step, as the mode has them.
+void MainWindow::showInstructions()
+{
+    m_taskPane->showTask(taskFor(m_workbench.mode(), *m_workbench.task()),
+                         m_workbench.hintsOpened());
+    m_taskPane->setGuess(m_workbench.guess());
 }
 
 void MainWindow::chooseMode(int index)

@@ -25,6 +25,12 @@ constexpr auto saveDelay = 300ms;
 /// How far the reference's run reaches beyond the moment shown, s of the scene.
 constexpr double ghostSeconds = 10.0;
 
+/// UTC, in whole seconds, as it is kept.
+QDateTime now()
+{
+    return QDateTime::fromSecsSinceEpoch(QDateTime::currentSecsSinceEpoch(), Qt::UTC);
+}
+
 } // namespace
 
 Workbench::Workbench(const QString &progressFile, QObject *parent)
@@ -47,6 +53,7 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
             setGhost(nullptr);
         }
     });
+    connect(&m_simulation, &Simulation::frameReady, this, &Workbench::noteWatched);
     connect(&m_code, &CodeSession::edited, this, &Workbench::markStale);
     connect(&m_code, &CodeSession::failed, this, &Workbench::failed);
     connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
@@ -63,25 +70,6 @@ Workbench::~Workbench()
 const Task *Workbench::task() const
 {
     return m_current >= 0 ? &m_lab.tasks[static_cast<std::size_t>(m_current)] : nullptr;
-}
-
-TaskProgress &Workbench::progress()
-{
-    Q_ASSERT(task());
-    return m_store.lab(m_lab.id).tasks[task()->id];
-}
-
-std::vector<bool> Workbench::passed() const
-{
-    std::vector<bool> result;
-    for (const Task &task : m_lab.tasks)
-        result.push_back(m_store.isPassed(m_lab.id, task.id));
-    return result;
-}
-
-int Workbench::hintsOpened()
-{
-    return task() ? progress().hintsOpened : 0;
 }
 
 std::optional<Error> Workbench::openLab(const QString &folder, const QString &language)
@@ -278,10 +266,12 @@ void Workbench::finishCheck(const CheckReport &report)
     if (!task() || report.taskId != task()->id)
         return;
     m_report = report;
-    if (report.passed && !progress().passed) {
+    if (report.passed) {
         progress().passed = true;
+        progress().pass = {.when = now(), .commit = report.commit};
         m_saveSoon.start();
         emit progressChanged();
+        emit guessChanged();
     }
     showFirstFailure();
     emit checkEnded();
@@ -298,15 +288,6 @@ void Workbench::showFirstFailure()
                                       [](const CheckOutcome &check) { return !check.passed; });
     if (failure != checks.end() && failure->step > 0 && failure->scene == m_document.own())
         showMoment(*failure);
-}
-
-void Workbench::setHintsOpened(int count)
-{
-    if (!task())
-        return;
-    progress().hintsOpened = count;
-    m_saveSoon.start();
-    emit hintsChanged();
 }
 
 void Workbench::showMoment(const CheckOutcome &outcome)

@@ -41,6 +41,10 @@ public:
     [[nodiscard]] bool isChecking() const { return m_checker.isRunning(); }
     [[nodiscard]] std::vector<bool> passed() const; ///< one for each step
     [[nodiscard]] int hintsOpened();                ///< of the current step
+    /// What the last check that the current step passed has left; invalid if there is none.
+    [[nodiscard]] Pass pass();
+    /// What the student expects of the current step.
+    [[nodiscard]] Guess guess();
     /// Whether nothing has ever been done in this lab.
     [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
 
@@ -66,7 +70,9 @@ public slots:
     void check(); ///< judges the student's own scene
     void cancelCheck();
     void setHintsOpened(int count);
-    void startAfresh(); ///< the program of this step, from what the step before ended with
+    void predict(int answer); ///< of the current step's prediction, or Guess::notSure
+    void revealOutcome();     ///< shows what the prediction was about
+    void startAfresh();       ///< the program of this step, from what the step before ended with
     void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
     void save();                                          ///< the progress, now
 
@@ -79,6 +85,7 @@ signals:
     void modeChanged();
     void ghostChanged();
     void hintsChanged();
+    void guessChanged();
     void checkEnded(); ///< with a report or cancelled
     void reportChanged();
     void reportStale();                      ///< the scene was edited since the report
@@ -90,6 +97,7 @@ private:
     void finishCheck(const CheckReport &report);
     void showFirstFailure();
     void markStale();
+    void noteWatched();
     void showReference(const CheckOutcome &outcome, qint64 step);
     void setGhost(std::shared_ptr<const Recording> ghost);
     [[nodiscard]] Submission submission() const;

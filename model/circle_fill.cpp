@@ -115,7 +115,7 @@ Result<std::vector<PresetCircle>> makeCircles(const CircleFill &fill, double hal
     circles.reserve(places.size());
     for (Vec2 place : places) {
         PresetCircle circle;
-        circle.name = FillText::tr("circle %1").arg(circles.size() + 1);
+        circle.name = QStringLiteral("circle %1").arg(circles.size() + 1);
         circle.body = {.position = place, .radius = fill.radius, .density = fill.density};
         circles.push_back(circle);
     }

@@ -161,22 +161,42 @@ void Simulation::goTo(qint64 step)
 void Simulation::seekNextHit()
 {
     pause();
-    const auto hitShown = [this] {
-        const auto &hits = m_recording.hits();
-        const qint64 step = m_recording.step(m_current);
-        return std::any_of(hits.rbegin(), hits.rend(),
-                           [step](const Hit &hit) { return hit.step == step; });
-    };
     const qint64 begin = m_current;
     const double end = time() + longestSearch;
     do {
         advance(m_preset.timestep);
-    } while (!hitShown() && time() < end && !m_error);
-    if (!hitShown()) {
+    } while (!showsHit() && time() < end && !m_error);
+    if (!showsHit()) {
         m_current = std::max(begin, m_recording.first());
         emit noHitFound();
     }
     emit frameReady();
+}
+
+void Simulation::seekPreviousHit()
+{
+    const auto &hits = m_recording.hits();
+    const qint64 step = m_recording.step(m_current);
+    const auto here = std::partition_point(hits.begin(), hits.end(),
+                                           [step](const Hit &hit) { return hit.step < step; });
+    if (here == hits.begin())
+        seek(m_recording.first());
+    else
+        seek(m_current - (step - std::prev(here)->step));
+}
+
+bool Simulation::showsHit() const
+{
+    const auto &hits = m_recording.hits();
+    const qint64 step = m_recording.step(m_current);
+    const auto here = std::partition_point(hits.begin(), hits.end(),
+                                           [step](const Hit &hit) { return hit.step < step; });
+    return here != hits.end() && here->step == step;
+}
+
+void Simulation::setPausesAtHits(bool on)
+{
+    m_pausesAtHits = on;
 }
 
 void Simulation::setSpeed(double speed)
@@ -210,6 +230,8 @@ void Simulation::advance(double dt)
     if (m_shadow)
         m_shadow->follow(m_recording);
     m_current = std::max(m_current + 1, m_recording.first());
+    if (m_pausesAtHits && isRunning() && showsHit())
+        pause();
 }
 
 /// After frames of any length the time goes on from where it is, never back to a multiple.

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] bool atStart() const { return m_recording.step(m_current) == 0; }
     [[nodiscard]] double speed() const { return m_clock.speed(); }
     [[nodiscard]] bool usesFrameTime() const { return m_frameTime; }
+    [[nodiscard]] bool pausesAtHits() const { return m_pausesAtHits; }
     /// The exact motion beside the run; null if it is not wanted.
     [[nodiscard]] const ShadowRun *shadow() const { return m_shadow ? &*m_shadow : nullptr; }
 
@@ -64,10 +65,12 @@ public slots:
     void stepBack();         ///< pauses; one recorded step
     void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
     void goTo(qint64 step);  ///< pauses; shows that step, computed if it is yet to come
-    void seekNextHit(); ///< pauses; runs on to the next hit, or stays if none comes in a minute
-    void setSpeed(double speed); ///< bounded to slowest … fastest
-    void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did
-    void setShadowed(bool on);   ///< runs the exact motion beside the run, from its start
+    void seekNextHit();     ///< pauses; runs on to the next hit, or stays if none comes in a minute
+    void seekPreviousHit(); ///< pauses; back to the last recorded hit before, else to the start
+    void setPausesAtHits(bool on); ///< a run pauses at the step of every hit
+    void setSpeed(double speed);   ///< bounded to slowest … fastest
+    void setFrameTime(bool on);    ///< steps as long as the frames took, as the original lab did
+    void setShadowed(bool on);     ///< runs the exact motion beside the run, from its start
 
 signals:
     void noHitFound();    ///< seekNextHit() looked in vain and stays where it was
@@ -83,6 +86,7 @@ private:
     void advance(double dt);
     /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
     [[nodiscard]] bool isOnGrid(double dt) const;
+    [[nodiscard]] bool showsHit() const; ///< the moment shown is the step of a hit
     bool appendStep(double dt);
     bool appendProgramStep(double dt);
     void begin();
@@ -103,6 +107,7 @@ private:
     std::vector<Hit> m_hits; ///< of the step that runs
     qint64 m_current = 0;
     bool m_frameTime = false;
+    bool m_pausesAtHits = false;
 };
 
 } // namespace cradle

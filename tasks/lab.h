@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/preset.h"
+#include "tasks/prediction.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -59,10 +60,11 @@ struct Task {
     QString solution{};      ///< the reference program; empty if there is none
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
-    bool extra = false;         ///< not in the original lab
-    QStringList locked{};       ///< fields that the student may not change, see tasks/locks.h
-    std::optional<Laws> laws{}; ///< that it asks for: those of the scene that passes it
-    std::optional<Preset> solutionScene{}; ///< that scene
+    bool extra = false;                     ///< not in the original lab
+    QStringList locked{};                   ///< what the student may not change, see locks.h
+    std::optional<Prediction> prediction{}; ///< asked before the scene is watched
+    std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
+    std::optional<Preset> solutionScene{};  ///< that scene
 };
 
 /// A lab; a plain value.

@@ -140,6 +140,11 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     if (solution)
         task.laws = solution->laws;
     task.locked = stringsOf(json->value(QStringLiteral("locked")));
+    task.prediction = readPrediction(*json, words);
+    if (const QString fault = predictionFault(*json); !fault.isEmpty())
+        lab.findings.push_back({.message = fault,
+                                .file = source.fullPath(path),
+                                .pointer = QStringLiteral("/prediction/right")});
     readScripts(source, step, *json, words, task, lab);
     lab.tasks.push_back(task);
 }

@@ -7,8 +7,9 @@
 
 namespace cradle {
 
-/// The lab that ships inside the program.
+/// The labs that ship inside the program; the first is the one that opens by itself.
 inline constexpr char shippedLab[] = ":/labs/lab-4.2";
+inline constexpr char bouncingBallLab[] = ":/labs/bouncing-ball";
 
 /// Reads a lab's folder. Steps that cannot be read are left out and named in Lab::findings; texts
 /// are taken in \p language ("de") where the lab has them, else in its own.

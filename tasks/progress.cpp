@@ -22,6 +22,27 @@ struct ProgressText {
 
 constexpr qint64 maxBytes = 64 * 1024 * 1024;
 
+QJsonObject jsonOf(const Guess &guess)
+{
+    QJsonObject json;
+    if (guess.answer)
+        json.insert(QStringLiteral("answer"), *guess.answer);
+    json.insert(QStringLiteral("watched"), guess.watched);
+    json.insert(QStringLiteral("revealed"), guess.revealed);
+    return json;
+}
+
+Guess guessFrom(const QJsonObject &json)
+{
+    Guess guess;
+    const QJsonValue answer = json.value(QStringLiteral("answer"));
+    if (answer.isDouble() && answer.toInt(-2) >= Guess::notSure)
+        guess.answer = answer.toInt();
+    guess.watched = json.value(QStringLiteral("watched")).toBool();
+    guess.revealed = json.value(QStringLiteral("revealed")).toBool();
+    return guess;
+}
+
 QJsonObject jsonOf(const TaskProgress &task)
 {
     QJsonObject json{{QStringLiteral("passed"), task.passed},
@@ -29,6 +50,12 @@ QJsonObject jsonOf(const TaskProgress &task)
     if (task.edited)
         json.insert(QStringLiteral("preset"),
                     QJsonDocument::fromJson(writePreset(*task.edited)).object());
+    if (task.pass.when.isValid())
+        json.insert(QStringLiteral("passed_at"), task.pass.when.toString(Qt::ISODate));
+    if (!task.pass.commit.isEmpty())
+        json.insert(QStringLiteral("commit"), task.pass.commit);
+    if (task.guess != Guess{})
+        json.insert(QStringLiteral("prediction"), jsonOf(task.guess));
     return json;
 }
 
@@ -37,6 +64,10 @@ TaskProgress taskFrom(const QJsonObject &json)
     TaskProgress task;
     task.passed = json.value(QStringLiteral("passed")).toBool();
     task.hintsOpened = json.value(QStringLiteral("hints")).toInt();
+    task.pass.when =
+        QDateTime::fromString(json.value(QStringLiteral("passed_at")).toString(), Qt::ISODate);
+    task.pass.commit = json.value(QStringLiteral("commit")).toString();
+    task.guess = guessFrom(json.value(QStringLiteral("prediction")).toObject());
     const QJsonValue preset = json.value(QStringLiteral("preset"));
     if (preset.isObject()) {
         // A preset that an older or newer version wrote and this one refuses is left out.

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "model/preset.h"
+#include "tasks/prediction.h"
 
+#include <QDateTime>
 #include <QString>
 
 #include <map>
@@ -11,11 +13,21 @@
 
 namespace cradle {
 
+/// What is left of the check that a step last passed, after the report is gone.
+struct Pass {
+    QDateTime when{}; ///< UTC, whole seconds; invalid if the file did not say
+    QString commit{}; ///< the commit message
+
+    friend bool operator==(const Pass &, const Pass &) = default;
+};
+
 /// How far a student has come with one step.
 struct TaskProgress {
     bool passed = false;
     int hintsOpened = 0;
     std::optional<Preset> edited{}; ///< what the student has made of the step's scene
+    Pass pass{};                    ///< if passed
+    Guess guess{};                  ///< if the step asks for a prediction
 
     friend bool operator==(const TaskProgress &, const TaskProgress &) = default;
 };

@@ -257,8 +257,15 @@ void TestLab42::everyStepHasWhatAStudentNeeds()
         QVERIFY2(task.hints.size() >= 3, qPrintable(task.id));
         QVERIFY2(task.instructions.startsWith(QStringLiteral("# ")), qPrintable(task.id));
         QVERIFY2(task.checks.size() >= 2, qPrintable(task.id));
+        QCOMPARE(task.prediction.has_value(), english.prediction.has_value());
         if (language == QLatin1String("en"))
             continue;
+        if (task.prediction) {
+            QVERIFY2(task.prediction->question != english.prediction->question,
+                     qPrintable(task.id));
+            QVERIFY2(task.prediction->outcome != english.prediction->outcome, qPrintable(task.id));
+            QCOMPARE(task.prediction->right, english.prediction->right);
+        }
         QVERIFY2(task.instructions != english.instructions, qPrintable(task.id));
         QVERIFY2(task.hints != english.hints, qPrintable(task.id));
         for (std::size_t c = 0; c < task.checks.size(); ++c)

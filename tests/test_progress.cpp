@@ -53,6 +53,13 @@ LabProgress someProgress()
     progress.currentTask = QStringLiteral("L42T5");
     progress.tasks[QStringLiteral("L42T1")] = {.passed = true, .hintsOpened = 3};
     progress.tasks[QStringLiteral("L42T5")] = {.hintsOpened = 1, .edited = edited};
+    progress.tasks[QStringLiteral("L42T8")] = {
+        .passed = true,
+        .pass = {.when = QDateTime({2026, 11, 21}, {22, 10, 7}, Qt::UTC),
+                 .commit = QStringLiteral("L42T8 größer")},
+        .guess = {.answer = 2, .watched = true, .revealed = true}};
+    progress.tasks[QStringLiteral("L42T9")] = {.guess = {.answer = Guess::notSure}};
+    progress.tasks[QStringLiteral("L42T10")] = {.guess = {.watched = true}};
     return progress;
 }
 
@@ -192,6 +199,16 @@ void TestProgress::takesNoMoreThanIsRight_data()
         << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"passed": "yes"}}}})");
     QTest::newRow("hints are many")
         << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"hints": -1e300}}}})");
+    QTest::newRow("prediction is a list")
+        << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"prediction": [1]}}}})");
+    QTest::newRow("answer is below all")
+        << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"prediction": {"answer": -2}}}}})");
+    QTest::newRow("answer is a part of one")
+        << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"prediction": {"answer": 0.5}}}}})");
+    QTest::newRow("answer is a text")
+        << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"prediction": {"answer": "1"}}}}})");
+    QTest::newRow("no moment of passing")
+        << QByteArray(R"({"lab-4.2": {"tasks": {"L42T1": {"passed_at": "yesterday"}}}})");
 }
 
 void TestProgress::takesNoMoreThanIsRight()
@@ -203,6 +220,8 @@ void TestProgress::takesNoMoreThanIsRight()
     for (const auto &[id, task] : store.lab(lab).tasks) {
         QVERIFY(!task.passed);
         QCOMPARE(task.hintsOpened, 0);
+        QVERIFY(task.guess == Guess{});
+        QVERIFY(!task.pass.when.isValid());
     }
 }
 

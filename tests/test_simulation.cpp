@@ -67,6 +67,8 @@ private slots:
     void anotherPresetRunsOnIfItWasRunning();
     void findsTheNextHit();
     void findsTheNextHitInTheRecording();
+    void goesBackFromHitToHit();
+    void pausesAtEveryHitIfAsked();
     void searchForAHitEndsAfterAMinuteWhereItBegan();
     void speedIsBounded_data();
     void speedIsBounded();
@@ -256,6 +258,48 @@ void TestSimulation::findsTheNextHitInTheRecording()
     QCOMPARE(simulation.recording().last(), qint64{400});
     simulation.seekNextHit(); // beyond the recording
     QVERIFY(simulation.recording().last() > 400);
+}
+
+void TestSimulation::goesBackFromHitToHit()
+{
+    Simulation simulation(metronome());
+    stepForward(simulation, 400);
+    const auto &hits = simulation.recording().hits(); // about 1 s, 3 s and 5 s
+    simulation.start();
+    for (std::size_t i = 3; i-- > 0;) {
+        simulation.seekPreviousHit();
+        QVERIFY(!simulation.isRunning());
+        QCOMPARE(simulation.recording().step(simulation.current()), hits[i].step);
+    }
+    simulation.seekPreviousHit();
+    QVERIFY(simulation.atStart());
+    simulation.seekPreviousHit();
+    QVERIFY(simulation.atStart());
+    QCOMPARE(simulation.recording().last(), qint64{400});
+}
+
+void TestSimulation::pausesAtEveryHitIfAsked()
+{
+    Simulation simulation(metronome());
+    simulation.setSpeed(Simulation::fastest); // 8 steps a frame: a hit is within one
+    simulation.setPausesAtHits(true);
+    for (std::size_t i = 0; i < 3; ++i) {
+        simulation.start();
+        QTRY_VERIFY(!simulation.isRunning());
+        const auto &hits = simulation.recording().hits();
+        QCOMPARE(hits.size(), i + 1);
+        QCOMPARE(simulation.recording().step(simulation.current()), hits[i].step);
+        QCOMPARE(simulation.current(), simulation.recording().last());
+    }
+    const qint64 third = simulation.current();
+    simulation.seek(0); // the same hits happen again
+    simulation.start();
+    QTRY_VERIFY(!simulation.isRunning());
+    QCOMPARE(simulation.recording().step(simulation.current()),
+             simulation.recording().hits().front().step);
+    simulation.setPausesAtHits(false);
+    simulation.start();
+    QTRY_VERIFY(simulation.current() > third);
 }
 
 void TestSimulation::searchForAHitEndsAfterAMinuteWhereItBegan()

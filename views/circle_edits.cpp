@@ -3,8 +3,7 @@
 #include "views/circle_edits.h"
 
 #include "model/collision_detection.h"
-
-#include <QCoreApplication>
+#include "views/circle_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@
 namespace cradle {
 
 namespace {
-
-struct EditText {
-    Q_DECLARE_TR_FUNCTIONS(CircleEdits)
-};
 
 constexpr double gapShare = 0.1; ///< of the radius, left between a circle and its copy
 constexpr int searchRings = 60;  ///< rings of places that are tried around a centre
@@ -61,7 +56,7 @@ QString freeName(const Preset &preset)
     for (const PresetCircle &circle : preset.circles)
         taken.insert(circle.name);
     for (std::size_t n = preset.circles.size() + 1;; ++n) {
-        const QString name = EditText::tr("circle %1").arg(n);
+        const QString name = plainCircleName(n);
         if (!taken.contains(name))
             return name;
     }

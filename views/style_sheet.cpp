@@ -103,6 +103,13 @@ QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 14px; height: 14px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
+QRadioButton::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
+    border-radius: 7px; background: @panel; }
+QRadioButton::indicator:hover { background: @accentSoft; }
+QRadioButton::indicator:checked { width: 6px; height: 6px; border: 4px solid @accent; }
+QRadioButton::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent;
+    background: @accentSoft; }
+QRadioButton::indicator:checked:focus { width: 4px; height: 4px; border: 5px solid @accent; }
 QSlider { min-height: 22px; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @controlBorder; }
 QSlider::handle:horizontal { width: 12px; margin: -6px 0; border-radius: 8px;

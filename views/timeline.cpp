@@ -106,12 +106,7 @@ void Timeline::seekHit(const Hit &hit)
 
 void Timeline::seekPreviousHit()
 {
-    const auto &hits = m_simulation.recording().hits();
-    const qint64 step = m_simulation.recording().step(m_simulation.current());
-    if (const auto hit = lastHit(hits, step - 1))
-        seekHit(hits[*hit]);
-    else
-        m_simulation.seek(m_simulation.recording().first());
+    m_simulation.seekPreviousHit();
 }
 
 void Timeline::seekFollowingHit()

@@ -65,6 +65,7 @@ void TransportBar::makeActions()
     m_stepBack = make(QStringLiteral("step-back"), Qt::Key_Left);
     m_run = make(QStringLiteral("run"), Qt::Key_Space);
     m_step = make(QStringLiteral("step"), Qt::Key_Right);
+    m_previousHit = make(QStringLiteral("previous-hit"), Qt::Key_P);
     m_nextHit = make(QStringLiteral("next-hit"), Qt::Key_N);
     m_slower = make({}, Qt::Key_BracketLeft);
     m_faster = make({}, Qt::Key_BracketRight);
@@ -75,6 +76,7 @@ void TransportBar::makeActions()
     connect(m_run, &QAction::triggered, this,
             [this] { m_simulation.setRunning(!m_simulation.isRunning()); });
     connect(m_step, &QAction::triggered, &m_simulation, &Simulation::stepForward);
+    connect(m_previousHit, &QAction::triggered, &m_simulation, &Simulation::seekPreviousHit);
     connect(m_nextHit, &QAction::triggered, &m_simulation, &Simulation::seekNextHit);
     connect(m_slower, &QAction::triggered, this,
             [this] { m_speed->setValue(m_speed->value() - 1); });
@@ -158,7 +160,9 @@ void TransportBar::showMoment()
     const qint64 step = m_simulation.recording().step(m_simulation.current());
     m_time->setText(tr("t = %1 s").arg(m_simulation.time(), 0, 'f', 3));
     m_stepCount->setText(tr("step %1").arg(step));
-    m_stepBack->setEnabled(m_simulation.current() > m_simulation.recording().first());
+    const bool hasPast = m_simulation.current() > m_simulation.recording().first();
+    m_stepBack->setEnabled(hasPast);
+    m_previousHit->setEnabled(hasPast);
 }
 
 void TransportBar::showSpeed()
@@ -193,6 +197,8 @@ void TransportBar::retranslate()
     m_step->setText(tr("Step"));
     m_step->setToolTip(tr("One step on"));
     m_run->setToolTip(tr("Run or pause"));
+    m_previousHit->setText(tr("Previous hit"));
+    m_previousHit->setToolTip(tr("Back to the collision before, or to the start"));
     m_nextHit->setText(tr("Next hit"));
     m_nextHit->setToolTip(tr("Run on to the next collision"));
     m_slower->setText(tr("Slower"));

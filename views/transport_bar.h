@@ -34,6 +34,7 @@ public:
     [[nodiscard]] QAction *stepBackAction() const { return m_stepBack; }
     [[nodiscard]] QAction *runAction() const { return m_run; } ///< Run or Pause
     [[nodiscard]] QAction *stepAction() const { return m_step; }
+    [[nodiscard]] QAction *previousHitAction() const { return m_previousHit; }
     [[nodiscard]] QAction *nextHitAction() const { return m_nextHit; }
     [[nodiscard]] QAction *slowerAction() const { return m_slower; }
     [[nodiscard]] QAction *fasterAction() const { return m_faster; }
@@ -78,6 +79,7 @@ private:
     QAction *m_stepBack = nullptr;
     QAction *m_run = nullptr;
     QAction *m_step = nullptr;
+    QAction *m_previousHit = nullptr;
     QAction *m_nextHit = nullptr;
     QAction *m_slower = nullptr;
     QAction *m_faster = nullptr;

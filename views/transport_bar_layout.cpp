@@ -31,6 +31,7 @@ void TransportBar::makeLayout()
     m_runButton = add(m_run, QStringLiteral("run"), IconTint::OnAccent);
     setKind(m_runButton, "primary");
     auto *step = add(m_step, QStringLiteral("step"), IconTint::Text);
+    auto *previousHit = add(m_previousHit, QStringLiteral("previous-hit"), IconTint::Text);
     auto *nextHit = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
     row->addSpacing(8);
     addReadout(row);
@@ -48,7 +49,7 @@ void TransportBar::makeLayout()
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progress->hide();
-    m_buttons = {restart, stepBack, step, nextHit, m_runButton, m_checkButton};
+    m_buttons = {previousHit, restart, stepBack, step, nextHit, m_runButton, m_checkButton};
 }
 
 void TransportBar::setModes(const QStringList &titles, int current)

@@ -6,6 +6,8 @@
 
 #include <QThreadPool>
 
+#include <cmath>
+
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -226,6 +228,13 @@ void TestMainWindowLab::progressSurvivesClosingAndReopening()
     QVERIFY2(m_open->window.notice().isHidden(), "this is not the first start");
     m_open->bench.openTaskAt(0);
     QCOMPARE(m_open->preset().circles[0].body.velocity.x, 2.0);
+    // The verdict is kept with its time and the commit message.
+    QVERIFY(m_open->says(QStringLiteral("You have passed this step")));
+    const QDateTime when = m_open->bench.pass().when;
+    QVERIFY(std::abs(when.secsTo(QDateTime::currentDateTimeUtc())) < 300);
+    QVERIFY(
+        m_open->says(when.toLocalTime().toString(QStringLiteral("'on 'yyyy-MM-dd' at 'HH:mm"))));
+    QVERIFY(m_open->says(QStringLiteral("L42T1 Set my circle moving off to the right")));
 }
 
 /// Also what was done in the moment before.

@@ -21,6 +21,7 @@ private slots:
     void choosesAStepByMouseAndKey();
     void scrollsToTheCurrentStep();
     void opensHintsOneAtATime();
+    void hintLinkIsInSightBesideALongText();
     void linkToAStepChoosesIt();
     void unreadFilesAreListed();
     void fitsTheNarrowestPane();
@@ -83,7 +84,11 @@ void TestTaskPane::opensHintsOneAtATime()
 {
     QSignalSpy opened(&m_open->pane, &TaskPane::hintOpened);
     const auto hints = [this] {
-        return m_open->pane.findChildren<MarkdownView *>()[1]->toPlainText();
+        for (const auto *view : m_open->pane.findChildren<MarkdownView *>()) {
+            if (view->accessibleName() == QLatin1String("Hints"))
+                return view->toPlainText();
+        }
+        return QString();
     };
     QAbstractButton *link = m_open->button(QStringLiteral("Hint 1 of 3"));
     QVERIFY(link);
@@ -101,6 +106,19 @@ void TestTaskPane::opensHintsOneAtATime()
     m_open->pane.showTask(m_open->lab.tasks[0], 1);
     QVERIFY(!hints().contains(QStringLiteral("more")));
     QVERIFY(m_open->button(QStringLiteral("Hint 2 of 3")));
+}
+
+void TestTaskPane::hintLinkIsInSightBesideALongText()
+{
+    m_open->lab.tasks[1].instructions += QStringLiteral("\n\nText.\n").repeated(100);
+    m_open->pane.resize(300, 500);
+    m_open->pane.showTask(m_open->lab.tasks[1], 0);
+    QCoreApplication::processEvents();
+    QAbstractButton *link = m_open->button(QStringLiteral("Hint 1 of 3"));
+    QVERIFY(link);
+    QCOMPARE(link->visibleRegion().boundingRect(), link->rect());
+    link->click();
+    QTRY_COMPARE(link->visibleRegion().boundingRect(), link->rect());
 }
 
 void TestTaskPane::linkToAStepChoosesIt()

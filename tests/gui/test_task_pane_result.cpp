@@ -31,6 +31,8 @@ private slots:
     void messagesKeepUnitsTogether();
     void rowOpensByAClickAndLeadsToItsMoment();
     void wrongStartHasNoMoment();
+    void stepPassedBeforeSaysWhen();
+    void sceneWithoutAStepHasNothingToCheck();
     void lastStepNamesWhatIsOpen();
     void resultLeavesRoomForInstructions_data();
     void resultLeavesRoomForInstructions();
@@ -147,6 +149,38 @@ void TestTaskPaneResult::wrongStartHasNoMoment()
     m_open->pane.setReport(failed);
     m_open->pane.findChildren<CheckRow *>().back()->findChild<QToolButton *>()->click();
     QVERIFY(!m_open->button(QStringLiteral("Show the moment")));
+}
+
+void TestTaskPaneResult::stepPassedBeforeSaysWhen()
+{
+    const Pass pass{.when = QDateTime({2026, 11, 20}, {9, 5}),
+                    .commit = QStringLiteral("T2: Mine")};
+    m_open->pane.setProgress({true, true, false}, 1, pass);
+    QVERIFY(m_open->says(QStringLiteral("You have passed this step")));
+    QVERIFY(m_open->says(QStringLiteral("on 2026-11-20 at 09:05")));
+    QVERIFY(m_open->says(QStringLiteral("T2: Mine")));
+    m_open->button(QStringLiteral("Copy"))->click();
+    QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("T2: Mine"));
+    QCoreApplication::processEvents();
+    QAbstractButton *next = m_open->button(QStringLiteral("Next step"));
+    QVERIFY(next);
+    QCOMPARE(next->visibleRegion().boundingRect(), next->rect());
+    // The file of an earlier version did not say when.
+    m_open->pane.setProgress({true, true, false}, 1, {});
+    QVERIFY(m_open->says(QStringLiteral("You have passed this step")));
+    QVERIFY(!m_open->says(QStringLiteral("on 2026")));
+    QVERIFY(!m_open->says(QStringLiteral("Commit message")));
+    m_open->pane.setProgress({true, true, false}, 2, {});
+    QVERIFY(m_open->says(QStringLiteral("Press Check")));
+}
+
+void TestTaskPaneResult::sceneWithoutAStepHasNothingToCheck()
+{
+    m_open->pane.setProgress({true, true, false}, -1);
+    QVERIFY(!m_open->says(QStringLiteral("Press Check")));
+    QVERIFY(m_open->says(QStringLiteral("this scene belongs to no step")));
+    m_open->pane.setProgress({true, true, false}, 2);
+    QVERIFY(m_open->says(QStringLiteral("Press Check")));
 }
 
 void TestTaskPaneResult::lastStepNamesWhatIsOpen()

@@ -56,7 +56,7 @@ private slots:
     void stepsForwardAndBack();
     void keysDriveTheSimulation();
     void runsAndPauses();
-    void goesToTheNextHit();
+    void goesToTheNextHitAndBack();
     void speedGoesInPowersOfTwo();
     void readoutDoesNotJump();
     void checkBecomesStop();
@@ -120,13 +120,21 @@ void TestTransportBar::runsAndPauses()
     QCOMPARE(bar.runAction()->text(), QStringLiteral("Run"));
 }
 
-void TestTransportBar::goesToTheNextHit()
+void TestTransportBar::goesToTheNextHitAndBack()
 {
     Simulation simulation(rolling());
     TransportBar bar(simulation);
     bar.nextHitAction()->trigger();
     QVERIFY(!simulation.recording().hits().empty());
     QVERIFY(std::abs(simulation.time() - 1.0) < 0.05);
+    const qint64 first = simulation.current();
+    bar.nextHitAction()->trigger();
+    QVERIFY(simulation.current() > first);
+    bar.previousHitAction()->trigger();
+    QCOMPARE(simulation.current(), first);
+    bar.previousHitAction()->trigger();
+    QVERIFY(simulation.atStart());
+    QVERIFY(!bar.previousHitAction()->isEnabled());
 }
 
 void TestTransportBar::speedGoesInPowersOfTwo()

@@ -4,6 +4,7 @@
 
 #include "views/charts/frame_throttle.h"
 #include "views/charts/quiet_button.h"
+#include "views/circle_name.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
@@ -141,7 +142,7 @@ QColor ChartPane::colourOf(std::size_t circle) const
 QString ChartPane::nameOf(std::size_t circle) const
 {
     const QString &name = m_simulation.preset().circles[circle].name;
-    return name.isEmpty() ? tr("circle %1").arg(circle + 1) : name;
+    return shownCircleName(name.isEmpty() ? plainCircleName(circle + 1) : name);
 }
 
 bool ChartPane::readRun()

@@ -3,6 +3,7 @@
 #include "views/charts/values_model.h"
 
 #include "views/charts/number_text.h"
+#include "views/circle_name.h"
 #include "views/theme.h"
 
 #include <array>
@@ -228,7 +229,8 @@ QVariant ValuesModel::circleHeader(int row, int role) const
                    : readableOn(circleColour(circles[i].colour), theme().panel);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        return isSum || i >= circles.size() ? tr("All circles together") : circles[i].name;
+        return isSum || i >= circles.size() ? tr("All circles together")
+                                            : shownCircleName(circles[i].name);
     default:
         return {};
     }

@@ -3,6 +3,7 @@
 #include "views/inspector/circle_table_model.h"
 
 #include "model/shortest_number.h"
+#include "views/circle_name.h"
 #include "views/theme.h"
 
 namespace cradle {
@@ -65,7 +66,7 @@ void setValue(PresetCircle &circle, int column, const QVariant &value)
     else if (column == CircleTableModel::Colour)
         circle.colour = value.toString();
     else if (column == CircleTableModel::Name)
-        circle.name = value.toString().simplified();
+        circle.name = keptCircleName(value.toString().simplified());
     else if (column == CircleTableModel::IntegratorColumn)
         circle.integrator = static_cast<Integrator>(value.toInt());
 }
@@ -94,7 +95,7 @@ QVariant CircleTableModel::text(const PresetCircle &circle, int column) const
     if (const double *number = numberOf(circle, column))
         return shortestNumber(*number);
     if (column == Name)
-        return circle.name;
+        return shownCircleName(circle.name);
     if (column == IntegratorColumn)
         return integratorText(circle.integrator);
     if (column == Mass)
@@ -109,7 +110,7 @@ QVariant CircleTableModel::value(const PresetCircle &circle, int column) const
     if (column == Colour)
         return circle.colour;
     if (column == Name)
-        return circle.name;
+        return shownCircleName(circle.name);
     if (column == IntegratorColumn)
         return static_cast<int>(circle.integrator);
     return mass(circle.body);
@@ -168,7 +169,7 @@ bool CircleTableModel::setData(const QModelIndex &index, const QVariant &value, 
     if (!index.isValid() || row >= m_document.preset().circles.size() || index.column() == Mass)
         return false;
     Preset changed = m_document.preset();
-    const QString name = changed.circles[row].name;
+    const QString name = shownCircleName(changed.circles[row].name);
     setValue(changed.circles[row], index.column(), value);
     if (changed == m_document.preset())
         return true;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/handles.h"
 
+#include "views/circle_name.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -95,7 +97,7 @@ QString pairText(Vec2 value)
 QString circleName(const Preset &preset, int index)
 {
     const QString name = preset.circles[static_cast<std::size_t>(index)].name;
-    return name.isEmpty() ? QString::number(index + 1) : name;
+    return name.isEmpty() ? QString::number(index + 1) : shownCircleName(name);
 }
 
 Vec2 withinWalls(const Preset &preset, int index)

@@ -3,6 +3,7 @@
 #include "views/scene/scene_builder.h"
 
 #include "model/simulation.h"
+#include "views/circle_name.h"
 #include "views/scene/ghost.h"
 #include "views/scene/handles.h"
 #include "views/scene/hit_parts.h"
@@ -133,9 +134,9 @@ QColor textOn(const QColor &fill)
 QString shortName(const Preset &preset, int index)
 {
     const QString &name = preset.circles[static_cast<std::size_t>(index)].name;
-    const QString number = QString::number(index + 1);
-    const bool plain = name.isEmpty() || name == QStringLiteral("circle %1").arg(number);
-    return plain ? number : name;
+    const auto number = static_cast<std::size_t>(index) + 1;
+    const bool plain = name.isEmpty() || name == plainCircleName(number);
+    return plain ? QString::number(number) : shownCircleName(name);
 }
 
 void addName(SceneDraft &draft, const SceneMoment &moment, const Circle &circle, int index,

@@ -3,6 +3,7 @@
 #include "views/scene/scene_editor.h"
 
 #include "views/circle_edits.h"
+#include "views/circle_name.h"
 #include "views/scene/handles.h"
 
 #include <cmath>
@@ -66,7 +67,7 @@ void SceneEditor::keepSelectionValid()
 void SceneEditor::addCircle(Vec2 at)
 {
     const Preset changed = withAddedCircle(preset(), at);
-    if (commit(tr("Add %1").arg(changed.circles.back().name), changed))
+    if (commit(tr("Add %1").arg(shownCircleName(changed.circles.back().name)), changed))
         select(circleCount() - 1);
 }
 

@@ -6,6 +6,7 @@
 #include "views/icons.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/growing_text.h"
+#include "views/task_pane/prediction_card.h"
 #include "views/theme.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -23,6 +24,25 @@
 namespace cradle {
 
 namespace {
+
+/// Where the first section of \p markdown begins, behind its title and introduction; its length
+/// if it has none.
+qsizetype firstSection(const QString &markdown)
+{
+    static const QString fence = QStringLiteral("```");
+    bool code = false;
+    for (qsizetype start = 0; start < markdown.size();) {
+        const qsizetype newline = markdown.indexOf(QLatin1Char('\n'), start);
+        const qsizetype end = newline < 0 ? markdown.size() : newline + 1;
+        const QStringView line = QStringView(markdown).mid(start, end - start);
+        if (line.trimmed().startsWith(fence))
+            code = !code;
+        if (!code && line.startsWith(u"## "))
+            return start;
+        start = end;
+    }
+    return markdown.size();
+}
 
 } // namespace
 
@@ -50,15 +70,18 @@ void InstructionsPane::makeLayout()
     column->setContentsMargins(8, 0, 8, 8);
     column->setSpacing(0);
     m_instructions = new MarkdownView(content, m_renderer);
+    m_prediction = new PredictionCard(m_renderer, content);
+    m_rest = new MarkdownView(content, m_renderer);
     m_hints = new MarkdownView(content, m_renderer);
-    m_nextHint = new QPushButton(content);
+    m_nextHint = new QPushButton(this);
     setKind(m_nextHint, "link");
     m_nextHint->setIcon(icon(u"hint", IconTint::Accent));
     column->addWidget(m_instructions);
+    column->addWidget(m_prediction);
+    column->addWidget(m_rest);
     column->addWidget(m_hints);
-    column->addWidget(m_nextHint, 0, Qt::AlignLeft);
     column->addStretch(1);
-    for (MarkdownView *view : {m_instructions, m_hints})
+    for (MarkdownView *view : {m_instructions, m_rest, m_hints})
         addView(view);
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -70,6 +93,14 @@ void InstructionsPane::makeLayout()
     outer->setSpacing(0);
     outer->addWidget(m_heading);
     outer->addWidget(m_scroll, 1);
+    // Below what scrolls, so that it is in sight however long the text is.
+    auto *footer = new QHBoxLayout;
+    footer->setContentsMargins(8, 2, 8, 2);
+    footer->addWidget(m_nextHint, 0, Qt::AlignLeft);
+    outer->addLayout(footer);
+    connect(m_prediction, &PredictionCard::answered, this, &InstructionsPane::predicted);
+    connect(m_prediction, &PredictionCard::outcomeRequested, this,
+            &InstructionsPane::outcomeRequested);
     connect(m_nextHint, &QPushButton::clicked, this, [this] {
         setHintsOpened(m_opened + 1);
         emit hintOpened(m_opened);
@@ -87,7 +118,13 @@ void InstructionsPane::addView(MarkdownView *view)
 void InstructionsPane::showTask(const Task &task, int hintsOpened)
 {
     m_task = task;
-    m_instructions->setMarkdown(task.instructions, QUrl::fromLocalFile(task.folder));
+    const QUrl folder = QUrl::fromLocalFile(task.folder);
+    const qsizetype start = task.prediction ? firstSection(task.instructions) : -1;
+    m_instructions->setMarkdown(task.instructions.left(start), folder);
+    m_rest->setMarkdown(start < 0 ? QString() : task.instructions.mid(start), folder);
+    m_rest->setVisible(start >= 0);
+    m_prediction->setPrediction(task.prediction);
+    m_revealed = true; // only what is revealed before the student's eyes comes in sight
     m_scroll->verticalScrollBar()->setValue(0);
     m_opened = -1;
     setHintsOpened(hintsOpened);
@@ -100,6 +137,19 @@ void InstructionsPane::setHintsOpened(int count)
         return;
     m_opened = bounded;
     showHints();
+}
+
+void InstructionsPane::setGuess(const Guess &guess)
+{
+    m_prediction->setGuess(guess);
+    if (guess.revealed && !m_revealed)
+        QTimer::singleShot(0, this, &InstructionsPane::revealPrediction);
+    m_revealed = guess.revealed;
+}
+
+void InstructionsPane::revealPrediction()
+{
+    m_scroll->ensureWidgetVisible(m_prediction, 0, 8);
 }
 
 void InstructionsPane::showHints()
@@ -124,6 +174,7 @@ void InstructionsPane::retranslate()
 {
     m_heading->setText(tr("Instructions"));
     m_instructions->setAccessibleName(tr("Instructions"));
+    m_rest->setAccessibleName(tr("Instructions"));
     m_hints->setAccessibleName(tr("Hints"));
     showHints();
 }

@@ -15,8 +15,9 @@ namespace cradle {
 
 class FormulaRenderer;
 class MarkdownView;
+class PredictionCard;
 
-/// The instructions of a step, and below them its hints, opened one at a time.
+/// The instructions of a step with its prediction, and below them its hints, opened one at a time.
 class InstructionsPane final : public QWidget
 {
     Q_OBJECT
@@ -26,6 +27,8 @@ public:
 
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
+    /// What the student expects of the step; once it is revealed, it comes in sight.
+    void setGuess(const Guess &guess);
     /// Sets formulas; for other views that live no longer than this one.
     [[nodiscard]] FormulaRenderer *renderer() const { return m_renderer; }
     [[nodiscard]] int hintsOpened() const { return m_opened; }
@@ -33,6 +36,8 @@ public:
 signals:
     void hintOpened(int count); ///< how many are open now
     void stepRequested(const QString &taskId);
+    void predicted(int answer); ///< from 0, or Guess::notSure
+    void outcomeRequested();
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -44,15 +49,19 @@ private:
     void retranslate();
     void showHints();
     void revealHints(); ///< they are last
+    void revealPrediction();
 
     FormulaRenderer *m_renderer = nullptr;
     QLabel *m_heading = nullptr;
     QScrollArea *m_scroll = nullptr;
-    MarkdownView *m_instructions = nullptr;
+    MarkdownView *m_instructions = nullptr; ///< all, or what stands before the prediction
+    PredictionCard *m_prediction = nullptr;
+    MarkdownView *m_rest = nullptr;  ///< of the instructions, after the prediction
     MarkdownView *m_hints = nullptr; ///< those that are open, below each other
     QPushButton *m_nextHint = nullptr;
     Task m_task;
     int m_opened = 0;
+    bool m_revealed = false; ///< the outcome of the prediction
 };
 
 } // namespace cradle

@@ -76,11 +76,20 @@ void ResultPane::setStale(bool stale)
     rebuild();
 }
 
-void ResultPane::setPassed(bool passed)
+void ResultPane::setHasStep(bool hasStep)
 {
-    if (passed == m_passed)
+    if (hasStep == m_hasStep)
+        return;
+    m_hasStep = hasStep;
+    rebuild();
+}
+
+void ResultPane::setPassed(bool passed, const Pass &pass)
+{
+    if (passed == m_passed && pass == m_pass)
         return;
     m_passed = passed;
+    m_pass = pass;
     rebuild();
 }
 
@@ -118,9 +127,10 @@ void ResultPane::rebuild()
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(12, 0, 12, 12);
     column->setSpacing(6);
-    if (!m_report && m_passed) {
-        addText(column, tr("✓ You have passed this step"), "successTitle");
-        addWayOn(column);
+    if (!m_hasStep) {
+        addText(column, tr("Nothing to check: this scene belongs to no step."), "muted");
+    } else if (!m_report && m_passed) {
+        addPass(column);
     } else if (!m_report) {
         addText(column, tr("Press Check (Ctrl+Return) when you are done."), "muted");
     } else {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/check_report.h"
+#include "tasks/progress.h"
 
 #include <QWidget>
 
@@ -31,8 +32,11 @@ public:
     /// \param stillOpen  numbers of the other steps that are not passed
     void setLast(bool last, const QStringList &stillOpen);
 
+    /// Whether there is something to check: not in a scene without a step.
+    void setHasStep(bool hasStep);
     /// Whether the step was passed, now or some time before.
-    void setPassed(bool passed);
+    /// \param pass  what is left of that
+    void setPassed(bool passed, const Pass &pass);
     /// Whether the student's program can be compared with the reference.
     void setOffersSolution(bool offers);
 
@@ -56,7 +60,8 @@ private:
     void addLinks(QVBoxLayout *card, const CheckOutcome &outcome);
     void addLineLink(QHBoxLayout *row, int line);
     void addSuccess(QVBoxLayout *column);
-    void addCommit(QVBoxLayout *column);
+    void addPass(QVBoxLayout *column);
+    void addCommit(QVBoxLayout *column, const QString &commit);
     void addWayOn(QVBoxLayout *column);
     void addChecks(QVBoxLayout *column);
     QLabel *addText(QVBoxLayout *column, const QString &text, const char *kind);
@@ -70,7 +75,9 @@ private:
     int m_done = 0;
     int m_total = 0;
     bool m_stale = false;
+    bool m_hasStep = true;
     bool m_passed = false;
+    Pass m_pass;
     bool m_last = false;
     bool m_offersSolution = false;
     QStringList m_stillOpen;

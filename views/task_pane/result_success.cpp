@@ -25,9 +25,26 @@ void ResultPane::addSuccess(QVBoxLayout *column)
     for (const Remark &remark : m_report->remarks)
         addRemark(column, remark);
     if (!m_report->commit.isEmpty())
-        addCommit(column);
+        addCommit(column, m_report->commit);
     addWayOn(column);
     addChecks(column);
+}
+
+/// Of a step that was passed before: what is left when the report is gone.
+void ResultPane::addPass(QVBoxLayout *column)
+{
+    addText(column, tr("✓ You have passed this step"), "successTitle");
+    if (m_pass.when.isValid()) {
+        const QDateTime when = m_pass.when.toLocalTime();
+        addText(column,
+                tr("on %1 at %2")
+                    .arg(when.toString(QStringLiteral("yyyy-MM-dd")),
+                         when.toString(QStringLiteral("HH:mm"))),
+                "muted");
+    }
+    if (!m_pass.commit.isEmpty())
+        addCommit(column, m_pass.commit);
+    addWayOn(column);
 }
 
 /// To the next step, or what is left of the lab.
@@ -60,7 +77,7 @@ void ResultPane::addWayOn(QVBoxLayout *column)
 }
 
 /// The commit message, to take along.
-void ResultPane::addCommit(QVBoxLayout *column)
+void ResultPane::addCommit(QVBoxLayout *column, const QString &commit)
 {
     auto *card = new QFrame;
     setKind(card, "card");
@@ -71,7 +88,7 @@ void ResultPane::addCommit(QVBoxLayout *column)
     grid->setColumnStretch(0, 1);
     auto *caption = new QLabel(tr("Commit message"));
     setKind(caption, "muted");
-    auto *message = new QLabel(m_report->commit);
+    auto *message = new QLabel(commit);
     message->setWordWrap(true);
     message->setTextFormat(Qt::PlainText);
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -85,7 +102,7 @@ void ResultPane::addCommit(QVBoxLayout *column)
     grid->addWidget(copy, 0, 1, 2, 1, Qt::AlignTop);
     column->addWidget(card);
     connect(copy, &QPushButton::clicked, this,
-            [text = m_report->commit] { QGuiApplication::clipboard()->setText(text); });
+            [text = commit] { QGuiApplication::clipboard()->setText(text); });
 }
 
 void ResultPane::addRemark(QVBoxLayout *column, const Remark &remark)

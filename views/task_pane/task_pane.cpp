@@ -17,6 +17,7 @@ namespace {
 
 constexpr int narrowest = 260;        ///< px
 constexpr int resultHeight = 320;     ///< px, with a report; the student may change it
+constexpr int passedHeight = 190;     ///< px, of a step that was passed before
 constexpr double resultShare = 0.42;  ///< of the pane, at most
 constexpr int emptyResultHeight = 64; ///< px, while there is none
 constexpr int lowPane = 640;          ///< px; a lower pane shows fewer steps
@@ -49,6 +50,8 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_steps, &StepsList::stepChosen, this, &TaskPane::stepChosen);
     connect(m_instructions, &InstructionsPane::stepRequested, this, &TaskPane::chooseById);
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
+    connect(m_instructions, &InstructionsPane::predicted, this, &TaskPane::predicted);
+    connect(m_instructions, &InstructionsPane::outcomeRequested, this, &TaskPane::outcomeRequested);
     connect(m_result, &ResultPane::showMoment, this, &TaskPane::showMoment);
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
     connect(m_result, &ResultPane::lineRequested, this, &TaskPane::lineRequested);
@@ -63,7 +66,7 @@ void TaskPane::setLab(const Lab &lab)
     m_steps->setLab(lab);
 }
 
-void TaskPane::setProgress(const std::vector<bool> &passed, int current)
+void TaskPane::setProgress(const std::vector<bool> &passed, int current, const Pass &pass)
 {
     m_steps->setProgress(passed, current);
     QStringList stillOpen;
@@ -72,7 +75,13 @@ void TaskPane::setProgress(const std::vector<bool> &passed, int current)
             stillOpen.append(QString::number(i + 1));
     }
     const auto index = static_cast<std::size_t>(current);
-    m_result->setPassed(current >= 0 && index < passed.size() && passed[index]);
+    const bool hasPassed = current >= 0 && index < passed.size() && passed[index];
+    m_result->setHasStep(current >= 0);
+    m_result->setPassed(hasPassed, pass);
+    if (hasPassed != m_hasPassed) {
+        m_hasPassed = hasPassed;
+        shareHeight();
+    }
     m_result->setLast(current >= 0 && current + 1 == static_cast<int>(passed.size()), stillOpen);
 }
 
@@ -84,6 +93,11 @@ void TaskPane::showTask(const Task &task, int hintsOpened)
 void TaskPane::setHintsOpened(int count)
 {
     m_instructions->setHintsOpened(count);
+}
+
+void TaskPane::setGuess(const Guess &guess)
+{
+    m_instructions->setGuess(guess);
 }
 
 void TaskPane::setReport(const std::optional<CheckReport> &report)
@@ -99,8 +113,11 @@ void TaskPane::setReport(const std::optional<CheckReport> &report)
 void TaskPane::shareHeight()
 {
     const int most = static_cast<int>(resultShare * height());
-    const int result = m_hasReport ? std::min(resultHeight, most) : emptyResultHeight;
-    const int rows = height() >= lowPane ? manySteps : m_hasReport ? fewestSteps : fewSteps;
+    const int wanted = m_hasReport ? resultHeight : m_hasPassed ? passedHeight : emptyResultHeight;
+    const int result = std::min(wanted, most);
+    const int rows = height() >= lowPane          ? manySteps
+                     : m_hasReport || m_hasPassed ? fewestSteps
+                                                  : fewSteps;
     const int steps = m_shared ? m_splitter->sizes().value(0) : m_steps->heightOf(rows);
     m_splitter->setSizes({steps, std::max(1, height() - steps - result), result});
 }

@@ -4,6 +4,7 @@
 
 #include "tasks/check_report.h"
 #include "tasks/lab.h"
+#include "tasks/progress.h"
 
 #include <QWidget>
 
@@ -25,10 +26,13 @@ public:
 
     void setLab(const Lab &lab);
     /// \param passed   one per step
-    /// \param current  the open step
-    void setProgress(const std::vector<bool> &passed, int current);
+    /// \param current  the open step; −1: the scene belongs to none
+    /// \param pass     what is left of the check that the open step passed
+    void setProgress(const std::vector<bool> &passed, int current, const Pass &pass = {});
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
+    /// What the student expects of the open step; after showTask().
+    void setGuess(const Guess &guess);
     /// Shows a report, or that there is none yet; ends setChecking and setStale.
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done = 0, int total = 0);
@@ -39,6 +43,8 @@ public:
 signals:
     void stepChosen(int step);  ///< from the list, or by a link in the instructions
     void hintOpened(int count); ///< how many hints of the step are open now
+    void predicted(int answer); ///< from 0, or Guess::notSure
+    void outcomeRequested();    ///< of the prediction
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
     void solutionRequested();
@@ -56,6 +62,7 @@ private:
     ResultPane *m_result = nullptr;
     QSplitter *m_splitter = nullptr;
     bool m_hasReport = false;
+    bool m_hasPassed = false;
     bool m_shared = false; ///< by the student's hand
     QStringList m_taskIds;
 };

@@ -1,0 +1,31 @@
+-- The ball falls through the floor
+--
+-- Your ball falls as it should, and at $t = 1.02$ s its rim goes past the floor at $y = -4$ m
+-- and it falls on. A step that moves the ball does not know of the floor; it must be asked after
+-- the move. Look for what `on_update` does then.
+
+-- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, -9.81)
+  restitution = 0.8
+end
+
+-- The floor does not move, so the ball leaves it with e times the speed it came with, upward, and
+-- goes back to where it was before the step. Only a ball that moves down: one that is on its way
+-- up has been turned already.
+local function bounce_off_floor(ball, old_position)
+  local p, v = ball.position, ball.velocity
+  if p.y - ball.radius < square.bottom and v.y < 0 then
+    ball.position = vec(p.x, old_position.y)
+    ball.velocity = vec(v.x, -restitution * v.y)
+  end
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the ball.
+function on_update(timestep)
+  local old_position = circle1.position
+  circle1.velocity = circle1.velocity + gravity * timestep
+  circle1.position = circle1.position + circle1.velocity * timestep
+end

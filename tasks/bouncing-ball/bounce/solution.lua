@@ -1,0 +1,26 @@
+-- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, -9.81)
+  restitution = 0.8
+end
+
+-- The floor does not move, so the ball leaves it with e times the speed it came with, upward, and
+-- goes back to where it was before the step. Only a ball that moves down: one that is on its way
+-- up has been turned already.
+local function bounce_off_floor(ball, old_position)
+  local p, v = ball.position, ball.velocity
+  if p.y - ball.radius < square.bottom and v.y < 0 then
+    ball.position = vec(p.x, old_position.y)
+    ball.velocity = vec(v.x, -restitution * v.y)
+  end
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the ball.
+function on_update(timestep)
+  local old_position = circle1.position
+  circle1.velocity = circle1.velocity + gravity * timestep
+  circle1.position = circle1.position + circle1.velocity * timestep
+  bounce_off_floor(circle1, old_position)
+end

@@ -1,0 +1,17 @@
+-- Your ball falls upward
+--
+-- After step 1 your ball has $v_y = +0.1635$ m/s and rises to the ceiling. The weight points to
+-- the floor, and $y$ counts upward. Look at the sign of the vector that you assign to `gravity`.
+
+-- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, 9.81)
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the ball.
+function on_update(timestep)
+  circle1.velocity = circle1.velocity + gravity * timestep
+  circle1.position = circle1.position + circle1.velocity * timestep
+end

@@ -1,0 +1,19 @@
+-- The ball hangs in the air
+--
+-- After 60 steps your ball is still where it was let go. It takes two things to fall: a value in
+-- m/s², and a line that lets it change the velocity in every step. Look for the first in
+-- `on_load` and for the second in `on_update`. A `local gravity` would be a variable of its own,
+-- which nobody else sees.
+
+-- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, 0)
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the ball.
+function on_update(timestep)
+  circle1.velocity = circle1.velocity + gravity * timestep
+  circle1.position = circle1.position + circle1.velocity * timestep
+end

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/prediction.h"
+
+#include "model/preset_json.h"
+#include "tasks/lab_reader.h"
+#include "tasks/observation.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace cradle;
+
+class TestPrediction : public QObject
+{
+    Q_OBJECT
+private slots:
+    void readsTheQuestionOfAStep();
+    void isNotThereWithoutAQuestion();
+    void takesATranslationThatIsWhole_data();
+    void takesATranslationThatIsWhole();
+    void rightAnswerMustBeOneOfThem_data();
+    void rightAnswerMustBeOneOfThem();
+    void readerNamesTheWrongPlace();
+    void outcomesOfTheLabComeTrue_data();
+    void outcomesOfTheLabComeTrue();
+};
+
+namespace {
+
+const char good[] = R"({"prediction": {"question": "Up?", "answers": ["yes", "no", "both"],
+                        "right": 2, "outcome": "It falls."}})";
+
+QJsonObject object(const QByteArray &text)
+{
+    return QJsonDocument::fromJson(text).object();
+}
+
+/// A run of a step's scene that passes, \p seconds long.
+Observation run(const char *step, double seconds, std::optional<double> restitution = {})
+{
+    const Lab lab = *readLab(QLatin1String(shippedLab));
+    const Task &task = lab.tasks[static_cast<std::size_t>(lab.indexOf(QLatin1String(step)))];
+    Preset preset = *readPreset(task.folder + QStringLiteral("/solution-preset.json"));
+    preset.restitution = restitution.value_or(preset.restitution);
+    return observe({.name = QStringLiteral("own"), .preset = preset, .duration = seconds});
+}
+
+struct Moment {
+    std::vector<Circle> circles;
+
+    [[nodiscard]] Vec2 momentum() const
+    {
+        Vec2 sum{};
+        for (const Circle &circle : circles)
+            sum = sum + circle.velocity * mass(circle);
+        return sum;
+    }
+};
+
+Moment after(const char *step, double seconds, std::optional<double> restitution = {})
+{
+    const Observation seen = run(step, seconds, restitution);
+    Moment moment;
+    for (int c = 0; c < seen.circleCount(); ++c)
+        moment.circles.push_back(seen.circle(c, seen.steps()));
+    return moment;
+}
+
+/// The highest y of circle 1 between the first time at the floor and the next.
+double firstRise(const char *step)
+{
+    const Observation seen = run(step, 4.0);
+    qint64 k = 1;
+    while (seen.circle(0, k).velocity.y <= 0.0)
+        ++k;
+    for (; seen.circle(0, k).velocity.y > 0.0; ++k) {
+    }
+    return seen.circle(0, k).position.y;
+}
+
+struct Outcome {
+    const char *step;
+    const char *answer;  ///< that comes true
+    bool (*comesTrue)(); ///< in a run
+};
+
+bool near(double a, double b, double tolerance)
+{
+    return std::abs(a - b) <= tolerance;
+}
+
+// clang-format off
+const Outcome outcomes[] = {
+    {"L42T1", "at x = 0", [] { return near(after("L42T1", 1.0).circles[0].position.x, 0.0, 1e-9); }},
+    {"L42T2", "the momentum turns round, the energy stays", [] {
+        return near(after("L42T2", 3.0).circles[0].velocity.x, -2.0, 1e-9); }},
+    {"L42T3", "a little higher", [] { return near(firstRise("L42T3"), 2.36, 0.01); }},
+    {"L42T5", "lower than circle 1", [] {
+        const Moment m = after("L42T5", 1.0);
+        return near(m.circles[0].position.y - m.circles[1].position.y, 0.1635, 1e-9); }},
+    {"L42X6", "Verlet and Runge-Kutta 4", [] {
+        return near(after("L42X6", 1.0).circles[1].position.y, -2.905, 1e-9); }},
+    {"L42T8", "nothing: circle 1 keeps all of it", [] {
+        const Moment m = after("L42T8", 2.0);
+        return near(m.circles[0].velocity.x, 2.0, 1e-9) && near(m.circles[1].velocity.x, 0.0, 1e-9); }},
+    {"L42T10", "circle 1 stops, circle 2 goes on with 2 m/s", [] {
+        const Moment m = after("L42T10", 2.0);
+        return near(m.circles[0].velocity.x, 0.0, 1e-9) && near(m.circles[1].velocity.x, 2.0, 1e-9); }},
+    {"L42T11", "down to the right, along the line of centres", [] {
+        const Vec2 v = after("L42T11", 2.0).circles[1].velocity;
+        return near(v.x, 0.875, 0.01) && near(v.y, -0.992, 0.01); }},
+    {"L42T12", "circle 1 goes up, circle 2 to the right", [] {
+        const Moment m = after("L42T12", 2.0);
+        return near(m.circles[0].velocity.y, 2.0, 1e-9) && near(m.circles[1].velocity.x, 2.0, 1e-9); }},
+    {"L42T13", "8 times", [] {
+        const Moment m = after("L42T13", 2.0);
+        return near(mass(m.circles[1]) / mass(m.circles[0]), 8.0, 1e-9) && near(m.momentum().x, 4182.1, 0.1); }},
+    {"L42T14", "circle 1, the light one", [] {
+        const Moment m = after("L42T14", 2.0);
+        return near(m.circles[0].velocity.x, -1.667, 0.001) && near(m.circles[1].velocity.x, 0.333, 0.001); }},
+    {"L42T15", "next to nothing", [] {
+        const Moment then = after("L42T14", 2.0);
+        const Moment now = after("L42T15", 2.0);
+        return near(now.circles[0].velocity.x, then.circles[0].velocity.x, 2e-4)
+               && near(now.circles[1].velocity.x, then.circles[1].velocity.x, 2e-4)
+               && near(then.momentum().x / now.momentum().x, 7.8, 0.01); }},
+    {"L42T16", "no, they go on together", [] {
+        const Moment m = after("L42T16", 2.0, 0.0);
+        return near(m.circles[0].velocity.x, -1.0 / 3.0, 1e-9) && near(m.circles[1].velocity.x, -1.0 / 3.0, 1e-9); }},
+    {"L42T17", "about 3.3 m, 0.75² of that", [] { return near(firstRise("L42T17") + 3.8, 3.3, 0.15); }},
+};
+// clang-format on
+
+} // namespace
+
+void TestPrediction::readsTheQuestionOfAStep()
+{
+    const auto prediction = readPrediction(object(good), {});
+    QVERIFY(prediction);
+    QCOMPARE(prediction->question, QStringLiteral("Up?"));
+    QCOMPARE(prediction->answers,
+             (QStringList{QStringLiteral("yes"), QStringLiteral("no"), QStringLiteral("both")}));
+    QCOMPARE(prediction->right, 1); // counted from 1 in the file
+    QCOMPARE(prediction->outcome, QStringLiteral("It falls."));
+    QVERIFY(predictionFault(object(good)).isEmpty());
+}
+
+void TestPrediction::isNotThereWithoutAQuestion()
+{
+    QVERIFY(!readPrediction({}, {}));
+    // A translation alone asks nothing.
+    QVERIFY(!readPrediction({}, object(good)));
+    QVERIFY(predictionFault({}).isEmpty());
+}
+
+void TestPrediction::takesATranslationThatIsWhole_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<QString>("question");
+    QTest::newRow("whole") << QByteArray(
+        R"({"prediction": {"question": "Hoch?", "answers": ["ja", "nein", "beides"],
+                          "outcome": "Er fällt."}})")
+                           << QStringLiteral("Hoch?");
+    QTest::newRow("none") << QByteArray("{}") << QStringLiteral("Up?");
+    QTest::newRow("an answer is missing")
+        << QByteArray(R"({"prediction": {"question": "Hoch?", "answers": ["ja", "nein"],
+                          "outcome": "Er fällt."}})")
+        << QStringLiteral("Up?");
+    QTest::newRow("the outcome is missing") << QByteArray(
+        R"({"prediction": {"question": "Hoch?", "answers": ["ja", "nein", "beides"]}})")
+                                            << QStringLiteral("Up?");
+}
+
+void TestPrediction::takesATranslationThatIsWhole()
+{
+    QFETCH(QByteArray, words);
+    QFETCH(QString, question);
+    const auto prediction = readPrediction(object(good), object(words));
+    QVERIFY(prediction);
+    QCOMPARE(prediction->question, question);
+    QCOMPARE(prediction->answers.size(), 3);
+    QCOMPARE(prediction->right, 1);
+}
+
+void TestPrediction::rightAnswerMustBeOneOfThem_data()
+{
+    QTest::addColumn<int>("right");
+    QTest::addColumn<bool>("good");
+    QTest::newRow("none") << 0 << false;
+    QTest::newRow("first") << 1 << true;
+    QTest::newRow("last") << 3 << true;
+    QTest::newRow("past the last") << 4 << false;
+}
+
+void TestPrediction::rightAnswerMustBeOneOfThem()
+{
+    QFETCH(int, right);
+    QFETCH(bool, good);
+    QJsonObject json = object(::good);
+    QJsonObject part = json.value(QStringLiteral("prediction")).toObject();
+    part.insert(QStringLiteral("right"), right);
+    json.insert(QStringLiteral("prediction"), part);
+    QCOMPARE(predictionFault(json).isEmpty(), good);
+    QCOMPARE(readPrediction(json, {}).has_value(), good);
+}
+
+/// The step stays, without its question.
+void TestPrediction::readerNamesTheWrongPlace()
+{
+    const QTemporaryDir folder;
+    const QString from = QStringLiteral(CRADLE_FIXTURES "/labs/good/");
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("S1")));
+    for (const char *name : {"S1/preset.json", "S1/instructions.md"})
+        QVERIFY(QFile::copy(from + QLatin1String(name), folder.filePath(QLatin1String(name))));
+    QFile lab(folder.filePath(QStringLiteral("lab.json")));
+    QVERIFY(lab.open(QIODevice::WriteOnly));
+    lab.write(R"({"format": 1, "id": "x", "title": "X", "version": "1", "language": "en",
+                  "steps": ["S1"]})");
+    lab.close();
+    QFile original(from + QStringLiteral("S1/task.json"));
+    QVERIFY(original.open(QIODevice::ReadOnly));
+    QJsonObject task = object(original.readAll());
+    QJsonObject part = object(good).value(QStringLiteral("prediction")).toObject();
+    const auto findingsWith = [&](const char *key, const QJsonValue &value) {
+        part.insert(QLatin1String(key), value);
+        task.insert(QStringLiteral("prediction"), part);
+        QFile file(folder.filePath(QStringLiteral("S1/task.json")));
+        if (file.open(QIODevice::WriteOnly))
+            file.write(QJsonDocument(task).toJson());
+        file.close();
+        return readLab(folder.path())->findings;
+    };
+    QVERIFY(findingsWith("right", 3).empty());
+    QCOMPARE(readLab(folder.path())->tasks[0].prediction->right, 2);
+    const std::vector<Error> none = findingsWith("right", 4);
+    QCOMPARE(none.size(), std::size_t{1});
+    QCOMPARE(none[0].pointer, QStringLiteral("/prediction/right"));
+    QVERIFY(none[0].message.contains(QStringLiteral("from 1 to 3")));
+    QCOMPARE(readLab(folder.path())->tasks.size(), std::size_t{1});
+    QVERIFY(!readLab(folder.path())->tasks[0].prediction);
+    // What the schema refuses leaves the step out, as any other wrong place does.
+    const std::vector<Error> single =
+        findingsWith("answers", QJsonArray{QStringLiteral("only one")});
+    QCOMPARE(single.size(), std::size_t{1});
+    QCOMPARE(single[0].pointer, QStringLiteral("/prediction/answers"));
+    QVERIFY(single[0].message.contains(QStringLiteral("a list of two to four answers")));
+}
+
+void TestPrediction::outcomesOfTheLabComeTrue_data()
+{
+    QTest::addColumn<int>("index");
+    int index = 0;
+    for (const Outcome &outcome : outcomes)
+        QTest::newRow(outcome.step) << index++;
+}
+
+/// The answer that the lab calls right is what the engine does.
+void TestPrediction::outcomesOfTheLabComeTrue()
+{
+    QFETCH(int, index);
+    const Outcome &outcome = outcomes[index];
+    const Lab lab = *readLab(QLatin1String(shippedLab));
+    const auto &prediction =
+        lab.tasks[static_cast<std::size_t>(lab.indexOf(QLatin1String(outcome.step)))].prediction;
+    QVERIFY(prediction);
+    QCOMPARE(prediction->answers[prediction->right], QString::fromUtf8(outcome.answer));
+    QVERIFY(outcome.comesTrue());
+}
+
+QTEST_GUILESS_MAIN(TestPrediction)
+#include "test_prediction.moc"
