@@ -22,6 +22,7 @@ struct Entry {
 constexpr std::array subcommands{
     Entry{"check", "judges a program or a preset for one step of a lab", check},
     Entry{"simulate", "runs a scene and writes what happens", simulate},
+    Entry{"suggest", "suggests mistakes that a lab does not know", suggest},
     Entry{"verify", "judges a lab itself", verify},
 };
 

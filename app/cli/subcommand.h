@@ -24,6 +24,7 @@ using Subcommand = ExitCode (*)(const QStringList &arguments);
 
 ExitCode check(const QStringList &arguments);
 ExitCode simulate(const QStringList &arguments);
+ExitCode suggest(const QStringList &arguments);
 ExitCode verify(const QStringList &arguments);
 
 /// Writes "cradle-cli: message" or "FILE:LINE: message" to standard error.
