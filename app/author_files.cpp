@@ -97,13 +97,13 @@ bool AuthorWindow::saveInto(bool overwrite)
 
 bool AuthorWindow::saveAs()
 {
-    QFileDialog dialog(this, tr("A new or an empty folder for the lab"));
+    QFileDialog dialog(this, tr("A new folder for the lab"));
     dialog.setFileMode(QFileDialog::AnyFile);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::ShowDirsOnly);
     dialog.setLabelText(QFileDialog::FileName, tr("Folder:"));
     dialog.selectFile(nameFrom(m_document.lab().title));
-    // An empty folder is taken as it is; saveAs() refuses any other.
+    // saveAs() refuses a folder in which something is.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.setOption(QFileDialog::DontUseNativeDialog);
     if (dialog.exec() != QDialog::Accepted)

@@ -74,6 +74,7 @@ void AuthorWindow::makePanes()
 void AuthorWindow::wire()
 {
     connect(&m_document, &AuthorDocument::stateChanged, this, &AuthorWindow::showState);
+    connect(&m_document, &AuthorDocument::labRead, this, &AuthorWindow::showState);
     connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
     connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
     connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);

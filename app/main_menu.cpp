@@ -56,6 +56,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     menu->addSeparator();
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);
+    add(menu, MenuText::tr("Open lab in one &file…"), {}, &window, &MainWindow::openLabFile);
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
         &MainWindow::openPresetFile);
     addExamples(window, menu);

@@ -60,6 +60,9 @@ public slots:
     void unlockPanes(bool unlocked);  ///< gives the panes title bars to move them by
     void resetLayout();
     void openLabFolder();
+    void openLabFile(); ///< NAME.cradle
+    /// Opens the lab in a folder, or unpacks one file into the user's labs and opens that.
+    void openLabAt(const QString &path);
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
@@ -69,6 +72,8 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override; ///< of a lab: a folder or one file
     void closeEvent(QCloseEvent *event) override;
 
 private:

@@ -5,12 +5,16 @@
 #include "app/author_window.h"
 #include "app/language.h"
 #include "model/preset_json.h"
+#include "tasks/authoring/lab_archive.h"
 
 #include <QCoreApplication>
+#include <QDropEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 
 namespace cradle {
 
@@ -19,10 +23,61 @@ namespace cradle {
 void MainWindow::openLabFolder()
 {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
-    if (folder.isEmpty())
-        return;
+    if (!folder.isEmpty())
+        openLabAt(folder);
+}
+
+void MainWindow::openLabFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
+                                                      tr("Labs (*.cradle);;All files (*)"));
+    if (!path.isEmpty())
+        openLabAt(path);
+}
+
+void MainWindow::openLabAt(const QString &path)
+{
+    QString folder = path;
+    if (!QFileInfo(path).isDir()) {
+        const Result<QString> unpacked = importLab(path);
+        if (!unpacked) {
+            report(unpacked.error());
+            return;
+        }
+        folder = *unpacked;
+    }
     if (const auto error = m_workbench.openLab(folder, currentLanguage()))
         report(*error);
+}
+
+namespace {
+
+/// The lab that is dragged: one local folder with a lab.json, or one file NAME.cradle.
+QString labIn(const QMimeData &data)
+{
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile())
+        return {};
+    const QString path = urls.front().toLocalFile();
+    const bool isFolder = QFileInfo::exists(path + QStringLiteral("/lab.json"));
+    return isFolder || isLabArchive(path) ? path : QString();
+}
+
+} // namespace
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!labIn(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString lab = labIn(*event->mimeData());
+    if (lab.isEmpty())
+        return;
+    event->acceptProposedAction();
+    openLabAt(lab);
 }
 
 AuthorWindow *MainWindow::author() const

@@ -159,7 +159,7 @@ std::optional<QString> firstChangedLock(const Preset &original, const Preset &ch
 
 QString lockReason(const QString &field, const Preset &original)
 {
-    return LockText::tr("This step fixes the %1").arg(lockedName(field, original));
+    return LockText::tr("Fixed in this step: %1").arg(lockedName(field, original));
 }
 
 } // namespace cradle

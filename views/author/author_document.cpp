@@ -72,14 +72,9 @@ AuthorDocument::AuthorDocument(QObject *parent)
     connect(&m_readTimer, &QTimer::timeout, this, &AuthorDocument::startReading);
     connect(&m_lookTimer, &QTimer::timeout, this, &AuthorDocument::lookOutside);
     connect(&m_reading, &QFutureWatcherBase::finished, this, [this] {
-        const Result<Lab> lab = m_reading.result();
-        if (lab) {
-            m_lab = *lab;
-        } else {
-            m_lab = Lab();
-            m_lab.findings.push_back(lab.error());
-        }
-        emit labRead();
+        const auto &[number, lab] = *m_reading.result();
+        if (number == m_readings)
+            takeLab(lab);
     });
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &AuthorDocument::stateChanged);
 }
@@ -202,18 +197,26 @@ void AuthorDocument::readSoon()
 
 void AuthorDocument::startReading()
 {
-    m_readTimer.stop();
-    // A reading that is at work is of older files; its answer never comes.
-    m_reading.setFuture(QtConcurrent::run(
-        [files = m_files, folder = m_folder, language = m_language]() -> Result<Lab> {
-            return readLab(files, folder, language);
+    const int number = ++m_readings;
+    m_reading.setFuture(
+        QtConcurrent::run([files = m_files, folder = m_folder, language = m_language, number] {
+            return std::make_shared<const Reading>(number, readLab(files, folder, language));
         }));
 }
 
 void AuthorDocument::readNow()
 {
-    startReading();
-    m_reading.waitForFinished();
+    m_readTimer.stop();
+    ++m_readings;
+    takeLab(readLab(m_files, m_folder, m_language));
+}
+
+void AuthorDocument::takeLab(const Result<Lab> &lab)
+{
+    m_lab = lab ? *lab : Lab();
+    if (!lab)
+        m_lab.findings.push_back(lab.error());
+    emit labRead();
 }
 
 } // namespace cradle

@@ -88,6 +88,7 @@ private:
     void take(const LabFiles &files, const QString &folder);
     void readSoon();
     void startReading();
+    void takeLab(const Result<Lab> &lab);
     void watch();
     void lookOutside();
 
@@ -102,7 +103,10 @@ private:
     std::vector<Error> m_unread;
     QTimer m_readTimer;
     QTimer m_lookTimer;
-    QFutureWatcher<Result<Lab>> m_reading;
+    /// A lab with the number of the reading that it came from: older ones are no news.
+    using Reading = std::pair<int, Result<Lab>>;
+    QFutureWatcher<std::shared_ptr<const Reading>> m_reading;
+    int m_readings = 0; ///< begun so far
     std::unique_ptr<QFileSystemWatcher> m_watcher;
 };
 

@@ -230,8 +230,32 @@ void ChecksTab::takeCheck(const CheckForm &check, const QString &field)
         return;
     std::vector<CheckForm> checks = m_checks;
     checks[static_cast<std::size_t>(at)] = check;
+    if (field == QLatin1String("kind") && check.kind == QLatin1String("script")) {
+        beginScript(checks, at);
+        return;
+    }
     store(tr("Edit a check"), checks, at,
           QStringLiteral("check:%1:%2:%3").arg(m_document.step()).arg(at).arg(field));
+}
+
+/// A check in Lua begins with a program that accepts everything.
+void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
+{
+    CheckForm &check = checks[static_cast<std::size_t>(at)];
+    const QString name = check.id + QStringLiteral(".lua");
+    check.parameters = {{QStringLiteral("script"), name}};
+    const QString path = QStringLiteral("%1/checks/%2").arg(m_document.step(), name);
+    LabFiles files = m_document.files();
+    if (!files.contents.contains(path))
+        files = withText(files, path,
+                         tr("-- Returns true, or false and what is wrong.\n")
+                             + QStringLiteral("function check(run)\n  return true\nend\n"));
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->checks = checks;
+    m_document.edit(tr("Edit a check"),
+                    withTask(files, m_document.step(), *form, m_document.language()));
 }
 
 void ChecksTab::takeScript()

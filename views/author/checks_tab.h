@@ -48,6 +48,7 @@ private:
     void showScript();
     void move(int by);
     void takeCheck(const CheckForm &check, const QString &field);
+    void beginScript(std::vector<CheckForm> checks, int at);
     void takeScript();
     void store(const QString &text, const std::vector<CheckForm> &checks, int current,
                const QString &mergeKey = {});

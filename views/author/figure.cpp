@@ -12,13 +12,18 @@
 
 namespace cradle {
 
+namespace {
+
+constexpr QSize size{480, 480}; ///< px; a text shows it smaller where it must
+
+} // namespace
+
 QByteArray figureOf(const SceneView &scene)
 {
     const ThemeOverride light(Theme::lightTheme());
-    const ScenePicture picture = scene.plainPicture(scene.size());
+    const ScenePicture picture = scene.plainPicture(size);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    const QSize size = picture.camera.viewport().toSize();
     QSvgGenerator svg;
     svg.setOutputDevice(&buffer);
     svg.setSize(size);

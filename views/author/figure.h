@@ -8,8 +8,8 @@ namespace cradle {
 
 class SceneView;
 
-/// What \p scene shows, as an SVG in the light colours of print, without marks of selection and
-/// pointer.
+/// What \p scene shows, as a square SVG in the light colours of print, without marks of selection
+/// and pointer.
 [[nodiscard]] QByteArray figureOf(const SceneView &scene);
 
 } // namespace cradle

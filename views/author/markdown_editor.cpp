@@ -75,7 +75,9 @@ void MarkdownEditor::goTo(const UnknownName &name)
 
 void MarkdownEditor::lookForNames()
 {
-    std::vector<UnknownName> unknown = untextNames(toPlainText(), m_known);
+    std::vector<UnknownName> unknown;
+    if (!m_known.words.isEmpty()) // else the step is still to be read
+        unknown = unknownNames(toPlainText(), m_known);
     QList<QTextEdit::ExtraSelection> marks;
     for (const UnknownName &name : unknown) {
         QTextEdit::ExtraSelection mark;

@@ -201,10 +201,6 @@ ParameterForm::Field ParameterForm::makeLine(const ParameterInfo &info)
         if (value)
             set(info.name, *value);
     });
-    connect(line, &QLineEdit::editingFinished, this, [this, info, line] {
-        if (info.type == Type::Script && !line->text().isEmpty())
-            emit scriptRequested(line->text());
-    });
     return {info, line, [line, info](const QJsonValue &value) {
                 // What is being typed stays as it is typed.
                 const Result<QJsonValue> typed = parameterFromText(info, line->text());

@@ -36,7 +36,6 @@ public:
 signals:
     void edited(const QJsonObject &values);
     void refused(const QString &reason); ///< what was typed is no value; empty: it is one again
-    void scriptRequested(const QString &name);
 
 private:
     struct Field {

@@ -103,7 +103,7 @@ void ProofMatrix::addRow(int row, const VerifiedProgram &program)
         said = report.remarks.front().id;
     else if (report.passed)
         said = tr("passes");
-    setItem(row, m_task.checks.size() + 1, new QTableWidgetItem(said));
+    setItem(row, columnCount() - 1, new QTableWidgetItem(said));
 }
 
 void ProofMatrix::changeEvent(QEvent *event)

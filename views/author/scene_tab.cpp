@@ -166,12 +166,20 @@ void SceneTab::fillTemplates()
 
 void SceneTab::fillLocks()
 {
-    m_locks->clear();
     const Preset &preset = m_preset.own();
-    for (const QString &field : lockableFields(preset)) {
-        QString name = lockedName(field, preset);
-        name[0] = name[0].toUpper();
-        QAction *action = m_locks->addAction(name);
+    const QStringList fields = lockableFields(preset);
+    QStringList names;
+    for (const QString &field : fields) {
+        const QString name = lockedName(field, preset);
+        names.append(name.left(1).toUpper() + name.mid(1));
+    }
+    if (names == m_lockNames)
+        return;
+    m_lockNames = names;
+    m_locks->clear();
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        const QString &field = fields[i];
+        QAction *action = m_locks->addAction(names[i]);
         action->setCheckable(true);
         action->setData(field);
         connect(action, &QAction::triggered, this,

@@ -82,7 +82,8 @@ private:
     Inspector *m_inspector = nullptr;
     Timeline *m_timeline = nullptr;
     QString m_shownStep;
-    int m_openings = 0; ///< of presets: edits of two never merge
+    QStringList m_lockNames; ///< in the menu
+    int m_openings = 0;      ///< of presets: edits of two never merge
 };
 
 } // namespace cradle

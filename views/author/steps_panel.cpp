@@ -27,7 +27,9 @@ constexpr int findingsHeight = 150; ///< px
 /// The path of \p finding below the lab's folder.
 QString pathIn(const QString &folder, const Error &finding)
 {
-    if (folder.isEmpty() || !finding.file.startsWith(folder + QLatin1Char('/')))
+    if (folder.isEmpty())
+        return finding.file.startsWith(QLatin1Char('/')) ? finding.file.mid(1) : finding.file;
+    if (!finding.file.startsWith(folder + QLatin1Char('/')))
         return finding.file;
     return finding.file.mid(folder.size() + 1);
 }
@@ -60,7 +62,10 @@ StepsPanel::StepsPanel(AuthorDocument &document, QWidget *parent)
             m_document.setStep(m_list->item(row)->data(folderRole).toString());
     });
     connect(m_list, &QListWidget::itemChanged, this, &StepsPanel::takeTitle);
-    // Queued: the view is still at work with the rows.
+    // Queued: the view is still at work with its editor.
+    connect(m_list->itemDelegate(), &QAbstractItemDelegate::closeEditor, this, &StepsPanel::reload,
+            Qt::QueuedConnection);
+    // Queued for the same reason: a drag moves rows one by one.
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &StepsPanel::takeOrder,
             Qt::QueuedConnection);
     connect(m_list->model(), &QAbstractItemModel::rowsInserted, this, &StepsPanel::takeOrder,
@@ -238,14 +243,16 @@ void StepsPanel::takeTitle(QListWidgetItem *item)
     if (m_loading)
         return;
     const QString step = item->data(folderRole).toString();
-    const QString title = item->text().trimmed();
+    const QString number = QStringLiteral("%1 · ").arg(m_list->row(item) + 1);
+    QString title = item->text().trimmed();
+    if (title.startsWith(number))
+        title.remove(0, number.size());
     Result<TaskForm> form = taskForm(m_document.files(), step, m_document.language());
     if (form && !title.isEmpty()) {
         form->title = title;
         m_document.edit(tr("Rename the step"),
                         withTask(m_document.files(), step, *form, m_document.language()));
     }
-    QMetaObject::invokeMethod(this, &StepsPanel::reload, Qt::QueuedConnection);
 }
 
 void StepsPanel::moveUp()

@@ -87,7 +87,7 @@ TextNames textNames(const Task &task)
     return known;
 }
 
-std::vector<UnknownName> untextNames(const QString &markdown, const TextNames &known)
+std::vector<UnknownName> unknownNames(const QString &markdown, const TextNames &known)
 {
     static const QRegularExpression span(QStringLiteral("(?<!`)`([^`\n]+)`(?!`)"));
     static const QRegularExpression path(

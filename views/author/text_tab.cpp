@@ -117,10 +117,8 @@ void TextTab::wire()
     connect(&m_document, &AuthorDocument::changed, this, &TextTab::reload);
     connect(&m_document, &AuthorDocument::stepChanged, this, &TextTab::reload);
     connect(&m_document, &AuthorDocument::languageChanged, this, &TextTab::reload);
-    connect(&m_document, &AuthorDocument::labRead, this, [this] {
-        if (const Task *task = m_document.task())
-            m_editor->setKnownNames(textNames(*task));
-    });
+    connect(&m_document, &AuthorDocument::labRead, this, &TextTab::followNames);
+    connect(&m_document, &AuthorDocument::stepChanged, this, &TextTab::followNames);
     connect(m_part, &QComboBox::currentIndexChanged, this, &TextTab::reload);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &TextTab::showPreview);
     connect(m_language, &QComboBox::activated, this,
@@ -136,7 +134,7 @@ void TextTab::wire()
     connect(m_figure, &QPushButton::clicked, this, &TextTab::figureRequested);
     connect(m_id, &QLineEdit::editingFinished, this, [this] {
         const QString name = m_id->text().trimmed();
-        if (name == m_document.step() || name.isEmpty() || m_document.step().isEmpty())
+        if (!m_id->isModified() || name == m_document.step() || m_document.step().isEmpty())
             return;
         if (!m_document.editStep(tr("Rename the step's folder"),
                                  withStepRenamed(m_document.files(), m_document.step(), name),
@@ -186,8 +184,9 @@ void TextTab::reloadForm()
         m_shownHints = hints;
         m_hints->showHints(hints);
     }
-    if (m_id->text() != m_document.step() && !m_id->hasFocus())
+    if (m_shownStep != m_document.step() || !m_id->isModified())
         m_id->setText(m_document.step());
+    m_shownStep = m_document.step();
     if (m_commit->text() != form->commit)
         m_commit->setText(form->commit);
     m_extra->setChecked(form->extra);
@@ -221,9 +220,11 @@ void TextTab::showLanguages()
     if (shown != codes) {
         m_language->clear();
         for (const QString &code : codes) {
-            const QLocale locale(code);
             m_language->addItem(
-                QStringLiteral("%1 (%2)").arg(QLocale::languageToString(locale.language()), code),
+                QStringLiteral("%1 (%2)").arg(code == QLatin1String("en")
+                                                  ? QStringLiteral("English")
+                                                  : QLocale(code).nativeLanguageName(),
+                                              code),
                 code);
         }
     }
@@ -237,6 +238,12 @@ void TextTab::showPreview()
     const QString text = m_editor->toPlainText();
     m_preview->setMarkdown(part() == Instructions ? textFor(mode, text) : text,
                            QUrl::fromLocalFile(folder));
+}
+
+void TextTab::followNames()
+{
+    const Task *task = m_document.task();
+    m_editor->setKnownNames(task ? textNames(*task) : TextNames());
 }
 
 void TextTab::showUnknown()

@@ -55,6 +55,7 @@ private:
     void showLanguages();
     void showPreview();
     void showUnknown();
+    void followNames();
     void takeText(const QString &text);
     void takeHints(const QStringList &hints, int current);
     void takeFields();
@@ -79,6 +80,7 @@ private:
     QLineEdit *m_commit = nullptr;
     QCheckBox *m_extra = nullptr;
     QStringList m_shownHints;
+    QString m_shownStep;
     bool m_loading = false;
 };
 
