@@ -31,11 +31,11 @@ class Mutator
 public:
     explicit Mutator(const QString &solution)
         : m_source(solution)
-        , m_tokens(luaTokens(solution))
+        , m_tokens(programTokens(solution))
         , m_lines(solution.split(QLatin1Char('\n')))
     {
-        for (const LuaToken &token : m_tokens) {
-            if (token.kind == LuaToken::Kind::Name)
+        for (const ProgramToken &token : m_tokens) {
+            if (token.kind == ProgramToken::Kind::Name)
                 m_names.insert(token.text);
         }
     }
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    [[nodiscard]] const LuaToken *at(std::size_t i) const
+    [[nodiscard]] const ProgramToken *at(std::size_t i) const
     {
         return i < m_tokens.size() ? &m_tokens[i] : nullptr;
     }
@@ -120,7 +120,7 @@ private:
 
     void turnSign(std::size_t i)
     {
-        const LuaToken &sign = m_tokens[i];
+        const ProgramToken &sign = m_tokens[i];
         if (!sign.is("+") && !sign.is("-"))
             return;
         const Mistake mistake{"sign", MutationText::tr("A term has the wrong sign"),
@@ -137,12 +137,12 @@ private:
     /// or a group in parentheses.
     [[nodiscard]] std::size_t afterOperand(std::size_t i) const
     {
-        const LuaToken *first = at(i);
+        const ProgramToken *first = at(i);
         if (!first || !(first->endsOperand() || first->is("(")) || first->is(")"))
             return i;
         if (!first->is("("))
             ++i;
-        while (const LuaToken *next = at(i)) {
+        while (const ProgramToken *next = at(i)) {
             if (next->is("(") || next->is("[")) {
                 i = afterGroup(i);
             } else if ((next->is(".") || next->is(":")) && at(i + 1)) {
@@ -171,7 +171,7 @@ private:
 
     void dropFactor(std::size_t i)
     {
-        const LuaToken &sign = m_tokens[i];
+        const ProgramToken &sign = m_tokens[i];
         if (sign.is("*") || sign.is("/") || sign.is("^")) {
             const std::size_t after = afterOperand(i + 1);
             if (after == i + 1)
@@ -245,8 +245,8 @@ private:
     {
         if (!m_tokens[i].is("and") && !m_tokens[i].is("or"))
             return;
-        const auto stops = [&](const LuaToken &token) {
-            return token.kind == LuaToken::Kind::Keyword && !token.is("not");
+        const auto stops = [&](const ProgramToken &token) {
+            return token.kind == ProgramToken::Kind::Keyword && !token.is("not");
         };
         std::size_t first = i;
         int depth = 0;
@@ -311,8 +311,8 @@ private:
 
     void exchangeNames(std::size_t i)
     {
-        const LuaToken &name = m_tokens[i];
-        if (name.kind != LuaToken::Kind::Name || isAt(i + 1, "="))
+        const ProgramToken &name = m_tokens[i];
+        if (name.kind != ProgramToken::Kind::Name || isAt(i + 1, "="))
             return;
         const QString partner = partnerOf(name.text);
         if (partner.isEmpty())
@@ -325,7 +325,7 @@ private:
 
     void changeRestitution(std::size_t i)
     {
-        const LuaToken &name = m_tokens[i];
+        const ProgramToken &name = m_tokens[i];
         if (!name.is("restitution") || isAt(i + 1, "="))
             return;
         add({"no-restitution", MutationText::tr("The hit takes nothing"),
@@ -339,20 +339,20 @@ private:
     /// Whether a line is one whole statement that assigns or calls.
     [[nodiscard]] bool isStatement(int line) const
     {
-        const LuaToken *first = nullptr;
+        const ProgramToken *first = nullptr;
         int depth = 0;
         bool acts = false;
-        for (const LuaToken &token : m_tokens) {
+        for (const ProgramToken &token : m_tokens) {
             if (token.line != line)
                 continue;
             first = first ? first : &token;
-            if (token.kind == LuaToken::Kind::Keyword && !token.is("and") && !token.is("or")
+            if (token.kind == ProgramToken::Kind::Keyword && !token.is("and") && !token.is("or")
                 && !token.is("not") && !token.is("true") && !token.is("false"))
                 return false;
             depth += token.is("(") || token.is("{") ? 1 : token.is(")") || token.is("}") ? -1 : 0;
             acts = acts || token.is("=") || token.is("(");
         }
-        return first && first->kind == LuaToken::Kind::Name && depth == 0 && acts;
+        return first && first->kind == ProgramToken::Kind::Name && depth == 0 && acts;
     }
 
     [[nodiscard]] qsizetype startOf(int line) const
@@ -390,7 +390,7 @@ private:
     }
 
     const QString &m_source;
-    std::vector<LuaToken> m_tokens;
+    std::vector<ProgramToken> m_tokens;
     QStringList m_lines;
     QSet<QString> m_names{};
     QSet<QString> m_used{};
