@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/author_window.h"
 #include "app/display_check.h"
 #include "app/language.h"
 #include "app/main_window.h"
@@ -71,6 +72,14 @@ struct Options {
         QStringLiteral("script"),
         QCoreApplication::translate("Main", "take this program as your own of the step"),
         QStringLiteral("F.lua")};
+    QCommandLineOption author{QStringLiteral("author"),
+                              QCoreApplication::translate(
+                                  "Main", "open this lab in the window in which labs are written"),
+                              QStringLiteral("LAB-DIR")};
+    QCommandLineOption tab{QStringLiteral("tab"),
+                           QCoreApplication::translate(
+                               "Main", "of that window: scene, text, checks, programs or proof"),
+                           QStringLiteral("NAME"), QStringLiteral("scene")};
     QCommandLineOption screenshot{
         QStringLiteral("screenshot"),
         QCoreApplication::translate("Main", "draw the window into this file and quit"),
@@ -157,6 +166,32 @@ std::optional<Error> openExampleNamed(Workbench &bench, const QString &name)
                          .arg(name, ids.join(QStringLiteral(", ")))};
 }
 
+/// Opens the lab in \p folder to be written, at \p step if one is named, with the tab called
+/// \p tab in front. \return what is wrong with that
+std::optional<Error> openAuthor(MainWindow &window, const QString &folder, const QString &step,
+                                const QString &tab)
+{
+    static const QStringList tabs{QStringLiteral("scene"), QStringLiteral("text"),
+                                  QStringLiteral("checks"), QStringLiteral("programs"),
+                                  QStringLiteral("proof")};
+    if (!tabs.contains(tab))
+        return Error{.message = QCoreApplication::translate(
+                                    "Main", "--tab %1: scene, text, checks, programs or proof is "
+                                            "right")
+                                    .arg(tab)};
+    if (auto error = window.openAuthor(folder))
+        return error;
+    AuthorDocument &document = window.author()->document();
+    if (!step.isEmpty() && !document.steps().contains(step))
+        return Error{.message =
+                         QCoreApplication::translate("Main", "there is no step %1; there are %2")
+                             .arg(step, document.steps().join(QStringLiteral(", ")))};
+    if (!step.isEmpty())
+        document.setStep(step);
+    window.author()->showTab(static_cast<int>(tabs.indexOf(tab)));
+    return std::nullopt;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -188,7 +223,8 @@ int main(int argc, char **argv)
         QStringLiteral("LAB-DIR, LAB.cradle or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
-                       options.script, options.screenshot, options.at, options.size});
+                       options.script, options.author, options.tab, options.screenshot, options.at,
+                       options.size});
     if (!parser.parse(QApplication::arguments()))
         return complain(QStringLiteral("cradle: ") + parser.errorText());
     if (parser.isSet(help))
@@ -237,10 +273,16 @@ int main(int argc, char **argv)
     Workbench bench(progressFile);
     bench.setMode(*mode);
     MainWindow window(bench, settings, *theme);
-    if (const auto error =
-            openNamed(bench, parser.positionalArguments().value(0), parser.value(options.step),
-                      picture ? passing.path() : userLabsFolder()))
+    const bool author = parser.isSet(options.author);
+    if (const auto error = openNamed(bench, parser.positionalArguments().value(0),
+                                     author ? QString() : parser.value(options.step),
+                                     picture ? passing.path() : userLabsFolder()))
         return complain(QStringLiteral("cradle: ") + error->toString());
+    if (author) {
+        if (const auto error = openAuthor(window, parser.value(options.author),
+                                          parser.value(options.step), parser.value(options.tab)))
+            return complain(QStringLiteral("cradle: ") + error->toString());
+    }
     if (parser.isSet(options.example)) {
         if (const auto error = openExampleNamed(bench, parser.value(options.example)))
             return complain(QStringLiteral("cradle: ") + error->toString());
@@ -249,9 +291,13 @@ int main(int argc, char **argv)
         if (const auto error = bench.takeScript(parser.value(options.script)))
             return complain(QStringLiteral("cradle: ") + error->toString());
     }
+    if (picture && author)
+        return takeScreenshot(*window.author(), parser.value(options.screenshot),
+                              parser.value(options.at), parser.value(options.size));
     if (picture)
         return takeScreenshot(window, parser.value(options.screenshot), parser.value(options.at),
                               parser.value(options.size));
-    window.show();
+    QWidget &first = author ? static_cast<QWidget &>(*window.author()) : window;
+    first.show();
     return QApplication::exec();
 }

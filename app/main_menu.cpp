@@ -97,9 +97,12 @@ void addLab(MainWindow &window, QMenuBar &bar)
     addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);
+    add(menu, MenuText::tr("Open lab in one &file…"), {}, &window, &MainWindow::openLabFile);
     add(menu, MenuText::tr("Open &scene…"), QKeySequence::Open, &window,
         &MainWindow::openPresetFile);
     addExamples(window, menu);
+    add(menu, MenuText::tr("&Author a lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+        &window, &MainWindow::authorLab);
     add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
     addExport(window, menu);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/author_window.h"
 #include "app/code_desk.h"
 #include "app/language.h"
 #include "app/main_menu.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     , m_curves(workbench.simulation())
     , m_theme(theme)
 {
+    setAcceptDrops(true);
     makePanes();
     wireWorkbench();
     wireViews();
@@ -71,7 +73,10 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     m_scene->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    delete m_author; // its changes were asked about when this was closed
+}
 
 void MainWindow::makePanes()
 {
@@ -223,6 +228,10 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (m_author && !m_author->close()) {
+        event->ignore();
+        return;
+    }
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
     m_settings.setValue(QStringLiteral("layout"), saveState(layoutVersion));
     m_workbench.save();

@@ -10,11 +10,13 @@
 #include "views/theme.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 class QSettings;
 
 namespace cradle {
 
+class AuthorWindow;
 class CodeDesk;
 class CodePane;
 class ConsoleView;
@@ -51,6 +53,10 @@ public:
     [[nodiscard]] PhaseChart &phaseChart() { return *m_phase; }
     [[nodiscard]] PinnedRuns &pins() { return m_pins; }
     [[nodiscard]] TimeWindow &timeWindow() { return m_timeWindow; }
+    /// The window in which a lab is written, if it is open.
+    [[nodiscard]] AuthorWindow *author() const;
+    /// Opens that window with the lab in \p folder. \return what is wrong with it
+    std::optional<Error> openAuthor(const QString &folder);
     [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
 
 public slots:
@@ -61,10 +67,13 @@ public slots:
     void unlockPanes(bool unlocked);  ///< gives the panes title bars to move them by
     void resetLayout();
     void openLabFolder();
-    void openLab(const QString &folder);
+    void openLabFile(); ///< NAME.cradle
+    /// Opens the lab in a folder, or unpacks one file into the user's labs and opens that.
+    void openLabAt(const QString &path);
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
+    void authorLab();       ///< opens the open lab in a window in which it can be written
     void pinRun();          ///< keeps the run to be compared with later ones
     void startNewRunHere(); ///< from the moment shown; keeps the run so far
     void exportRun(cradle::RunTable table);
@@ -74,6 +83,8 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override; ///< of a lab: a folder or one file
     void closeEvent(QCloseEvent *event) override;
 
 private:
@@ -118,6 +129,7 @@ private:
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;
+    QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
     bool m_unlocked = false;
 };

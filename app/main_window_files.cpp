@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/author_window.h"
 #include "app/language.h"
 #include "model/preset_json.h"
+#include "tasks/authoring/lab_archive.h"
 
 #include <QCoreApplication>
+#include <QDropEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 
 #include <utility>
 
@@ -21,13 +26,96 @@ void MainWindow::openLabFolder()
 {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
     if (!folder.isEmpty())
-        openLab(folder);
+        openLabAt(folder);
 }
 
-void MainWindow::openLab(const QString &folder)
+void MainWindow::openLabFile()
 {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
+                                                      tr("Labs (*.cradle);;All files (*)"));
+    if (!path.isEmpty())
+        openLabAt(path);
+}
+
+void MainWindow::openLabAt(const QString &path)
+{
+    QString folder = path;
+    if (!QFileInfo(path).isDir()) {
+        const Result<QString> unpacked = importLab(path);
+        if (!unpacked) {
+            report(unpacked.error());
+            return;
+        }
+        folder = *unpacked;
+    }
     if (const auto error = m_workbench.openLab(folder, currentLanguage()))
         report(*error);
+}
+
+namespace {
+
+/// The lab that is dragged: one local folder with a lab.json, or one file NAME.cradle.
+QString labIn(const QMimeData &data)
+{
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile())
+        return {};
+    const QString path = urls.front().toLocalFile();
+    const bool isFolder = QFileInfo::exists(path + QStringLiteral("/lab.json"));
+    return isFolder || isLabArchive(path) ? path : QString();
+}
+
+} // namespace
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!labIn(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString lab = labIn(*event->mimeData());
+    if (lab.isEmpty())
+        return;
+    event->acceptProposedAction();
+    openLabAt(lab);
+}
+
+AuthorWindow *MainWindow::author() const
+{
+    return m_author;
+}
+
+void MainWindow::authorLab()
+{
+    if (m_author) {
+        m_author->raise();
+        m_author->activateWindow();
+        return;
+    }
+    if (const auto error = openAuthor(m_workbench.lab().folder))
+        report(*error);
+    else
+        m_author->show();
+}
+
+std::optional<Error> MainWindow::openAuthor(const QString &folder)
+{
+    auto author = std::make_unique<AuthorWindow>(m_settings);
+    if (auto error = author->open(folder))
+        return error;
+    author->document().setLanguage(currentLanguage());
+    author->setAttribute(Qt::WA_DeleteOnClose);
+    connect(author.get(), &AuthorWindow::studentRequested, this, [this](const QString &lab) {
+        if (const auto error = m_workbench.openLab(lab, currentLanguage()))
+            report(*error);
+        show();
+        raise();
+        activateWindow();
+    });
+    m_author = author.release();
+    return std::nullopt;
 }
 
 void MainWindow::openPresetFile()

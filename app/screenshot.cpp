@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshot.h"
 
+#include "app/author_window.h"
 #include "app/main_window.h"
+#include "views/author/scene_tab.h"
 #include "views/markdown_view.h"
 
 #include <QApplication>
@@ -19,13 +21,18 @@ namespace {
 
 /// Formulas are set by a thread of their own; a picture waits for them so long, ms.
 constexpr int patience = 5000;
+/// And always so long, for what comes a little later than the window, ms.
+constexpr int settling = 700;
 /// The longest run before a picture, s of the scene.
 constexpr double longestRun = 3600.0;
 
-bool isComplete(const MainWindow &window)
+bool isComplete(const QWidget &window)
 {
-    const auto *text = window.findChild<MarkdownView *>();
-    return !text || text->isComplete();
+    for (const auto *text : window.findChildren<MarkdownView *>()) {
+        if (text->isVisible() && !text->isComplete())
+            return false;
+    }
+    return true;
 }
 
 int complain(const QString &message)
@@ -34,10 +41,8 @@ int complain(const QString &message)
     return 2;
 }
 
-} // namespace
-
-int takeScreenshot(MainWindow &window, const QString &path, const QString &seconds,
-                   const QString &size)
+int grab(QWidget &window, Simulation &simulation, const QString &path, const QString &seconds,
+         const QString &size)
 {
     bool ok = false;
     const double at = seconds.toDouble(&ok);
@@ -57,17 +62,30 @@ int takeScreenshot(MainWindow &window, const QString &path, const QString &secon
         window.resize(wanted);
     }
     window.show();
-    Simulation &simulation = window.workbench().simulation();
     simulation.goTo(static_cast<qint64>(std::llround(at / simulation.preset().timestep)));
     QElapsedTimer waited;
     waited.start();
     do {
         QApplication::processEvents(QEventLoop::AllEvents, 50);
-    } while (waited.elapsed() < 200 || (!isComplete(window) && waited.elapsed() < patience));
+    } while (waited.elapsed() < settling || (!isComplete(window) && waited.elapsed() < patience));
     const QPixmap picture = window.grab();
     if (!picture.save(path, "PNG"))
         return complain(QCoreApplication::translate("Main", "%1 cannot be written").arg(path));
     return 0;
+}
+
+} // namespace
+
+int takeScreenshot(MainWindow &window, const QString &path, const QString &seconds,
+                   const QString &size)
+{
+    return grab(window, window.workbench().simulation(), path, seconds, size);
+}
+
+int takeScreenshot(AuthorWindow &window, const QString &path, const QString &seconds,
+                   const QString &size)
+{
+    return grab(window, window.sceneTab().simulation(), path, seconds, size);
 }
 
 } // namespace cradle

@@ -136,6 +136,7 @@ void Workbench::openScene(const Preset &preset, std::optional<Example> example)
     m_report.reset();
     m_code.close();
     setGhost(nullptr);
+    m_document.setLocked({});
     m_document.open(preset);
     emit taskChanged();
     emit modeChanged();
@@ -220,7 +221,9 @@ void Workbench::openTaskAt(int index)
     m_store.lab(m_lab.id).currentTask = task()->id;
     setGhost(nullptr);
     m_code.setActive(false); // the old program does not meet the new scene
+    m_document.setLocked({}); // those of the step before
     m_document.open(task()->preset, progress().edited);
+    m_document.setLocked(task()->locked);
     m_code.open(m_lab, index);
     m_simulation.setProgramLaws(task()->laws);
     m_code.setActive(m_wantedMode == Mode::Code);

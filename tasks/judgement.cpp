@@ -5,6 +5,7 @@
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/integrator_matching.h"
 #include "tasks/diagnosis.h"
+#include "tasks/locks.h"
 #include "tasks/script/student_script.h"
 #include "tasks/variant.h"
 
@@ -117,6 +118,7 @@ public:
     bool run(CheckReport &report)
     {
         findEarlyError(report);
+        findChangedLock(report);
         std::vector<Plan> plans;
         int total = 0;
         for (const CheckSpec &check : m_task.checks) {
@@ -165,6 +167,19 @@ private:
         StudentScript program(*m_submission.script, {.pinned = false, .quiet = true});
         Preset scene = m_submission.preset;
         report.error = program.begin(scene);
+    }
+
+    /// What the step fixes is as the step has it; only a breach is told.
+    void findChangedLock(CheckReport &report) const
+    {
+        const auto field = firstChangedLock(m_task.preset, m_submission.preset, m_task.locked);
+        if (!field)
+            return;
+        report.passed = false;
+        report.checks.push_back(
+            {.id = QStringLiteral("locked"),
+             .title = CheckerText::tr("What the step fixes is as the step has it"),
+             .message = lockReason(*field, m_task.preset)});
     }
 
     void judgeScene(const Plan &plan, std::size_t i, CheckOutcome &outcome, CheckReport &report)

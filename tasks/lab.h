@@ -62,6 +62,7 @@ struct Task {
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
     bool extra = false;                     ///< not in the original lab
+    QStringList locked{};                   ///< what the student may not change, see locks.h
     std::optional<Prediction> prediction{}; ///< asked before the scene is watched
     std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
     std::optional<Preset> solutionScene{};  ///< that scene

@@ -142,6 +142,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     task.solutionScene = solution;
     if (solution)
         task.laws = solution->laws;
+    task.locked = stringsOf(json->value(QStringLiteral("locked")));
     task.prediction = readPrediction(*json, words);
     if (const QString fault = predictionFault(*json); !fault.isEmpty())
         lab.findings.push_back({.message = fault,

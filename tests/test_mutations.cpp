@@ -57,8 +57,8 @@ QStringList changesOf(const QString &solution)
 void TestMutations::programIsCutIntoTokens()
 {
     QStringList words;
-    for (const LuaToken &token :
-         luaTokens(QStringLiteral("a.b = 'x -- y' -- no\n--[[ no\n]] c <= 1e-3 ... [[z]]")))
+    for (const ProgramToken &token :
+         programTokens(QStringLiteral("a.b = 'x -- y' -- no\n--[[ no\n]] c <= 1e-3 ... [[z]]")))
         words.append(QStringLiteral("%1@%2").arg(token.text).arg(token.line));
     QCOMPARE(words,
              (QStringList{QStringLiteral("a@1"), QStringLiteral(".@1"), QStringLiteral("b@1"),

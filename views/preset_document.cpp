@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/preset_document.h"
 
+#include "tasks/locks.h"
+
 #include <QUndoCommand>
 
 #include <utility>
@@ -66,7 +68,7 @@ bool PresetDocument::edit(const QString &text, const Preset &changed, const QStr
                                     "change it")});
         return false;
     }
-    if (const std::optional<Error> fault = findFault(changed)) {
+    if (const std::optional<Error> fault = faultOf(changed)) {
         emit refused(*fault);
         return false;
     }
@@ -82,6 +84,29 @@ bool PresetDocument::startFromMoment()
         changed.circles[i].body = circles[i];
     changed.fill.reset(); // no longer the crowd that was drawn
     return edit(tr("Start from %1 s").arg(m_simulation.time(), 0, 'f', 3), changed);
+}
+
+void PresetDocument::setLocked(const QStringList &fields)
+{
+    if (fields == m_locked)
+        return;
+    m_locked = fields;
+    emit lockedChanged();
+}
+
+QString PresetDocument::whyLocked(const QString &field) const
+{
+    return isLocked(field) ? lockReason(field, m_original) : QString();
+}
+
+std::optional<Error> PresetDocument::faultOf(const Preset &changed) const
+{
+    for (const QString &field : m_locked) {
+        if (firstChangedLock(preset(), changed, {field})
+            && firstChangedLock(m_original, changed, {field}))
+            return Error{.message = lockReason(field, m_original)};
+    }
+    return findFault(changed);
 }
 
 void PresetDocument::visit(const Preset &preset)

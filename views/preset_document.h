@@ -4,6 +4,7 @@
 
 #include "model/simulation.h"
 
+#include <QStringList>
 #include <QUndoStack>
 
 namespace cradle {
@@ -28,9 +29,19 @@ public:
     /// student has made of it; forgets the undo history.
     void open(const Preset &original, const std::optional<Preset> &edited = std::nullopt);
 
+    /// Fixes fields of the preset (tasks/locks.h): edits of them are refused with the reason. Only
+    /// the way back to the original is open.
+    void setLocked(const QStringList &fields);
+    [[nodiscard]] bool isLocked(const QString &field) const { return m_locked.contains(field); }
+    /// Why \p field cannot be changed; empty if it can.
+    [[nodiscard]] QString whyLocked(const QString &field) const;
+
+    /// Why \p changed cannot be: it changes what is locked, or has a fault.
+    [[nodiscard]] std::optional<Error> faultOf(const Preset &changed) const;
+
     /// Makes an edit named \p text; edits with the same non-empty \p mergeKey in a row (a drag, a
     /// spin) become one undo step.
-    /// \return false (and refused() is emitted) if \p changed has a fault
+    /// \return false (and refused() is emitted) if \p changed cannot be
     bool edit(const QString &text, const Preset &changed, const QString &mergeKey = {});
 
     /// Makes the moment that the simulation shows the start of the scene, as one undoable edit.
@@ -47,7 +58,8 @@ public slots:
 signals:
     void refused(const cradle::Error &error); ///< an edit would make an impossible scene
     void visitingChanged(bool visiting);
-    void edited(); ///< the preset changed by edit, undo or redo (not by open)
+    void lockedChanged(); ///< what may be edited
+    void edited();        ///< the preset changed by edit, undo or redo (not by open)
 
 private:
     friend class PresetEdit;
@@ -57,6 +69,7 @@ private:
     QUndoStack m_undoStack;
     Preset m_original;
     std::optional<Preset> m_own; ///< during a visit
+    QStringList m_locked;
 };
 
 } // namespace cradle

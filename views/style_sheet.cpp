@@ -129,6 +129,12 @@ QTabBar::tab:selected { background: @panel; color: @text; border-top-color: @squ
 QTabBar::tab:focus { color: @accent; border: 2px solid @accent; }
 QTableView, QTreeView, QListView { border: none; background: @panel; gridline-color: @border;
     selection-background-color: @accentSoft; selection-color: @text; }
+QListView[kind="rows"], QListView[kind="rows"]:focus {
+    outline: none; border: none; border-left: 2px solid transparent; }
+QListView[kind="rows"]:focus { border-left-color: @accent; }
+QListView[kind="rows"]::item { padding: 5px 6px 5px 8px; border: none; }
+QListView[kind="rows"]::item:hover { background: @hover; }
+QListView[kind="rows"]::item:selected { background: @accentSoft; color: @text; }
 QTableView:focus, QTreeView:focus, QListView:focus { border: none; }
 QHeaderView { background: @panel; border: none; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/theme.h"
 
+#include "views/theme_override.h"
+
 #include "views/style_sheet.h"
 
 #include <QApplication>
@@ -134,6 +136,16 @@ const Theme &Theme::darkTheme()
         .dark = true,
     };
     return dark;
+}
+
+ThemeOverride::ThemeOverride(const Theme &other)
+    : m_before(std::exchange(current, &other))
+{
+}
+
+ThemeOverride::~ThemeOverride()
+{
+    current = m_before;
 }
 
 const Theme &theme()

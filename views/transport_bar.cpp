@@ -139,6 +139,12 @@ void TransportBar::showRunning()
     m_runButton->setIconName(name, IconTint::OnAccent);
 }
 
+void TransportBar::setCheckShown(bool shown)
+{
+    m_checkButton->setVisible(shown);
+    m_check->setEnabled(shown);
+}
+
 void TransportBar::showCheck()
 {
     const QString name = m_checking ? QStringLiteral("stop") : QStringLiteral("check");

@@ -42,6 +42,8 @@ public:
 
     /// The modes to choose from; no choice is shown for fewer than two.
     void setModes(const QStringList &titles, int current);
+    /// Without Check where there is nothing to be checked.
+    void setCheckShown(bool shown);
 
     [[nodiscard]] bool isChecking() const { return m_checking; }
     /// Wide enough for the controls without their texts.

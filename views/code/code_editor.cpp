@@ -106,6 +106,19 @@ void CodeEditor::setText(const QString &text)
     m_area->fitMargins();
 }
 
+void CodeEditor::replaceText(const QString &text)
+{
+    if (text == this->text())
+        return;
+    int line = 0;
+    int column = 0;
+    m_area->getCursorPosition(&line, &column);
+    const int top = m_area->firstVisibleLine();
+    setText(text);
+    m_area->setCursorPosition(std::min(line, m_area->lines() - 1), column);
+    m_area->setFirstVisibleLine(top);
+}
+
 void CodeEditor::setReadOnly(bool readOnly)
 {
     m_area->setReadOnly(readOnly);

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] QString text() const;
     /// Opens another text: nothing of the one before can be had by undo, no mark stays.
     void setText(const QString &text);
+    /// The same for a text that is another state of the one shown: the cursor stays.
+    void replaceText(const QString &text);
     void setReadOnly(bool readOnly);
     [[nodiscard]] bool isReadOnly() const;
 

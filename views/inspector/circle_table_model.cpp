@@ -130,6 +130,9 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
     case Qt::EditRole:
         return value(circles[row], column);
     case Qt::ToolTipRole:
+        if (const QString why = whyLocked(index); !why.isEmpty())
+            return why;
+        [[fallthrough]];
     case Qt::AccessibleTextRole: {
         const QString shown =
             column == Colour ? circles[row].colour : text(circles[row], column).toString();
@@ -146,7 +149,8 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
     case Qt::ForegroundRole:
         if (isFault(index))
             return theme().warning;
-        return column == Mass ? QVariant(theme().mutedText) : QVariant();
+        return column == Mass || !whyLocked(index).isEmpty() ? QVariant(theme().mutedText)
+                                                             : QVariant();
     default:
         return {};
     }
@@ -155,7 +159,8 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
 Qt::ItemFlags CircleTableModel::flags(const QModelIndex &index) const
 {
     const Qt::ItemFlags plain = QAbstractTableModel::flags(index);
-    return index.column() == Mass ? plain : plain | Qt::ItemIsEditable;
+    return index.column() == Mass || !whyLocked(index).isEmpty() ? plain
+                                                                 : plain | Qt::ItemIsEditable;
 }
 
 bool CircleTableModel::setData(const QModelIndex &index, const QVariant &value, int role)
@@ -174,6 +179,36 @@ bool CircleTableModel::setData(const QModelIndex &index, const QVariant &value, 
             ? QStringLiteral("spin:/circles/%1/%2").arg(index.row()).arg(index.column())
             : QString();
     return m_document.edit(editText(index.column(), name), changed, key);
+}
+
+QString CircleTableModel::whyLocked(const QModelIndex &index) const
+{
+    QString field;
+    switch (index.column()) {
+    case X:
+    case Y:
+        field = QStringLiteral("position");
+        break;
+    case VelocityX:
+    case VelocityY:
+        field = QStringLiteral("velocity");
+        break;
+    case Radius:
+        field = QStringLiteral("radius");
+        break;
+    case Density:
+        field = QStringLiteral("density");
+        break;
+    case IntegratorColumn:
+        field = QStringLiteral("integrator");
+        break;
+    default:
+        return {};
+    }
+    const QString circle = QStringLiteral("circles/%1/").arg(index.row() + 1);
+    const QString why = m_document.whyLocked(circle + field);
+    const bool massive = index.column() == Radius || index.column() == Density;
+    return why.isEmpty() && massive ? m_document.whyLocked(circle + QStringLiteral("mass")) : why;
 }
 
 bool CircleTableModel::isFault(const QModelIndex &index) const

@@ -60,6 +60,7 @@ public slots:
     void retranslate(); ///< the language changed
 
 private:
+    [[nodiscard]] QString whyLocked(const QModelIndex &index) const;
     [[nodiscard]] bool isFault(const QModelIndex &index) const;
     [[nodiscard]] QVariant text(const PresetCircle &circle, int column) const;
     [[nodiscard]] QVariant value(const PresetCircle &circle, int column) const;

@@ -39,6 +39,7 @@ CirclesGroup::CirclesGroup(PresetDocument &document, QWidget *parent)
     retranslate();
     reload();
     connect(&document.simulation(), &Simulation::presetChanged, this, &CirclesGroup::reload);
+    connect(&document, &PresetDocument::lockedChanged, this, &CirclesGroup::reload);
 }
 
 void CirclesGroup::makeButtons()
@@ -95,8 +96,7 @@ void CirclesGroup::makeTable()
     connect(m_delegate, &CircleDelegate::notANumber, this, &CirclesGroup::notANumber);
     connect(m_delegate, &CircleDelegate::reverted, this, &CirclesGroup::reverted);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
-        m_duplicate->setEnabled(selected() >= 0);
-        m_remove->setEnabled(selected() >= 0);
+        enableButtons();
         if (std::exchange(m_announced, selected()) != selected())
             emit selectionChanged(selected());
     });
@@ -140,8 +140,15 @@ void CirclesGroup::reload()
 {
     m_model->reload();
     m_reset->setEnabled(!m_document.isOriginal());
-    m_duplicate->setEnabled(selected() >= 0);
-    m_remove->setEnabled(selected() >= 0);
+    enableButtons();
+}
+
+void CirclesGroup::enableButtons()
+{
+    const bool open = !m_document.isLocked(QStringLiteral("circles"));
+    m_add->setEnabled(open);
+    m_duplicate->setEnabled(open && selected() >= 0);
+    m_remove->setEnabled(open && selected() >= 0);
 }
 
 int CirclesGroup::selected() const

@@ -48,6 +48,7 @@ private:
     void retranslate();
     void nameButtons();
     void reload();
+    void enableButtons();
     void layOutColumns();
     void selectLast();
     void addCircle();

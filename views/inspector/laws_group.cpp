@@ -76,6 +76,7 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
         choose(tr("Change timing"), laws);
     });
     connect(&document.simulation(), &Simulation::presetChanged, this, &LawsGroup::reload);
+    connect(&document, &PresetDocument::lockedChanged, this, &LawsGroup::reload);
 }
 
 void LawsGroup::arrange(Arrangement arrangement)
@@ -159,6 +160,15 @@ void LawsGroup::reload()
     showItem(m_walls, static_cast<int>(laws.walls));
     showItem(m_circles, static_cast<int>(laws.circles));
     showItem(m_timing, static_cast<int>(laws.timing));
+    const std::pair<QComboBox *, QString> locks[] = {
+        {m_walls, m_document.whyLocked(QStringLiteral("laws/walls"))},
+        {m_circles, m_document.whyLocked(QStringLiteral("laws/circles"))},
+        {m_timing, m_document.whyLocked(QStringLiteral("laws/timing"))}};
+    for (const auto &[list, why] : locks) {
+        list->setEnabled(why.isEmpty());
+        if (!why.isEmpty())
+            list->setToolTip(why);
+    }
 }
 
 /// The wheel scrolls the pane; laws change only when asked.

@@ -84,6 +84,7 @@ WorldGroup::WorldGroup(PresetDocument &document, QWidget *parent)
     retranslate();
     reload();
     connect(&document.simulation(), &Simulation::presetChanged, this, &WorldGroup::reload);
+    connect(&document, &PresetDocument::lockedChanged, this, &WorldGroup::reload);
 }
 
 NumberField *WorldGroup::at(Field field) const
@@ -145,8 +146,22 @@ void WorldGroup::reload()
     const Preset &preset = m_document.preset();
     for (int i = 0; i < FieldCount; ++i)
         at(static_cast<Field>(i))->setValue(numberOf(preset, i));
+    showLocks();
     const bool fraction = fractionOrNumber(preset.timestep).contains(QLatin1Char('/'));
     m_seconds->setText(fraction ? tr("= %1 s").arg(preset.timestep, 0, 'g', 3) : QString());
+}
+
+void WorldGroup::showLocks()
+{
+    const QString names[] = {QStringLiteral("gravity"), QStringLiteral("gravity"),
+                             QStringLiteral("restitution"), QStringLiteral("timestep"),
+                             QStringLiteral("half_width")};
+    for (int i = 0; i < FieldCount; ++i) {
+        const QString why = m_document.whyLocked(names[i]);
+        at(static_cast<Field>(i))->setEnabled(why.isEmpty());
+        if (!why.isEmpty())
+            at(static_cast<Field>(i))->setToolTip(why);
+    }
 }
 
 void WorldGroup::propose(Field field, double value, bool spinning)

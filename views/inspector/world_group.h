@@ -45,6 +45,7 @@ private:
 
     void retranslate();
     void reload();
+    void showLocks();
     void propose(Field field, double value, bool spinning);
     [[nodiscard]] NumberField *at(Field field) const;
 

@@ -32,7 +32,7 @@ int SceneEditor::circleCount() const
 
 bool SceneEditor::commit(const QString &text, const Preset &changed, const QString &mergeKey)
 {
-    if (const std::optional<Error> fault = findFault(changed)) {
+    if (const std::optional<Error> fault = m_document.faultOf(changed)) {
         emit noticed(fault->message);
         return false;
     }

@@ -198,10 +198,8 @@ void SceneView::notice(const QString &text)
     refresh();
 }
 
-QImage SceneView::renderToImage(QSize size, qreal dpr) const
+ScenePicture SceneView::plainPicture(QSizeF size) const
 {
-    QImage image(size * dpr, QImage::Format_RGB32);
-    image.setDevicePixelRatio(dpr);
     ScenePicture picture{.camera = m_camera, .font = font()};
     picture.camera.resize(size);
     SceneLook look{.camera = picture.camera, .font = font()};
@@ -210,6 +208,14 @@ QImage SceneView::renderToImage(QSize size, qreal dpr) const
     if (picture.inset)
         look.reserved.push_back(picture.inset->frame);
     picture.list = buildScene(seen, m_options, look);
+    return picture;
+}
+
+QImage SceneView::renderToImage(QSize size, qreal dpr) const
+{
+    QImage image(size * dpr, QImage::Format_RGB32);
+    image.setDevicePixelRatio(dpr);
+    const ScenePicture picture = plainPicture(size);
     QPainter painter(&image);
     paintShapes(painter, picture.list, picture.camera);
     paintOverlay(painter, picture);

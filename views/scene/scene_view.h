@@ -59,8 +59,9 @@ public:
     /// What is shown now.
     [[nodiscard]] const ScenePicture &picture();
 
-    /// The scene at this moment in \p size logical pixels, \p dpr device pixels to each, without
-    /// marks of selection and pointer.
+    /// The scene at this moment in \p size logical pixels, without marks of selection and pointer.
+    [[nodiscard]] ScenePicture plainPicture(QSizeF size) const;
+    /// The same as an image, \p dpr device pixels to each.
     [[nodiscard]] QImage renderToImage(QSize size, qreal dpr = 1.0) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {700, 700}; }

@@ -112,7 +112,7 @@ void SceneView::drag(QPointF pixel, bool snap)
 {
     const Preset candidate = m_drag->candidate(m_camera.toMetres(pixel), snap);
     m_dragValue = m_drag->valueText(candidate);
-    if (const std::optional<Error> fault = findFault(candidate)) {
+    if (const std::optional<Error> fault = m_document.faultOf(candidate)) {
         m_refused = m_drag->dragged(candidate);
         m_refusal = fault->message;
     } else {

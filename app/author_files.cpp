@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/author_window.h"
+
+#include "app/notice_bar.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/authoring/lab_edits.h"
+#include "views/author/figure.h"
+#include "views/author/scene_tab.h"
+#include "views/author/text_tab.h"
+#include "views/scene/scene_view.h"
+#include "views/theme.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace cradle {
+
+// Dialogs of the window, and what they lead to.
+
+namespace {
+
+/// A name for a file or an id made of \p title: letters, digits and dashes.
+QString nameFrom(const QString &title)
+{
+    QString name;
+    for (const QChar letter : title.toLower()) {
+        const bool plain = letter.unicode() < 128 && letter.isLetterOrNumber();
+        if (plain)
+            name.append(letter);
+        else if (!name.isEmpty() && !name.endsWith(QLatin1Char('-')))
+            name.append(QLatin1Char('-'));
+    }
+    while (name.endsWith(QLatin1Char('-')))
+        name.chop(1);
+    return name.isEmpty() ? QStringLiteral("lab") : name.left(64);
+}
+
+} // namespace
+
+void AuthorWindow::newLab()
+{
+    if (!mayDiscard())
+        return;
+    bool ok = false;
+    const QString title = QInputDialog::getText(this, tr("New lab"), tr("Title of the lab:"),
+                                                QLineEdit::Normal, tr("My lab"), &ok)
+                              .trimmed();
+    if (!ok || title.isEmpty())
+        return;
+    m_document.begin(cradle::newLab(nameFrom(title), title, m_document.language()));
+}
+
+void AuthorWindow::openLab()
+{
+    if (!mayDiscard())
+        return;
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
+    if (folder.isEmpty())
+        return;
+    if (const auto error = open(folder))
+        report(*error);
+}
+
+bool AuthorWindow::save()
+{
+    if (m_document.folder().isEmpty() || m_document.isReadOnly())
+        return saveAs();
+    return saveInto(false);
+}
+
+bool AuthorWindow::saveInto(bool overwrite)
+{
+    const auto error = m_document.save(overwrite);
+    if (!error)
+        return true;
+    if (overwrite || changedOnDisk(m_document.onDisk(), m_document.folder()).isEmpty()) {
+        report(*error);
+        return false;
+    }
+    QMessageBox box(QMessageBox::Warning, tr("Changed by another program"), error->message,
+                    QMessageBox::Cancel, this);
+    QPushButton *replace = box.addButton(tr("Replace with mine"), QMessageBox::DestructiveRole);
+    QPushButton *reload = box.addButton(tr("Take theirs"), QMessageBox::DestructiveRole);
+    box.exec();
+    if (box.clickedButton() == replace)
+        return saveInto(true);
+    if (box.clickedButton() == reload) {
+        if (const auto unread = m_document.reload())
+            report(*unread);
+    }
+    return false;
+}
+
+bool AuthorWindow::saveAs()
+{
+    QFileDialog dialog(this, tr("A new folder for the lab"));
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    dialog.setLabelText(QFileDialog::FileName, tr("Folder:"));
+    dialog.selectFile(nameFrom(m_document.lab().title));
+    // saveAs() refuses a folder in which something is.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    if (const auto error = m_document.saveAs(dialog.selectedFiles().value(0))) {
+        report(*error);
+        return false;
+    }
+    m_notice->hide();
+    m_offer = Offer::None;
+    return true;
+}
+
+void AuthorWindow::exportLab()
+{
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the lab as one file"),
+        nameFrom(m_document.lab().title) + QLatin1String(archiveSuffix),
+        tr("Labs (*.cradle);;All files (*)"), nullptr, QFileDialog::DontUseNativeDialog);
+    if (path.isEmpty())
+        return;
+    if (!isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
+        path += QLatin1String(archiveSuffix);
+    if (const auto error = cradle::exportLab(m_document.files(), path)) {
+        report(*error);
+        return;
+    }
+    m_offer = Offer::None;
+    m_notice->showNotice(tr("Exported: %1").arg(path));
+}
+
+void AuthorWindow::openAsStudent()
+{
+    if (m_document.isModified() && !save())
+        return;
+    emit studentRequested(m_document.folder());
+}
+
+void AuthorWindow::insertFigure()
+{
+    const QString step = m_document.step();
+    if (step.isEmpty())
+        return;
+    const LabFiles &files = m_document.files();
+    QString name;
+    for (int number = 1; name.isEmpty() || files.contents.contains(step + QLatin1Char('/') + name);
+         ++number)
+        name = QStringLiteral("figure-%1.svg").arg(number);
+    const QByteArray svg = figureOf(m_sceneTab->scene());
+    if (!m_document.edit(tr("Insert a figure"),
+                         withFile(files, step + QLatin1Char('/') + name, svg)))
+        return;
+    showTab(Text);
+    m_textTab->insertFigure(
+        name, tr("The scene at %1 s").arg(m_sceneTab->simulation().time(), 0, 'f', 2));
+}
+
+bool AuthorWindow::mayDiscard()
+{
+    if (!m_document.isModified())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Save the lab?"),
+                    tr("The lab has changes that are not saved."),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace cradle

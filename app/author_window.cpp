@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/author_window.h"
+
+#include "app/notice_bar.h"
+#include "views/author/checks_tab.h"
+#include "views/author/programs_tab.h"
+#include "views/author/proof_tab.h"
+#include "views/author/scene_tab.h"
+#include "views/author/steps_panel.h"
+#include "views/author/text_tab.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QScreen>
+#include <QSettings>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+constexpr QSize firstSize{1440, 900}; ///< px
+constexpr int stepsWidth = 270;       ///< px
+
+} // namespace
+
+AuthorWindow::AuthorWindow(QSettings &settings)
+    : m_settings(settings)
+{
+    makePanes();
+    wire();
+    wireProof();
+    retranslate();
+    resize(firstSize.boundedTo(screen()->availableGeometry().size() - QSize(0, 32)));
+    restoreGeometry(settings.value(QStringLiteral("authorGeometry")).toByteArray());
+    // Undo is the lab's wherever the keyboard is, not that of a field.
+    qApp->installEventFilter(this);
+}
+
+AuthorWindow::~AuthorWindow() = default;
+
+void AuthorWindow::makePanes()
+{
+    auto *centre = new QWidget(this);
+    m_notice = new NoticeBar(centre);
+    m_splitter = new QSplitter(Qt::Horizontal, centre);
+    m_steps = new StepsPanel(m_document, m_splitter);
+    m_tabs = new QTabWidget(m_splitter);
+    m_tabs->setDocumentMode(true);
+    m_sceneTab = new SceneTab(m_document, m_tabs);
+    m_textTab = new TextTab(m_document, m_tabs);
+    m_checksTab = new ChecksTab(m_document, m_tabs);
+    m_programsTab = new ProgramsTab(m_document, m_tabs);
+    m_proofTab = new ProofTab(m_document, m_tabs);
+    for (QWidget *tab : {static_cast<QWidget *>(m_sceneTab), static_cast<QWidget *>(m_textTab),
+                         static_cast<QWidget *>(m_checksTab), static_cast<QWidget *>(m_programsTab),
+                         static_cast<QWidget *>(m_proofTab)})
+        m_tabs->addTab(tab, QString());
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setStretchFactor(1, 1);
+    m_splitter->setSizes({stepsWidth, firstSize.width() - stepsWidth});
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_notice);
+    column->addWidget(m_splitter, 1);
+    setCentralWidget(centre);
+}
+
+void AuthorWindow::wire()
+{
+    connect(&m_document, &AuthorDocument::stateChanged, this, &AuthorWindow::showState);
+    connect(&m_document, &AuthorDocument::labRead, this, &AuthorWindow::showState);
+    connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
+    connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
+    connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
+    connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
+    connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
+    connect(m_notice, &NoticeBar::actionTriggered, this, [this] {
+        if (m_offer == Offer::Copy) {
+            saveAs();
+        } else if (m_offer == Offer::Reload) {
+            if (const auto error = m_document.reload())
+                report(*error);
+        }
+    });
+}
+
+void AuthorWindow::wireProof()
+{
+    connect(m_proofTab, &ProofTab::programRequested, this, [this](const QString &program) {
+        showTab(Programs);
+        m_programsTab->showProgram(program + QStringLiteral(".lua"));
+    });
+    connect(m_proofTab, &ProofTab::checkRequested, this, [this](const QString &id) {
+        showTab(Checks);
+        m_checksTab->showCheck(id);
+    });
+    connect(m_proofTab, &ProofTab::runRequested, this,
+            [this](const Preset &scene, const QString &source, qint64 step) {
+                showTab(Scene);
+                m_sceneTab->visit(scene, source, step);
+            });
+    connect(m_sceneTab, &SceneTab::visitingChanged, this, [this](bool visiting) {
+        if (visiting) {
+            m_offer = Offer::None;
+            m_notice->showNotice(
+                tr("This is a scene of the proof, at the moment where it went wrong."));
+        } else {
+            m_notice->hide();
+        }
+    });
+}
+
+std::optional<Error> AuthorWindow::open(const QString &folder)
+{
+    return m_document.open(folder);
+}
+
+void AuthorWindow::showState()
+{
+    const QString name = m_document.lab().title.isEmpty() ? tr("New lab") : m_document.lab().title;
+    const QString place = m_document.folder().isEmpty() ? tr("not saved yet")
+                          : m_document.isReadOnly()     ? tr("read only")
+                                                        : m_document.folder();
+    setWindowTitle(QStringLiteral("%1[*] – %2").arg(name, place));
+    setWindowModified(m_document.isModified());
+}
+
+void AuthorWindow::showWelcome()
+{
+    m_notice->hide();
+    m_offer = Offer::None;
+    if (!m_document.isReadOnly())
+        return;
+    m_offer = Offer::Copy;
+    m_notice->showNotice(tr("This lab ships with Cradle and stays as it is. Look around, or make a "
+                            "copy of it and change that."),
+                         tr("Copy to a folder…"));
+}
+
+void AuthorWindow::report(const Error &error)
+{
+    m_offer = m_document.isReadOnly() ? Offer::Copy : Offer::None;
+    m_notice->showNotice(error.toString(),
+                         m_document.isReadOnly() ? tr("Copy to a folder…") : QString());
+}
+
+void AuthorWindow::offerReload(const QString &names)
+{
+    m_offer = Offer::Reload;
+    m_notice->showNotice(tr("Changed by another program: %1").arg(names), tr("Reload"));
+}
+
+/// Opens the step and the tab that the file of \p finding belongs to.
+void AuthorWindow::goTo(const Error &finding)
+{
+    const QString name = QFileInfo(finding.file).fileName();
+    for (const QString &step : m_document.steps()) {
+        if (finding.file.startsWith(step + QLatin1Char('/'))
+            || finding.file.contains(QLatin1Char('/') + step + QLatin1Char('/')))
+            m_document.setStep(step);
+    }
+    if (name.endsWith(QLatin1String(".lua")))
+        showTab(Programs);
+    else if (name.contains(QLatin1String("preset")))
+        showTab(Scene);
+    else if (name.endsWith(QLatin1String(".md")))
+        showTab(Text);
+    else if (finding.pointer.startsWith(QLatin1String("/checks")))
+        showTab(Checks);
+    else
+        showTab(Text);
+}
+
+void AuthorWindow::showTab(int tab)
+{
+    m_tabs->setCurrentIndex(tab);
+    if (QWidget *page = m_tabs->currentWidget())
+        page->setFocus();
+}
+
+void AuthorWindow::retranslate()
+{
+    const QString titles[] = {tr("Scene"), tr("Text"), tr("Checks"), tr("Programs"), tr("Proof")};
+    for (int i = 0; i < m_tabs->count(); ++i)
+        m_tabs->setTabText(i, titles[i]);
+    m_tabs->setAccessibleName(tr("Parts of the step"));
+    fillMenus();
+    showState();
+}
+
+void AuthorWindow::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QMainWindow::changeEvent(event);
+}
+
+void AuthorWindow::closeEvent(QCloseEvent *event)
+{
+    if (!mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_settings.setValue(QStringLiteral("authorGeometry"), saveGeometry());
+    event->accept();
+}
+
+/// A field does not keep Undo and Redo for itself, so that they reach the menu.
+bool AuthorWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *widget = qobject_cast<const QWidget *>(watched);
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
+        if (isUndo && widget && widget->window() == this) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+} // namespace cradle

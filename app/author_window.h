@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+
+#include <QMainWindow>
+#include <QPointer>
+
+QT_BEGIN_NAMESPACE
+class QSplitter;
+class QTabWidget;
+QT_END_NAMESPACE
+
+class QSettings;
+
+namespace cradle {
+
+class NoticeBar;
+class ChecksTab;
+class ProgramsTab;
+class ProofTab;
+class SceneTab;
+class StepsPanel;
+class TextTab;
+
+/// The window in which a lab is written: its steps on the left, and of the open step the scene,
+/// the texts, the checks, the programs and the proof that they work.
+class AuthorWindow final : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// The tabs, from the left.
+    enum Tab { Scene, Text, Checks, Programs, Proof };
+
+    /// \param settings  where the size of the window is kept
+    explicit AuthorWindow(QSettings &settings);
+    ~AuthorWindow() override;
+
+    [[nodiscard]] AuthorDocument &document() { return m_document; }
+    [[nodiscard]] SceneTab &sceneTab() { return *m_sceneTab; }
+    [[nodiscard]] TextTab &textTab() { return *m_textTab; }
+    [[nodiscard]] ChecksTab &checksTab() { return *m_checksTab; }
+    [[nodiscard]] ProgramsTab &programsTab() { return *m_programsTab; }
+    [[nodiscard]] ProofTab &proofTab() { return *m_proofTab; }
+    [[nodiscard]] StepsPanel &steps() { return *m_steps; }
+    [[nodiscard]] NoticeBar &notice() { return *m_notice; }
+    [[nodiscard]] QTabWidget &tabs() { return *m_tabs; }
+
+    /// Opens a lab's folder, or the lab that ships with the program, which stays as it is.
+    std::optional<Error> open(const QString &folder);
+
+public slots:
+    void newLab();
+    void openLab();
+    bool save();      ///< \return whether all is saved
+    bool saveAs();    ///< also makes the copy of a lab that is read-only
+    void exportLab(); ///< as one file
+    void openAsStudent();
+    void insertFigure(); ///< the scene as it is shown
+    void showTab(int tab);
+
+signals:
+    void studentRequested(const QString &folder); ///< to open that lab as a student
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makePanes();
+    void wire();
+    void wireProof();
+    void fillMenus();
+    void retranslate();
+    void showState();
+    void showWelcome();
+    void report(const Error &error);
+    void offerReload(const QString &names);
+    void goTo(const Error &finding);
+    bool saveInto(bool overwrite);
+    bool mayDiscard(); ///< asks whether changes are to be saved
+
+    QSettings &m_settings;
+    AuthorDocument m_document;
+    NoticeBar *m_notice = nullptr;
+    QSplitter *m_splitter = nullptr;
+    StepsPanel *m_steps = nullptr;
+    QTabWidget *m_tabs = nullptr;
+    SceneTab *m_sceneTab = nullptr;
+    TextTab *m_textTab = nullptr;
+    ChecksTab *m_checksTab = nullptr;
+    ProgramsTab *m_programsTab = nullptr;
+    ProofTab *m_proofTab = nullptr;
+    enum class Offer { None, Copy, Reload } m_offer = Offer::None; ///< of the notice's button
+};
+
+} // namespace cradle

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/author_window.h"
+#include "app/notice_bar.h"
+#include "views/author/checks_tab.h"
+#include "views/author/markdown_editor.h"
+#include "views/author/programs_tab.h"
+#include "views/author/proof_tab.h"
+#include "views/author/scene_tab.h"
+#include "views/author/steps_panel.h"
+#include "views/author/text_tab.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+namespace cradle::windows {
+
+/// The window in which a lab is written, as an author has it open.
+class OpenAuthor
+{
+public:
+    explicit OpenAuthor(const QTemporaryDir &folder)
+        : settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat)
+        , window(settings)
+    {
+        window.resize(1280, 720);
+        window.show();
+        window.activateWindow();
+    }
+
+    [[nodiscard]] AuthorDocument &document() { return window.document(); }
+    [[nodiscard]] const LabFiles &files() { return window.document().files(); }
+
+    /// The visible button that is called so.
+    [[nodiscard]] QAbstractButton *button(const QString &name)
+    {
+        for (auto *each : window.findChildren<QAbstractButton *>()) {
+            if (each->isVisible() && (each->accessibleName() == name || each->text() == name))
+                return each;
+        }
+        return nullptr;
+    }
+    void click(const QString &name)
+    {
+        QAbstractButton *found = button(name);
+        QVERIFY2(found && found->isEnabled(), qPrintable(name));
+        QTest::mouseClick(found, Qt::LeftButton);
+    }
+    /// Triggers the entry of a menu, whose mnemonics do not count.
+    void choose(const QString &entry)
+    {
+        for (QAction *action : window.findChildren<QAction *>()) {
+            if (action->text().remove(QLatin1Char('&')) == entry) {
+                QVERIFY2(action->isEnabled(), qPrintable(entry));
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable(entry));
+    }
+    template <typename Widget>
+    [[nodiscard]] Widget *find(const char *name)
+    {
+        return window.findChild<Widget *>(QLatin1String(name));
+    }
+    /// Types into the line of a form instead of what stands there, and leaves it.
+    void fill(const char *name, const QString &text)
+    {
+        // The fields of a form are shown a little after they are made.
+        QTRY_VERIFY2(find<QLineEdit>(name) && find<QLineEdit>(name)->isVisible(), name);
+        auto *line = find<QLineEdit>(name);
+        line->setFocus();
+        line->selectAll();
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Return);
+    }
+    /// Chooses the entry of a list with that data.
+    void pick(const char *name, const QString &data)
+    {
+        auto *list = find<QComboBox>(name);
+        QVERIFY2(list && list->isVisible(), name);
+        const int index = list->findData(data);
+        QVERIFY2(index >= 0, qPrintable(data));
+        list->setFocus();
+        list->setCurrentIndex(index);
+        emit list->activated(index);
+    }
+    /// Types a name into the field that a list has opened over a row.
+    void typeInPlace(QListWidget *list, const QString &text)
+    {
+        QTRY_VERIFY(list->viewport()->findChild<QLineEdit *>());
+        auto *line = list->viewport()->findChild<QLineEdit *>();
+        line->selectAll();
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Return);
+        QCoreApplication::processEvents();
+    }
+    /// Types \p text into the next dialog and accepts it.
+    static void answerDialog(const QString &text)
+    {
+        QTimer::singleShot(0, qApp, [text] {
+            auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            auto *line = dialog->findChild<QLineEdit *>();
+            QVERIFY(line);
+            line->selectAll();
+            QTest::keyClicks(line, text);
+            QTest::keyClick(line, Qt::Key_Return);
+            if (dialog->isVisible())
+                QMetaObject::invokeMethod(dialog, "accept");
+        });
+    }
+    /// Presses the button of the next message box that is called so.
+    static void answerQuestion(const QString &name)
+    {
+        QTimer::singleShot(0, qApp, [name] {
+            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+            QVERIFY(box);
+            for (QAbstractButton *each : box->buttons()) {
+                if (each->text().remove(QLatin1Char('&')) == name) {
+                    each->click();
+                    return;
+                }
+            }
+            box->reject();
+            QFAIL(qPrintable(name));
+        });
+    }
+    void undo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier); }
+    void redo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+    [[nodiscard]] QWidget *focus()
+    {
+        return QApplication::focusWidget() ? QApplication::focusWidget() : &window;
+    }
+
+    QSettings settings;
+    AuthorWindow window;
+};
+
+} // namespace cradle::windows

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/lab_files.h"
+#include "tasks/lab.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <memory>
+
+class QFileSystemWatcher;
+
+namespace cradle {
+
+/// The lab that an author works on: all its files as one value, the step and the language that are
+/// open, and one undo for every edit.
+class AuthorDocument final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit AuthorDocument(QObject *parent = nullptr);
+    ~AuthorDocument() override;
+
+    [[nodiscard]] const LabFiles &files() const { return m_files; }
+    [[nodiscard]] const QString &folder() const { return m_folder; } ///< empty: not saved yet
+    [[nodiscard]] bool isReadOnly() const { return m_readOnly; }
+    [[nodiscard]] bool isModified() const;
+    [[nodiscard]] QStringList steps() const;                     ///< folders, in order
+    [[nodiscard]] const QString &step() const { return m_step; } ///< the open one; may be empty
+    [[nodiscard]] const QString &language() const { return m_language; } ///< of the texts, "en"
+    /// The files as they were read from, or written to, the folder last.
+    [[nodiscard]] const LabFiles &onDisk() const { return m_onDisk; }
+    /// The lab as it was read last, a little after the newest edit.
+    [[nodiscard]] const Lab &lab() const { return m_lab; }
+    /// The open step as it was read last; nullptr if it cannot be read.
+    [[nodiscard]] const Task *task() const;
+    [[nodiscard]] QUndoStack &undoStack() { return m_undoStack; }
+    /// What kept files of the folder from being read.
+    [[nodiscard]] const std::vector<Error> &unread() const { return m_unread; }
+
+    /// Opens a lab's folder. \return what is wrong with it
+    std::optional<Error> open(const QString &folder);
+    /// Begins with \p files, which lie nowhere yet.
+    void begin(const LabFiles &files);
+    /// Makes an edit named \p text; edits with the same non-empty \p mergeKey in a row, as those
+    /// of typing, become one undo step.
+    /// \return false (and refused() is emitted) if \p after is an error or the lab is read-only
+    bool edit(const QString &text, const Result<LabFiles> &after, const QString &mergeKey = {});
+    /// The same, and opens \p step with it.
+    bool editStep(const QString &text, const Result<LabFiles> &after, const QString &step,
+                  const QString &mergeKey = {});
+    /// Writes what changed. \param overwrite  also files that somebody else changed meanwhile
+    /// \return what kept it from being saved
+    std::optional<Error> save(bool overwrite = false);
+    /// Writes all files into an empty or new folder and goes on there.
+    std::optional<Error> saveAs(const QString &folder);
+    /// Takes the folder's files as they are now, as one edit that can be undone.
+    std::optional<Error> reload();
+    /// Reads the lab at once instead of a little later.
+    void readNow();
+
+public slots:
+    void setStep(const QString &step);
+    void setLanguage(const QString &language);
+
+signals:
+    void opened();                             ///< another lab
+    void changed();                            ///< files, by an edit or by undo
+    void stepChanged();                        ///< another step, or none
+    void languageChanged();                    ///< of the texts
+    void labRead();                            ///< lab() follows the files again
+    void refused(const cradle::Error &error);  ///< an edit was not made
+    void changedOutside(const QString &names); ///< files in the folder are not as they were read
+    void stateChanged();                       ///< folder, modified or not
+
+private:
+    friend class AuthorEdit;
+    struct State {
+        LabFiles files;
+        QString step;
+    };
+
+    void apply(const State &state);
+    void take(const LabFiles &files, const QString &folder);
+    void readSoon();
+    void startReading();
+    void takeLab(const Result<Lab> &lab);
+    void watch();
+    void lookOutside();
+
+    LabFiles m_files;
+    LabFiles m_onDisk; ///< as they were read or saved last
+    QString m_folder;
+    QString m_step;
+    QString m_language = QStringLiteral("en");
+    bool m_readOnly = false;
+    QUndoStack m_undoStack;
+    Lab m_lab;
+    std::vector<Error> m_unread;
+    QTimer m_readTimer;
+    QTimer m_lookTimer;
+    /// A lab with the number of the reading that it came from: older ones are no news.
+    using Reading = std::pair<int, Result<Lab>>;
+    QFutureWatcher<std::shared_ptr<const Reading>> m_reading;
+    int m_readings = 0; ///< begun so far
+    std::unique_ptr<QFileSystemWatcher> m_watcher;
+};
+
+} // namespace cradle

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/author_document.h"
+
+#include <QDirIterator>
+#include <QFileSystemWatcher>
+
+namespace cradle {
+
+// The lab on disk: saving, and edits by others.
+
+std::optional<Error> AuthorDocument::save(bool overwrite)
+{
+    if (auto error = saveLabFiles(m_files, m_onDisk, m_folder,
+                                  overwrite ? OnConflict::Overwrite : OnConflict::Refuse))
+        return error;
+    m_onDisk = m_files;
+    m_undoStack.setClean();
+    watch();
+    emit stateChanged();
+    return std::nullopt;
+}
+
+std::optional<Error> AuthorDocument::saveAs(const QString &folder)
+{
+    const QDir target(folder);
+    if (target.exists() && !target.isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
+        return Error{.message = tr("the folder is not empty; a new or an empty one is right"),
+                     .file = folder};
+    if (auto error = saveLabFiles(m_files, {}, folder))
+        return error;
+    m_onDisk = m_files;
+    m_folder = folder;
+    m_readOnly = false;
+    m_undoStack.setClean();
+    watch();
+    emit stateChanged();
+    return std::nullopt;
+}
+
+std::optional<Error> AuthorDocument::reload()
+{
+    std::vector<Error> findings;
+    const Result<LabFiles> files = readLabFiles(m_folder, &findings);
+    if (!files)
+        return files.error();
+    m_unread = findings;
+    m_onDisk = *files;
+    edit(tr("Reload from the folder"), *files);
+    if (!steps().contains(m_step))
+        setStep(steps().value(0));
+    watch();
+    emit stateChanged();
+    return std::nullopt;
+}
+
+/// Listens to all folders and files of the lab, whoever changes them.
+void AuthorDocument::watch()
+{
+    m_watcher.reset();
+    if (m_folder.isEmpty() || m_readOnly)
+        return;
+    m_watcher = std::make_unique<QFileSystemWatcher>();
+    QStringList paths{m_folder};
+    for (auto it = m_onDisk.contents.keyBegin(); it != m_onDisk.contents.keyEnd(); ++it)
+        paths.append(m_folder + QLatin1Char('/') + *it);
+    QDirIterator folders(m_folder, QDir::Dirs | QDir::NoDotAndDotDot | QDir::NoSymLinks,
+                         QDirIterator::Subdirectories);
+    while (folders.hasNext())
+        paths.append(folders.next());
+    m_watcher->addPaths(paths);
+    const auto lookSoon = [this] { m_lookTimer.start(); };
+    connect(m_watcher.get(), &QFileSystemWatcher::fileChanged, this, lookSoon);
+    connect(m_watcher.get(), &QFileSystemWatcher::directoryChanged, this, lookSoon);
+}
+
+/// Compares contents: a save of our own changes files too.
+void AuthorDocument::lookOutside()
+{
+    const QStringList names = changedOnDisk(m_onDisk, m_folder);
+    if (names.isEmpty())
+        return;
+    emit changedOutside(names.join(QStringLiteral(", ")));
+    watch();
+}
+
+} // namespace cradle

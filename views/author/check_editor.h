@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/task_form.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QComboBox;
+class QLabel;
+class QLineEdit;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class ParameterForm;
+
+/// One check as a form: what it is called, its kind with its parameters, and the scenes in which
+/// it runs. The fields come from the catalogue of kinds.
+class CheckEditor final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit CheckEditor(QWidget *parent = nullptr);
+
+    void show(const CheckForm &check);
+    void setReadOnly(bool readOnly);
+
+signals:
+    void edited(const cradle::CheckForm &check, const QString &field);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void makeLayout();
+    void wire();
+    void retranslate();
+    void fillKinds();
+    void showKind();
+    void showRefusal(const QString &reason);
+    void takeCircles();
+    void takePoints();
+
+    CheckForm m_check;
+    QLabel *m_heading = nullptr;
+    QLabel *m_captions[6]{};
+    QLineEdit *m_title = nullptr;
+    QLineEdit *m_id = nullptr;
+    QComboBox *m_kind = nullptr;
+    QLabel *m_purpose = nullptr;
+    QLineEdit *m_circles = nullptr;
+    QLineEdit *m_points = nullptr;
+    ParameterForm *m_parameters = nullptr;
+    QLabel *m_sceneHeading = nullptr;
+    QComboBox *m_scene = nullptr;
+    QLabel *m_scenePurpose = nullptr;
+    ParameterForm *m_sceneForm = nullptr;
+    QLabel *m_refusal = nullptr;
+};
+
+} // namespace cradle

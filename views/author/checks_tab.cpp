@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/checks_tab.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/checks/check_kinds.h"
+#include "tasks/script/student_script.h"
+#include "views/author/check_editor.h"
+#include "views/author/tool_buttons.h"
+#include "views/code/code_editor.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int listWidth = 270; ///< px
+
+/// \p wish, or with a number, such that no check has it.
+QString freeId(const std::vector<CheckForm> &checks, const QString &wish)
+{
+    QString id = wish;
+    const auto taken = [&](const CheckForm &check) { return check.id == id; };
+    for (int number = 2; std::any_of(checks.begin(), checks.end(), taken); ++number)
+        id = QStringLiteral("%1-%2").arg(wish).arg(number);
+    return id;
+}
+
+} // namespace
+
+ChecksTab::ChecksTab(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    makeLayout();
+    retranslate();
+    wire();
+    reload();
+}
+
+void ChecksTab::makeLayout()
+{
+    m_heading = new QLabel(this);
+    m_heading->setFont(headingFont());
+    setKind(m_heading, "heading");
+    m_list = new QListWidget(this);
+    m_list->setObjectName(QStringLiteral("checks"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    setKind(m_list, "rows");
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->installEventFilter(this);
+    m_add = makeIconButton(QStringLiteral("add"), this);
+    m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
+    m_remove = makeIconButton(QStringLiteral("remove"), this);
+    m_up = makeIconButton(QStringLiteral("up"), this);
+    m_down = makeIconButton(QStringLiteral("down"), this);
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(12, 6, 6, 4);
+    row->setSpacing(0);
+    row->addWidget(m_heading, 1);
+    for (QToolButton *button : {m_up, m_down, m_add, m_duplicate, m_remove})
+        row->addWidget(button);
+    auto *side = new QWidget(this);
+    auto *left = new QVBoxLayout(side);
+    left->setContentsMargins(0, 0, 0, 0);
+    left->setSpacing(0);
+    left->addLayout(row);
+    left->addWidget(m_list, 1);
+
+    m_empty = new QLabel(this);
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignCenter);
+    setKind(m_empty, "muted");
+    m_editor = new CheckEditor(this);
+    auto *scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(m_editor);
+    m_script = new CodeEditor(this);
+    m_splitter = new QSplitter(Qt::Vertical, this);
+    m_splitter->addWidget(m_empty);
+    m_splitter->addWidget(scroll);
+    m_splitter->addWidget(m_script);
+    m_splitter->setChildrenCollapsible(false);
+
+    auto *halves = new QSplitter(Qt::Horizontal, this);
+    halves->addWidget(side);
+    halves->addWidget(m_splitter);
+    halves->setChildrenCollapsible(false);
+    halves->setStretchFactor(1, 1);
+    halves->setSizes({listWidth, 760});
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(halves);
+}
+
+void ChecksTab::wire()
+{
+    connect(&m_document, &AuthorDocument::changed, this, &ChecksTab::reload);
+    connect(&m_document, &AuthorDocument::stepChanged, this, &ChecksTab::reload);
+    connect(&m_document, &AuthorDocument::languageChanged, this, &ChecksTab::reload);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        if (!m_loading)
+            showCurrent();
+    });
+    connect(m_editor, &CheckEditor::edited, this, &ChecksTab::takeCheck);
+    connect(m_script, &CodeEditor::textEdited, this, &ChecksTab::takeScript);
+    connect(m_add, &QToolButton::clicked, this, &ChecksTab::addCheck);
+    connect(m_duplicate, &QToolButton::clicked, this, &ChecksTab::duplicateCheck);
+    connect(m_remove, &QToolButton::clicked, this, &ChecksTab::removeCheck);
+    connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
+}
+
+void ChecksTab::reload()
+{
+    const Result<TaskForm> form =
+        taskForm(m_document.files(), m_document.step(), m_document.language());
+    setEnabled(form.ok());
+    m_checks = form ? form->checks : std::vector<CheckForm>();
+    const int before = m_shownStep == m_document.step() ? m_list->currentRow() : 0;
+    m_shownStep = m_document.step();
+    m_loading = true;
+    while (m_list->count() > static_cast<int>(m_checks.size()))
+        delete m_list->takeItem(m_list->count() - 1);
+    for (int i = 0; i < static_cast<int>(m_checks.size()); ++i) {
+        if (i >= m_list->count())
+            m_list->addItem(QString());
+        const CheckForm &check = m_checks[static_cast<std::size_t>(i)];
+        m_list->item(i)->setText(check.title.isEmpty() ? check.id : check.title);
+        m_list->item(i)->setToolTip(check.id);
+    }
+    const int last = m_list->count() - 1;
+    m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
+    m_loading = false;
+    m_heading->setText(tr("Checks · %1").arg(m_list->count()));
+    showCurrent();
+}
+
+void ChecksTab::showCurrent()
+{
+    const int at = m_list->currentRow();
+    const bool writable = !m_document.isReadOnly();
+    m_empty->setVisible(at < 0);
+    m_splitter->widget(1)->setVisible(at >= 0);
+    m_editor->setReadOnly(!writable);
+    m_add->setEnabled(writable);
+    m_duplicate->setEnabled(writable && at >= 0);
+    m_remove->setEnabled(writable && at >= 0);
+    m_up->setEnabled(writable && at > 0);
+    m_down->setEnabled(writable && at >= 0 && at + 1 < m_list->count());
+    if (at >= 0)
+        m_editor->show(m_checks[static_cast<std::size_t>(at)]);
+    showScript();
+}
+
+QString ChecksTab::scriptPath() const
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return {};
+    const CheckForm &check = m_checks[static_cast<std::size_t>(at)];
+    const std::vector<KindInfo> kinds = checkKinds();
+    const KindInfo *kind = findKind(kinds, check.kind);
+    if (!kind)
+        return {};
+    for (const ParameterInfo &info : kind->parameters) {
+        const QString name = check.parameters.value(info.name).toString();
+        if (info.type != ParameterInfo::Type::Script || name.isEmpty())
+            continue;
+        const QString file =
+            name.endsWith(QLatin1String(".lua")) ? name : name + QStringLiteral(".lua");
+        return QStringLiteral("%1/checks/%2").arg(m_document.step(), file);
+    }
+    return {};
+}
+
+void ChecksTab::showScript()
+{
+    const QString path = scriptPath();
+    m_script->setVisible(!path.isEmpty());
+    if (path.isEmpty())
+        return;
+    const QString text = textOf(m_document.files(), path);
+    m_script->setReadOnly(false); // a read-only area takes no text at all
+    if (path != m_shownScript)
+        m_script->setText(text);
+    else
+        m_script->replaceText(text);
+    m_script->setReadOnly(m_document.isReadOnly());
+    m_shownScript = path;
+    const auto error = findSyntaxError(text);
+    if (error)
+        m_script->setError(error->line, error->message);
+    else
+        m_script->clearError();
+}
+
+void ChecksTab::store(const QString &text, const std::vector<CheckForm> &checks, int current,
+                      const QString &mergeKey)
+{
+    Result<TaskForm> form = taskForm(m_document.files(), m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->checks = checks;
+    const bool done = m_document.edit(
+        text, withTask(m_document.files(), m_document.step(), *form, m_document.language()),
+        mergeKey);
+    if (!done)
+        reload();
+    else if (current >= 0)
+        m_list->setCurrentRow(current);
+}
+
+void ChecksTab::takeCheck(const CheckForm &check, const QString &field)
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    checks[static_cast<std::size_t>(at)] = check;
+    if (field == QLatin1String("kind") && check.kind == QLatin1String("script")) {
+        beginScript(checks, at);
+        return;
+    }
+    store(tr("Edit a check"), checks, at,
+          QStringLiteral("check:%1:%2:%3").arg(m_document.step()).arg(at).arg(field));
+}
+
+/// A check in Lua begins with a program that accepts everything.
+void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
+{
+    CheckForm &check = checks[static_cast<std::size_t>(at)];
+    const QString name = check.id + QStringLiteral(".lua");
+    check.parameters = {{QStringLiteral("script"), name}};
+    const QString path = QStringLiteral("%1/checks/%2").arg(m_document.step(), name);
+    LabFiles files = m_document.files();
+    if (!files.contents.contains(path))
+        files = withText(files, path,
+                         tr("-- Returns true, or false and what is wrong.\n")
+                             + QStringLiteral("function check(run)\n  return true\nend\n"));
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->checks = checks;
+    m_document.edit(tr("Edit a check"),
+                    withTask(files, m_document.step(), *form, m_document.language()));
+}
+
+void ChecksTab::takeScript()
+{
+    if (const QString path = scriptPath(); !path.isEmpty())
+        m_document.edit(tr("Edit the program of a check"),
+                        withText(m_document.files(), path, m_script->text()),
+                        QStringLiteral("script:") + path);
+}
+
+void ChecksTab::addCheck()
+{
+    std::vector<CheckForm> checks = m_checks;
+    CheckForm check;
+    check.kind = QStringLiteral("start");
+    check.id = freeId(checks, QStringLiteral("check"));
+    check.title = tr("New check");
+    check.scene = {{QStringLiteral("kind"), QStringLiteral("own")}};
+    const int at = m_list->currentRow() + 1;
+    checks.insert(checks.begin() + at, check);
+    store(tr("Add a check"), checks, at);
+}
+
+void ChecksTab::duplicateCheck()
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    CheckForm copy = checks[static_cast<std::size_t>(at)];
+    copy.id = freeId(checks, copy.id);
+    checks.insert(checks.begin() + at + 1, copy);
+    store(tr("Duplicate a check"), checks, at + 1);
+}
+
+void ChecksTab::removeCheck()
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    checks.erase(checks.begin() + at);
+    store(tr("Remove a check"), checks, std::min(at, static_cast<int>(checks.size()) - 1));
+}
+
+void ChecksTab::move(int by)
+{
+    const int at = m_list->currentRow();
+    const int to = at + by;
+    if (m_document.isReadOnly() || at < 0 || to < 0 || to >= m_list->count())
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    std::swap(checks[static_cast<std::size_t>(at)], checks[static_cast<std::size_t>(to)]);
+    store(tr("Move a check"), checks, to);
+}
+
+void ChecksTab::showCheck(const QString &id)
+{
+    for (int i = 0; i < static_cast<int>(m_checks.size()); ++i) {
+        if (m_checks[static_cast<std::size_t>(i)].id == id)
+            m_list->setCurrentRow(i);
+    }
+}
+
+bool ChecksTab::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool up = key->key() == Qt::Key_Up;
+        if (key->modifiers() == Qt::AltModifier && (up || key->key() == Qt::Key_Down)) {
+            move(up ? -1 : 1);
+            return true;
+        }
+        if (key->key() == Qt::Key_Delete && m_remove->isEnabled()) {
+            removeCheck();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ChecksTab::retranslate()
+{
+    m_heading->setText(tr("Checks · %1").arg(m_list->count()));
+    m_list->setAccessibleName(tr("Checks of the step"));
+    m_empty->setText(tr("No check yet. Add one with the plus, then say what is right."));
+    m_script->setAccessibleName(tr("Program of the check"));
+    nameButton(m_add, tr("Add a check"));
+    nameButton(m_duplicate, tr("Duplicate the check"));
+    nameButton(m_remove, tr("Remove the check"), tr("Delete"));
+    nameButton(m_up, tr("Move the check up"), tr("Alt+Up"));
+    nameButton(m_down, tr("Move the check down"), tr("Alt+Down"));
+}
+
+void ChecksTab::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

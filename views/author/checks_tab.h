@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/task_form.h"
+#include "views/author/author_document.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QLabel;
+class QListWidget;
+class QSplitter;
+class QToolButton;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class CheckEditor;
+class CodeEditor;
+
+/// The checks of a step: a list in the order of the report, and the chosen one as a form. A check
+/// that is written in Lua has its program below the form.
+class ChecksTab final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ChecksTab(AuthorDocument &document, QWidget *parent = nullptr);
+
+    void showCheck(const QString &id);
+    [[nodiscard]] CodeEditor &scriptEditor() { return *m_script; }
+
+public slots:
+    void addCheck();
+    void duplicateCheck();
+    void removeCheck();
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makeLayout();
+    void wire();
+    void retranslate();
+    void reload();
+    void showCurrent();
+    void showScript();
+    void move(int by);
+    void takeCheck(const CheckForm &check, const QString &field);
+    void beginScript(std::vector<CheckForm> checks, int at);
+    void takeScript();
+    void store(const QString &text, const std::vector<CheckForm> &checks, int current,
+               const QString &mergeKey = {});
+    [[nodiscard]] QString scriptPath() const; ///< of the chosen check; empty if it has none
+
+    AuthorDocument &m_document;
+    std::vector<CheckForm> m_checks;
+    QLabel *m_heading = nullptr;
+    QListWidget *m_list = nullptr;
+    QToolButton *m_add = nullptr;
+    QToolButton *m_duplicate = nullptr;
+    QToolButton *m_remove = nullptr;
+    QToolButton *m_up = nullptr;
+    QToolButton *m_down = nullptr;
+    QLabel *m_empty = nullptr;
+    QSplitter *m_splitter = nullptr;
+    CheckEditor *m_editor = nullptr;
+    CodeEditor *m_script = nullptr;
+    QString m_shownScript;
+    QString m_shownStep;
+    bool m_loading = false;
+};
+
+} // namespace cradle

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/markdown_editor.h"
+
+#include "views/author/markdown_highlighter.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QFontDatabase>
+#include <QTextBlock>
+
+#include <algorithm>
+
+namespace cradle {
+
+MarkdownEditor::MarkdownEditor(QWidget *parent)
+    : QPlainTextEdit(parent)
+    , m_highlighter(new MarkdownHighlighter(document()))
+{
+    setUndoRedoEnabled(false);
+    setTabChangesFocus(true);
+    setFrameShape(QFrame::NoFrame);
+    document()->setDocumentMargin(12);
+    applyLook();
+    connect(this, &QPlainTextEdit::textChanged, this, [this] {
+        // New colours are told in the same way.
+        const QString text = toPlainText();
+        if (m_showing || text == m_text)
+            return;
+        m_text = text;
+        lookForNames();
+        emit edited(text);
+    });
+}
+
+MarkdownEditor::~MarkdownEditor() = default;
+
+void MarkdownEditor::showText(const QString &text)
+{
+    const QString before = toPlainText();
+    if (text == before)
+        return;
+    const auto shorter = std::min(before.size(), text.size());
+    qsizetype same = 0;
+    while (same < shorter && before[same] == text[same])
+        ++same;
+    qsizetype tail = 0;
+    while (tail < shorter - same
+           && before[before.size() - 1 - tail] == text[text.size() - 1 - tail])
+        ++tail;
+    m_showing = true;
+    QTextCursor cursor(document());
+    cursor.setPosition(static_cast<int>(same));
+    cursor.setPosition(static_cast<int>(before.size() - tail), QTextCursor::KeepAnchor);
+    cursor.insertText(text.mid(same, text.size() - same - tail));
+    m_text = text;
+    m_showing = false;
+    lookForNames();
+}
+
+void MarkdownEditor::setKnownNames(const TextNames &known)
+{
+    m_known = known;
+    lookForNames();
+}
+
+void MarkdownEditor::goTo(const UnknownName &name)
+{
+    QTextCursor cursor(document());
+    cursor.setPosition(static_cast<int>(name.start));
+    cursor.setPosition(static_cast<int>(name.start + name.length), QTextCursor::KeepAnchor);
+    setTextCursor(cursor);
+    setFocus();
+}
+
+void MarkdownEditor::lookForNames()
+{
+    std::vector<UnknownName> unknown;
+    if (!m_known.words.isEmpty()) // else the step is still to be read
+        unknown = unknownNames(toPlainText(), m_known);
+    QList<QTextEdit::ExtraSelection> marks;
+    for (const UnknownName &name : unknown) {
+        QTextEdit::ExtraSelection mark;
+        mark.cursor = QTextCursor(document());
+        mark.cursor.setPosition(static_cast<int>(name.start));
+        mark.cursor.setPosition(static_cast<int>(name.start + name.length),
+                                QTextCursor::KeepAnchor);
+        mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+        mark.format.setUnderlineColor(theme().warning);
+        marks.append(mark);
+    }
+    setExtraSelections(marks);
+    const bool same = unknown == m_unknown;
+    m_unknown = std::move(unknown);
+    if (!same)
+        emit unknownChanged();
+}
+
+void MarkdownEditor::applyLook()
+{
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setFamilies({QStringLiteral("JetBrains Mono"), font.family()});
+    font.setPixelSize(13);
+    font.setStyleStrategy(QFont::PreferNoShaping); // <!-- is no arrow
+    setFont(font);
+}
+
+void MarkdownEditor::changeEvent(QEvent *event)
+{
+    QPlainTextEdit::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        m_highlighter->rehighlight();
+        lookForNames();
+    }
+}
+
+} // namespace cradle

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/parameter_text.h"
+
+#include "model/shortest_number.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+using Type = ParameterInfo::Type;
+
+struct ParameterMessage {
+    Q_DECLARE_TR_FUNCTIONS(ParameterText)
+};
+
+QString numberText(const QJsonValue &value)
+{
+    return shortestNumber(value.toDouble());
+}
+
+QString listText(const QJsonArray &list)
+{
+    QStringList texts;
+    for (const QJsonValue &value : list)
+        texts.append(numberText(value));
+    return texts.join(QStringLiteral(", "));
+}
+
+std::optional<double> numberFrom(const QString &text)
+{
+    const QStringList parts = text.trimmed().split(QLatin1Char('/'));
+    bool ok = false;
+    double number = parts[0].trimmed().toDouble(&ok);
+    if (ok && parts.size() == 2) {
+        const double divisor = parts[1].trimmed().toDouble(&ok);
+        number /= divisor;
+        ok = ok && divisor != 0.0;
+    }
+    return ok && parts.size() <= 2 && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+QString unitOf(const ParameterInfo &info)
+{
+    return info.unit.isEmpty() ? QString() : QLatin1Char(' ') + info.unit;
+}
+
+QString boundsOf(const ParameterInfo &info)
+{
+    const QString unit = unitOf(info);
+    if (info.least && info.most)
+        return ParameterMessage::tr("from %1 to %2%3")
+            .arg(shortestNumber(*info.least), shortestNumber(*info.most), unit);
+    return info.least ? ParameterMessage::tr("%1%2 or more").arg(shortestNumber(*info.least), unit)
+                      : ParameterMessage::tr("any%1").arg(unit);
+}
+
+Error rightWouldBe(const ParameterInfo &info)
+{
+    switch (info.type) {
+    case Type::Count:
+        return {.message = ParameterMessage::tr("%1: a whole number, %2, is right")
+                               .arg(info.label, boundsOf(info))};
+    case Type::Vector:
+        return {.message = ParameterMessage::tr("%1: two numbers as “2, 0”, %2, are right")
+                               .arg(info.label, boundsOf(info))};
+    case Type::Range:
+        return {.message = ParameterMessage::tr("%1: the least and the most as “0.5, 2”, %2, are "
+                                                "right")
+                               .arg(info.label, boundsOf(info))};
+    case Type::Vectors:
+        return {.message = ParameterMessage::tr("%1: pairs of numbers as “2, 0; 0, 0”, %2, are "
+                                                "right")
+                               .arg(info.label, boundsOf(info))};
+    case Type::Numbers:
+        return {.message = ParameterMessage::tr("%1: numbers as “0.5, 1”, %2, are right")
+                               .arg(info.label, boundsOf(info))};
+    default:
+        return {
+            .message =
+                ParameterMessage::tr("%1: a number, %2, is right").arg(info.label, boundsOf(info))};
+    }
+}
+
+/// The numbers in \p text; none if one is no number or out of range.
+std::optional<QJsonArray> numbersFrom(const ParameterInfo &info, const QString &text)
+{
+    static const QRegularExpression between(QStringLiteral("[,\\s]+"));
+    QJsonArray numbers;
+    for (const QString &part : text.trimmed().split(between)) {
+        const auto number = numberFrom(part);
+        if (!number || (info.least && *number < *info.least) || (info.most && *number > *info.most))
+            return std::nullopt;
+        numbers.append(*number);
+    }
+    return numbers;
+}
+
+} // namespace
+
+QString textOfParameter(const ParameterInfo &info, const QJsonValue &value)
+{
+    if (value.isUndefined() || value.isNull())
+        return {};
+    switch (info.type) {
+    case Type::Number:
+    case Type::Count:
+        return numberText(value);
+    case Type::Vector:
+    case Type::Range:
+    case Type::Numbers:
+        return listText(value.toArray());
+    case Type::Vectors: {
+        QStringList pairs;
+        for (const QJsonValue &pair : value.toArray())
+            pairs.append(listText(pair.toArray()));
+        return pairs.join(QStringLiteral("; "));
+    }
+    case Type::Flag:
+        return value.toBool() ? ParameterMessage::tr("yes") : ParameterMessage::tr("no");
+    case Type::Choices: {
+        QStringList names;
+        for (const QJsonValue &name : value.toArray())
+            names.append(name.toString());
+        return names.join(QStringLiteral(", "));
+    }
+    case Type::Choice:
+    case Type::Script:
+        break;
+    }
+    return value.toString();
+}
+
+Result<QJsonValue> parameterFromText(const ParameterInfo &info, const QString &text)
+{
+    if (text.trimmed().isEmpty())
+        return QJsonValue(QJsonValue::Undefined);
+    if (info.type == Type::Choice || info.type == Type::Script)
+        return QJsonValue(text.trimmed());
+    if (info.type == Type::Vectors) {
+        QJsonArray pairs;
+        for (const QString &pair : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+            const auto numbers = numbersFrom(info, pair);
+            if (!numbers || numbers->size() != 2)
+                return rightWouldBe(info);
+            pairs.append(*numbers);
+        }
+        return QJsonValue(pairs);
+    }
+    const auto numbers = numbersFrom(info, text);
+    if (!numbers)
+        return rightWouldBe(info);
+    const bool pair = info.type == Type::Vector || info.type == Type::Range;
+    if (pair)
+        return numbers->size() == 2 ? Result<QJsonValue>(QJsonValue(*numbers))
+                                    : Result<QJsonValue>(rightWouldBe(info));
+    if (info.type == Type::Numbers)
+        return QJsonValue(*numbers);
+    const double number = numbers->at(0).toDouble();
+    const bool whole = info.type != Type::Count || std::floor(number) == number;
+    if (numbers->size() != 1 || !whole)
+        return rightWouldBe(info);
+    return QJsonValue(number);
+}
+
+} // namespace cradle

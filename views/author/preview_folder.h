@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/lab_files.h"
+
+#include <QTemporaryDir>
+
+namespace cradle {
+
+/// The pictures of a step as files, so that a text can be shown with them before it is saved.
+class PreviewFolder
+{
+public:
+    /// Writes those pictures of \p step that changed. \return the folder with them
+    QString follow(const LabFiles &files, const QString &step);
+
+private:
+    QTemporaryDir m_folder;
+    QMap<QString, QByteArray> m_written; ///< by file name
+    QString m_step;
+    int m_count = 0; ///< of steps shown
+};
+
+} // namespace cradle

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/proof_matrix.h"
+
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHeaderView>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int nameWidth = 230; ///< px
+constexpr int cellWidth = 44;  ///< px
+
+const CheckOutcome *outcomeOf(const CheckReport &report, const QString &check)
+{
+    const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [&](const CheckOutcome &each) { return each.id == check; });
+    return found == report.checks.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+ProofMatrix::ProofMatrix(QWidget *parent)
+    : QTableWidget(parent)
+{
+    setObjectName(QStringLiteral("matrix"));
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(26);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignCenter);
+    setShowGrid(true);
+    setFrameShape(QFrame::NoFrame);
+    connect(this, &QTableWidget::cellActivated, this, [this](int row) {
+        emit programChosen(programPath(m_task.programs[static_cast<std::size_t>(row)]));
+    });
+    connect(horizontalHeader(), &QHeaderView::sectionClicked, this, [this](int column) {
+        if (column >= 1 && column <= m_task.checks.size())
+            emit checkChosen(m_task.checks[column - 1]);
+    });
+    fill();
+}
+
+void ProofMatrix::show(const VerifiedTask &task)
+{
+    m_task = task;
+    fill();
+}
+
+void ProofMatrix::fill()
+{
+    setAccessibleName(tr("Programs and the checks that they fail"));
+    clear();
+    const auto checks = static_cast<int>(m_task.checks.size());
+    setRowCount(static_cast<int>(m_task.programs.size()));
+    setColumnCount(m_task.programs.empty() ? 0 : checks + 2);
+    if (m_task.programs.empty())
+        return;
+    QStringList titles{tr("Program")};
+    for (int i = 1; i <= checks; ++i)
+        titles.append(QString::number(i));
+    titles.append(tr("Said of it"));
+    setHorizontalHeaderLabels(titles);
+    for (int i = 0; i < checks; ++i)
+        horizontalHeaderItem(i + 1)->setToolTip(m_task.checks[i]);
+    for (int row = 0; row < rowCount(); ++row)
+        addRow(row, m_task.programs[static_cast<std::size_t>(row)]);
+    setColumnWidth(0, nameWidth);
+    for (int i = 1; i <= checks; ++i)
+        setColumnWidth(i, cellWidth);
+    horizontalHeader()->setStretchLastSection(true);
+}
+
+void ProofMatrix::addRow(int row, const VerifiedProgram &program)
+{
+    const Theme &colours = theme();
+    const CheckReport &report = program.reports.front();
+    setItem(row, 0, new QTableWidgetItem(programPath(program)));
+    for (int i = 0; i < m_task.checks.size(); ++i) {
+        const CheckOutcome *outcome = outcomeOf(report, m_task.checks[i]);
+        const bool failed = outcome && !outcome->passed;
+        auto *cell = new QTableWidgetItem(failed ? QStringLiteral("✗") : QStringLiteral("·"));
+        cell->setTextAlignment(Qt::AlignCenter);
+        cell->setForeground(failed ? colours.warning : colours.mutedText);
+        if (failed)
+            cell->setBackground(colours.warningSoft);
+        const QString said = failed ? outcome->message : tr("passes");
+        cell->setToolTip(QStringLiteral("%1: %2").arg(m_task.checks[i], said));
+        cell->setData(Qt::AccessibleTextRole, cell->toolTip());
+        setItem(row, i + 1, cell);
+    }
+    QString said;
+    if (report.error)
+        said = tr("line %1: %2").arg(report.error->line).arg(report.error->message);
+    else if (report.diagnosis)
+        said = report.diagnosis->mistake;
+    else if (!report.remarks.empty())
+        said = report.remarks.front().id;
+    else if (report.passed)
+        said = tr("passes");
+    setItem(row, columnCount() - 1, new QTableWidgetItem(said));
+}
+
+void ProofMatrix::changeEvent(QEvent *event)
+{
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        fill();
+}
+
+} // namespace cradle

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/proof_tab.h"
+
+#include "views/author/proof_matrix.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+
+#include <algorithm>
+
+namespace cradle {
+
+ProofTab::ProofTab(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    makeLayout();
+    retranslate();
+    wire();
+    setRunning(false);
+    showStep();
+}
+
+void ProofTab::makeLayout()
+{
+    m_verifyStep = new QPushButton(this);
+    m_verifyAll = new QPushButton(this);
+    m_suggest = new QPushButton(this);
+    m_stop = new QPushButton(this);
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedWidth(140);
+    setKind(m_verifyStep, "primary");
+    auto *top = new QHBoxLayout;
+    top->setContentsMargins(12, 8, 12, 8);
+    top->setSpacing(8);
+    for (QPushButton *button : {m_verifyStep, m_verifyAll, m_suggest})
+        top->addWidget(button);
+    top->addStretch(1);
+    top->addWidget(m_progress);
+    top->addWidget(m_stop);
+    m_summary = new QLabel(this);
+    m_summary->setWordWrap(true);
+    m_summary->setContentsMargins(12, 0, 12, 6);
+    m_stale = new QLabel(this);
+    m_stale->setContentsMargins(12, 0, 12, 6);
+    setKind(m_stale, "muted");
+
+    m_empty = new QLabel(this);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(40, 40, 40, 40);
+    setKind(m_empty, "muted");
+    m_matrix = new ProofMatrix(this);
+    m_rowsHolder = new QWidget(this);
+    m_rows = new QVBoxLayout(m_rowsHolder);
+    m_rows->setContentsMargins(12, 8, 12, 8);
+    m_rows->setSpacing(6);
+    m_rows->addStretch(1);
+    auto *scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(m_rowsHolder);
+    auto *splitter = new QSplitter(Qt::Vertical, this);
+    splitter->addWidget(m_matrix);
+    splitter->addWidget(scroll);
+    splitter->setChildrenCollapsible(false);
+    splitter->setSizes({320, 220});
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(top);
+    column->addWidget(m_summary);
+    column->addWidget(m_stale);
+    column->addWidget(m_empty, 1);
+    column->addWidget(splitter, 1);
+}
+
+void ProofTab::wire()
+{
+    connect(m_verifyStep, &QPushButton::clicked, this, &ProofTab::verifyStep);
+    connect(m_verifyAll, &QPushButton::clicked, this, &ProofTab::verifyAll);
+    connect(m_suggest, &QPushButton::clicked, this, &ProofTab::suggest);
+    connect(m_stop, &QPushButton::clicked, this, &ProofTab::stop);
+    connect(&m_job, &ProofJob::progressed, this, [this](int done, int total) {
+        m_progress->setMaximum(total);
+        m_progress->setValue(done);
+    });
+    connect(&m_job, &ProofJob::verified, this, &ProofTab::takeVerified);
+    connect(&m_job, &ProofJob::suggested, this, &ProofTab::takeSuggested);
+    connect(&m_job, &ProofJob::ended, this, [this] { setRunning(false); });
+    connect(&m_document, &AuthorDocument::stepChanged, this, &ProofTab::showStep);
+    connect(&m_document, &AuthorDocument::changed, this, &ProofTab::showSummary);
+    connect(&m_document, &AuthorDocument::opened, this, [this] {
+        m_job.cancel();
+        m_verified.clear();
+        m_suggestions.clear();
+        showStep();
+    });
+    connect(m_matrix, &ProofMatrix::programChosen, this, &ProofTab::programRequested);
+    connect(m_matrix, &ProofMatrix::checkChosen, this, &ProofTab::checkRequested);
+}
+
+QString ProofTab::taskId() const
+{
+    const Task *task = m_document.task();
+    return task ? task->id : QString();
+}
+
+const VerifiedTask *ProofTab::result() const
+{
+    const QString id = taskId();
+    const auto found = std::find_if(m_verified.begin(), m_verified.end(),
+                                    [&](const VerifiedTask &task) { return task.id == id; });
+    return found == m_verified.end() || id.isEmpty() ? nullptr : &*found;
+}
+
+void ProofTab::verifyStep()
+{
+    m_document.readNow();
+    if (taskId().isEmpty()) {
+        showStep();
+        return;
+    }
+    m_verifiedFiles = m_document.files();
+    setRunning(true);
+    m_job.verify(m_document.lab(), taskId());
+}
+
+void ProofTab::verifyAll()
+{
+    m_document.readNow();
+    m_verifiedFiles = m_document.files();
+    setRunning(true);
+    m_job.verify(m_document.lab(), {});
+}
+
+void ProofTab::suggest()
+{
+    m_document.readNow();
+    const Task *task = m_document.task();
+    if (!task)
+        return;
+    m_suggestedFor = task->id;
+    setRunning(true);
+    m_job.suggest(m_document.lab(), *task);
+}
+
+void ProofTab::stop()
+{
+    m_job.cancel();
+}
+
+void ProofTab::setRunning(bool running)
+{
+    m_progress->setRange(0, 0);
+    m_progress->setVisible(running);
+    m_stop->setVisible(running);
+    for (QPushButton *button : {m_verifyStep, m_verifyAll, m_suggest})
+        button->setEnabled(!running);
+    showSummary();
+}
+
+/// What was found of other steps before stays, as long as the lab is the same.
+void ProofTab::takeVerified(const std::vector<VerifiedTask> &tasks)
+{
+    for (const VerifiedTask &task : tasks) {
+        std::erase_if(m_verified, [&](const VerifiedTask &old) { return old.id == task.id; });
+        m_verified.push_back(task);
+    }
+    showStep();
+}
+
+void ProofTab::takeSuggested(const std::vector<Suggestion> &suggestions)
+{
+    m_suggestions = suggestions;
+    showStep();
+}
+
+void ProofTab::showStep()
+{
+    const VerifiedTask *verified = result();
+    m_matrix->show(verified ? *verified : VerifiedTask());
+    showRows();
+    showSummary();
+}
+
+void ProofTab::showSummary()
+{
+    const VerifiedTask *verified = result();
+    const bool suggested = m_suggestedFor == taskId() && !m_suggestedFor.isEmpty();
+    m_matrix->setVisible(verified != nullptr);
+    m_empty->setVisible(!verified && !suggested);
+    m_matrix->parentWidget()->setVisible(verified || suggested);
+    m_summary->setVisible(verified != nullptr);
+    m_stale->setVisible(verified && m_verifiedFiles != m_document.files());
+    if (!verified)
+        return;
+    const auto count = static_cast<int>(verified->findings.size());
+    setKind(m_summary, count == 0 ? "successTitle" : "warningTitle");
+    m_summary->setText(count == 0 ? tr("All is as it should be: the solution passes, every mistake "
+                                       "fails and is recognised, every check is needed.")
+                                  : tr("Not as it should be: %1").arg(count));
+}
+
+void ProofTab::showRows()
+{
+    while (m_rows->count() > 1) {
+        QLayoutItem *item = m_rows->takeAt(0);
+        if (QWidget *widget = item->widget()) {
+            widget->hide();
+            widget->deleteLater(); // its button may be at work
+        }
+        delete item;
+    }
+    if (const VerifiedTask *verified = result(); verified && !verified->findings.empty()) {
+        addHeading(tr("Findings"));
+        for (const LabFinding &finding : verified->findings)
+            addFinding(finding);
+    }
+    if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
+        return;
+    addHeading(tr("Mistakes that this step does not know"));
+    for (const Suggestion &suggestion : m_suggestions)
+        addSuggestion(suggestion);
+    if (m_suggestions.empty() && !m_job.isRunning())
+        addRow(tr("None was found: each change of the solution is caught and explained."), false,
+               {});
+}
+
+void ProofTab::addHeading(const QString &text)
+{
+    auto *heading = new QLabel(text, m_rowsHolder);
+    heading->setFont(headingFont());
+    setKind(heading, "heading");
+    m_rows->insertWidget(m_rows->count() - 1, heading);
+}
+
+QPushButton *ProofTab::addRow(const QString &text, bool warning, const QString &action)
+{
+    auto *row = new QWidget(m_rowsHolder);
+    auto *line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(8);
+    auto *label = new QLabel(text, row);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    if (warning)
+        setKind(label, "warning");
+    line->addWidget(label, 1);
+    QPushButton *button = nullptr;
+    if (!action.isEmpty()) {
+        button = new QPushButton(action, row);
+        setKind(button, "small");
+        line->addWidget(button, 0, Qt::AlignTop);
+    }
+    m_rows->insertWidget(m_rows->count() - 1, row);
+    return button;
+}
+
+} // namespace cradle

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+#include "views/author/proof_job.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class ProofMatrix;
+
+/// The proof that the checks of a step work: every program judged, the matrix of programs and
+/// checks, what is not as it should be with a way to see it, and mistakes that the step does not
+/// know yet.
+class ProofTab final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ProofTab(AuthorDocument &document, QWidget *parent = nullptr);
+
+    /// What was found of the open step, if it was verified.
+    [[nodiscard]] const VerifiedTask *result() const;
+    [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
+
+public slots:
+    void verifyStep();
+    void verifyAll();
+    void suggest(); ///< mistakes of the open step
+    void stop();
+
+signals:
+    /// A program of the open step: "solution", "mistakes/NAME".
+    void programRequested(const QString &program);
+    void checkRequested(const QString &id);
+    /// The run of a program in a scene of a check, at the step where it first went wrong.
+    void runRequested(const cradle::Preset &scene, const QString &source, qint64 step);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void makeLayout();
+    void wire();
+    void retranslate();
+    void setRunning(bool running);
+    void takeVerified(const std::vector<VerifiedTask> &tasks);
+    void takeSuggested(const std::vector<Suggestion> &suggestions);
+    void showStep();
+    void showSummary();
+    void showRows();
+    void addFinding(const LabFinding &finding);
+    void addSuggestion(const Suggestion &suggestion);
+    void addHeading(const QString &text);
+    QPushButton *addRow(const QString &text, bool warning, const QString &action);
+    void showRun(const LabFinding &finding);
+    [[nodiscard]] const CheckOutcome *outcomeOf(const LabFinding &finding) const;
+    void adopt(const Suggestion &suggestion); ///< as a mistake of the step
+    [[nodiscard]] QString sourceOf(const QString &program) const;
+    [[nodiscard]] QString taskId() const;
+
+    AuthorDocument &m_document;
+    ProofJob m_job;
+    std::vector<VerifiedTask> m_verified;
+    LabFiles m_verifiedFiles; ///< that m_verified is about
+    std::vector<Suggestion> m_suggestions;
+    QString m_suggestedFor; ///< id of the step
+    QPushButton *m_verifyStep = nullptr;
+    QPushButton *m_verifyAll = nullptr;
+    QPushButton *m_suggest = nullptr;
+    QPushButton *m_stop = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QLabel *m_summary = nullptr;
+    QLabel *m_stale = nullptr;
+    ProofMatrix *m_matrix = nullptr;
+    QLabel *m_empty = nullptr;
+    QWidget *m_rowsHolder = nullptr;
+    QVBoxLayout *m_rows = nullptr;
+};
+
+} // namespace cradle

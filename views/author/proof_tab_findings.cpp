@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/proof_tab.h"
+
+#include "tasks/authoring/lab_edits.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace cradle {
+
+// What was found, and the ways from there.
+
+/// The failed check that \p finding is about; nullptr if there is no run to be seen.
+const CheckOutcome *ProofTab::outcomeOf(const LabFinding &finding) const
+{
+    const VerifiedTask *verified = result();
+    if (!verified)
+        return nullptr;
+    for (const VerifiedProgram &program : verified->programs) {
+        if (programPath(program) != finding.program)
+            continue;
+        for (const CheckReport &report : program.reports) {
+            if (report.seed != finding.seed)
+                continue;
+            for (const CheckOutcome &outcome : report.checks) {
+                const bool meant = finding.check.isEmpty() || outcome.id == finding.check;
+                if (meant && !outcome.passed && outcome.scene)
+                    return &outcome;
+            }
+        }
+    }
+    return nullptr;
+}
+
+QString ProofTab::sourceOf(const QString &program) const
+{
+    return textOf(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
+}
+
+void ProofTab::addFinding(const LabFinding &finding)
+{
+    QString text = finding.message;
+    if (!finding.program.isEmpty())
+        text = QStringLiteral("%1: %2").arg(finding.program, text);
+    if (outcomeOf(finding)) {
+        QPushButton *button = addRow(text, true, tr("Show the run"));
+        connect(button, &QPushButton::clicked, this, [this, finding] { showRun(finding); });
+    } else if (!finding.program.isEmpty()) {
+        QPushButton *button = addRow(text, true, tr("Open the program"));
+        connect(button, &QPushButton::clicked, this,
+                [this, finding] { emit programRequested(finding.program); });
+    } else if (!finding.check.isEmpty()) {
+        QPushButton *button = addRow(text, true, tr("Open the check"));
+        connect(button, &QPushButton::clicked, this,
+                [this, finding] { emit checkRequested(finding.check); });
+    } else {
+        QPushButton *button = addRow(text, true, tr("Open the programs"));
+        connect(button, &QPushButton::clicked, this,
+                [this] { emit programRequested(QStringLiteral("solution")); });
+    }
+}
+
+void ProofTab::showRun(const LabFinding &finding)
+{
+    if (const CheckOutcome *outcome = outcomeOf(finding))
+        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step);
+}
+
+void ProofTab::addSuggestion(const Suggestion &suggestion)
+{
+    const bool passes = suggestion.kind == Suggestion::Kind::Passes;
+    const Mutant &mutant = suggestion.mutant;
+    const QString headline = mutant.message.section(QLatin1Char('\n'), 0, 0);
+    const QString text = passes ? tr("Passes every check, so one is missing: %1 (line %2: %3)")
+                                      .arg(headline)
+                                      .arg(mutant.line)
+                                      .arg(mutant.change)
+                                : tr("Fails by “%1” without a word on why: %2 (line %3: %4)")
+                                      .arg(suggestion.check, headline)
+                                      .arg(mutant.line)
+                                      .arg(mutant.change);
+    QPushButton *button = addRow(text, passes, tr("Add as a mistake"));
+    button->setEnabled(!m_document.isReadOnly());
+    connect(button, &QPushButton::clicked, this, [this, suggestion, button] {
+        button->setEnabled(false);
+        adopt(suggestion);
+    });
+}
+
+void ProofTab::adopt(const Suggestion &suggestion)
+{
+    const LabFiles &files = m_document.files();
+    const QStringList taken = knownNames(files, m_document.step(), KnownKind::Mistake);
+    QString name = suggestion.mutant.name;
+    for (int number = 2; taken.contains(name); ++number)
+        name = QStringLiteral("%1-%2").arg(suggestion.mutant.name).arg(number);
+    if (m_document.edit(tr("Add a suggested mistake"),
+                        withKnownAdded(files, m_document.step(), KnownKind::Mistake, name,
+                                       suggestion.mutant.source)))
+        emit programRequested(QStringLiteral("mistakes/") + name);
+}
+
+void ProofTab::retranslate()
+{
+    m_verifyStep->setText(tr("Verify this step"));
+    m_verifyStep->setToolTip(tr("Judges every program of the step, the solution with five seeds"));
+    m_verifyAll->setText(tr("Verify the lab"));
+    m_suggest->setText(tr("Suggest mistakes"));
+    m_suggest->setToolTip(tr("Changes the solution as students err, and tells which changes the "
+                             "checks miss or cannot explain"));
+    m_stop->setText(tr("Stop"));
+    m_progress->setAccessibleName(tr("Progress of the proof"));
+    m_stale->setText(tr("The lab was edited since."));
+    m_empty->setText(tr("Press Verify this step: the starter should fail by a check, the solution "
+                        "pass with every seed, and each mistake fail and be recognised."));
+    showStep();
+}
+
+void ProofTab::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+#include "views/preset_document.h"
+
+#include <QWidget>
+
+#include <memory>
+
+QT_BEGIN_NAMESPACE
+class QComboBox;
+class QMenu;
+class QPushButton;
+class QSplitter;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class Inspector;
+class SceneView;
+class StudentScript;
+class Timeline;
+class TransportBar;
+
+/// The scene that a step starts with, edited where it is seen: by its handles and by numbers. It
+/// can run, by its laws or by the reference program; templates, the moment shown, and what the
+/// student may not change are in menus.
+class SceneTab final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SceneTab(AuthorDocument &document, QWidget *parent = nullptr);
+    ~SceneTab() override;
+
+    [[nodiscard]] SceneView &scene() { return *m_scene; }
+    [[nodiscard]] Simulation &simulation() { return m_simulation; }
+    [[nodiscard]] PresetDocument &preset() { return m_preset; }
+    [[nodiscard]] QMenu &templates() { return *m_templates; }
+    [[nodiscard]] QMenu &locks() { return *m_locks; }
+
+    /// Runs \p program in \p scene up to \p step, to be looked at; not the step's own scene.
+    void visit(const Preset &scene, const QString &program, qint64 step);
+
+public slots:
+    /// The circles start where, and as fast as, they are at the moment shown.
+    void setFromMoment();
+
+signals:
+    void visitingChanged(bool visiting);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void makeLayout();
+    void retranslate();
+    void reload();
+    void takePreset();
+    void fillTemplates();
+    void fillLocks();
+    void showLocks();
+    void setLocked(const QString &field, bool locked);
+    void chooseMover();
+    void enableControls();
+
+    AuthorDocument &m_document;
+    Simulation m_simulation;
+    PresetDocument m_preset;
+    std::unique_ptr<StudentScript> m_program; ///< that moves the circles, if one does
+    TransportBar *m_transport = nullptr;
+    QPushButton *m_templateButton = nullptr;
+    QPushButton *m_lockButton = nullptr;
+    QPushButton *m_fromMoment = nullptr;
+    QPushButton *m_leave = nullptr; ///< a visit
+    QComboBox *m_mover = nullptr;
+    QMenu *m_templates = nullptr;
+    QMenu *m_locks = nullptr;
+    QSplitter *m_splitter = nullptr;
+    SceneView *m_scene = nullptr;
+    Inspector *m_inspector = nullptr;
+    Timeline *m_timeline = nullptr;
+    QString m_shownStep;
+    QStringList m_lockNames; ///< in the menu
+    int m_openings = 0;      ///< of presets: edits of two never merge
+};
+
+} // namespace cradle

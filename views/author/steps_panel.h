@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+
+#include <QByteArrayList>
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+/// The steps of the lab that is written: add, duplicate, remove, rename in place, reorder by drag
+/// or Alt+Up and Alt+Down. Below them, what is wrong with the lab's files; a click goes there.
+class StepsPanel final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StepsPanel(AuthorDocument &document, QWidget *parent = nullptr);
+
+public slots:
+    void addStep();
+    void duplicateStep();
+    void removeStep();
+    void renameStep(); ///< begins to edit its title in the list
+    void moveUp();
+    void moveDown();
+
+signals:
+    void findingChosen(const cradle::Error &finding);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makeLayout();
+    void retranslate();
+    void reload();
+    void reloadIfNew();
+    void showCurrent();
+    void showFindings();
+    void move(int by);
+    void takeOrder();                      ///< of the list, after a drag
+    void takeTitle(QListWidgetItem *item); ///< after it was edited in place
+    void enableButtons();
+
+    AuthorDocument &m_document;
+    QLabel *m_heading = nullptr;
+    QListWidget *m_list = nullptr;
+    QToolButton *m_add = nullptr;
+    QToolButton *m_duplicate = nullptr;
+    QToolButton *m_remove = nullptr;
+    QToolButton *m_up = nullptr;
+    QToolButton *m_down = nullptr;
+    QLabel *m_findingsHeading = nullptr;
+    QListWidget *m_findings = nullptr;
+    std::vector<Error> m_errors;
+    QByteArrayList m_shown; ///< what the rows were made of
+    bool m_loading = false;
+};
+
+} // namespace cradle

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/text_tab.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/mode.h"
+#include "views/author/hints_list.h"
+#include "views/author/markdown_editor.h"
+#include "views/markdown_view.h"
+#include "views/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSplitter>
+
+namespace cradle {
+
+namespace {
+
+constexpr int previewDelay = 150; ///< ms after a key, while more may follow
+
+} // namespace
+
+TextTab::TextTab(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    m_previewTimer.setSingleShot(true);
+    m_previewTimer.setInterval(previewDelay);
+    makeLayout();
+    retranslate();
+    wire();
+    reload();
+}
+
+void TextTab::makeLayout()
+{
+    m_part = new QComboBox(this);
+    m_language = new QComboBox(this);
+    m_mode = new QComboBox(this);
+    m_figure = new QPushButton(this);
+    m_part->setObjectName(QStringLiteral("textPart"));
+    m_language->setObjectName(QStringLiteral("textLanguage"));
+    setKind(m_figure, "small");
+    auto *top = new QHBoxLayout;
+    top->setSpacing(8);
+    top->setContentsMargins(12, 8, 12, 8);
+    top->addWidget(m_part);
+    top->addWidget(m_language);
+    top->addWidget(m_figure);
+    top->addStretch(1);
+    top->addWidget(m_mode);
+
+    m_preview = new MarkdownView(this);
+    m_splitter = new QSplitter(Qt::Horizontal, this);
+    m_splitter->addWidget(makeEditorColumn());
+    m_splitter->addWidget(m_preview);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setSizes({500, 500});
+
+    m_id = new QLineEdit(this);
+    m_commit = new QLineEdit(this);
+    m_extra = new QCheckBox(this);
+    m_idCaption = new QLabel(this);
+    m_commitCaption = new QLabel(this);
+    m_id->setObjectName(QStringLiteral("stepId"));
+    m_commit->setObjectName(QStringLiteral("stepCommit"));
+    m_id->setMaximumWidth(140);
+    m_idCaption->setBuddy(m_id);
+    m_commitCaption->setBuddy(m_commit);
+    auto *bottom = new QHBoxLayout;
+    bottom->setSpacing(8);
+    bottom->setContentsMargins(12, 8, 12, 8);
+    for (QWidget *widget : {static_cast<QWidget *>(m_idCaption), static_cast<QWidget *>(m_id),
+                            static_cast<QWidget *>(m_commitCaption)})
+        bottom->addWidget(widget);
+    bottom->addWidget(m_commit, 1);
+    bottom->addWidget(m_extra);
+
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(top);
+    column->addWidget(m_splitter, 1);
+    column->addLayout(bottom);
+}
+
+QWidget *TextTab::makeEditorColumn()
+{
+    auto *side = new QWidget(m_splitter);
+    m_hints = new HintsList(side);
+    m_editor = new MarkdownEditor(side);
+    m_editor->setObjectName(QStringLiteral("markdown"));
+    m_unknown = new QPushButton(side);
+    m_unknown->setObjectName(QStringLiteral("unknownNames"));
+    setKind(m_unknown, "link");
+    auto *column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_hints);
+    column->addWidget(m_editor, 1);
+    auto *foot = new QHBoxLayout;
+    foot->setContentsMargins(8, 0, 8, 0);
+    foot->addWidget(m_unknown, 0, Qt::AlignLeft);
+    column->addLayout(foot);
+    return side;
+}
+
+void TextTab::wire()
+{
+    connect(&m_document, &AuthorDocument::changed, this, &TextTab::reload);
+    connect(&m_document, &AuthorDocument::stepChanged, this, &TextTab::reload);
+    connect(&m_document, &AuthorDocument::languageChanged, this, &TextTab::reload);
+    connect(&m_document, &AuthorDocument::labRead, this, &TextTab::followNames);
+    connect(&m_document, &AuthorDocument::stepChanged, this, &TextTab::followNames);
+    connect(m_part, &QComboBox::currentIndexChanged, this, &TextTab::reload);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &TextTab::showPreview);
+    connect(m_language, &QComboBox::activated, this,
+            [this] { m_document.setLanguage(m_language->currentData().toString()); });
+    connect(m_hints, &HintsList::currentChanged, this, &TextTab::reloadText);
+    connect(m_hints, &HintsList::edited, this, &TextTab::takeHints);
+    connect(m_editor, &MarkdownEditor::edited, this, &TextTab::takeText);
+    connect(m_editor, &MarkdownEditor::unknownChanged, this, &TextTab::showUnknown);
+    connect(m_unknown, &QPushButton::clicked, this, [this] {
+        if (!m_editor->unknown().empty())
+            m_editor->goTo(m_editor->unknown().front());
+    });
+    connect(m_figure, &QPushButton::clicked, this, &TextTab::figureRequested);
+    connect(m_id, &QLineEdit::editingFinished, this, [this] {
+        const QString name = m_id->text().trimmed();
+        if (!m_id->isModified() || name == m_document.step() || m_document.step().isEmpty())
+            return;
+        if (!m_document.editStep(tr("Rename the step's folder"),
+                                 withStepRenamed(m_document.files(), m_document.step(), name),
+                                 name))
+            m_id->setText(m_document.step());
+    });
+    connect(m_commit, &QLineEdit::textEdited, this, &TextTab::takeFields);
+    connect(m_extra, &QCheckBox::clicked, this, &TextTab::takeFields);
+    connect(&m_previewTimer, &QTimer::timeout, this, &TextTab::showPreview);
+}
+
+TextTab::Part TextTab::part() const
+{
+    return static_cast<Part>(std::max(m_part->currentIndex(), 0));
+}
+
+QString TextTab::path() const
+{
+    return instructionsPath(m_document.files(), m_document.step(), m_document.language());
+}
+
+void TextTab::reload()
+{
+    m_loading = true;
+    setEnabled(!m_document.step().isEmpty());
+    m_editor->setReadOnly(m_document.isReadOnly());
+    for (QLineEdit *line : {m_id, m_commit})
+        line->setReadOnly(m_document.isReadOnly());
+    m_extra->setEnabled(!m_document.isReadOnly());
+    m_figure->setEnabled(!m_document.isReadOnly());
+    m_hints->setReadOnly(m_document.isReadOnly());
+    showLanguages();
+    reloadForm();
+    reloadText();
+    m_loading = false;
+}
+
+void TextTab::reloadForm()
+{
+    const Result<TaskForm> form =
+        taskForm(m_document.files(), m_document.step(), m_document.language());
+    if (!form)
+        return;
+    const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
+    m_hints->setVisible(part() != Instructions);
+    if (hints != m_shownHints) {
+        m_shownHints = hints;
+        m_hints->showHints(hints);
+    }
+    if (m_shownStep != m_document.step() || !m_id->isModified())
+        m_id->setText(m_document.step());
+    m_shownStep = m_document.step();
+    if (m_commit->text() != form->commit)
+        m_commit->setText(form->commit);
+    m_extra->setChecked(form->extra);
+}
+
+void TextTab::reloadText()
+{
+    if (part() == Instructions) {
+        m_editor->setPlaceholderText(tr("No text in this language yet: students read it in the "
+                                        "lab's own."));
+        m_editor->showText(textOf(m_document.files(), path()));
+    } else {
+        m_editor->setPlaceholderText(tr("No hint yet: add one with the plus above."));
+        m_editor->showText(m_shownHints.value(m_hints->current()));
+    }
+    m_editor->setReadOnly(m_document.isReadOnly()
+                          || (part() != Instructions && m_hints->current() < 0));
+    m_previewTimer.start();
+}
+
+void TextTab::showLanguages()
+{
+    QStringList codes = languagesOf(m_document.files());
+    for (const QString &code : {QStringLiteral("en"), QStringLiteral("de")}) {
+        if (!codes.contains(code))
+            codes.append(code);
+    }
+    QStringList shown;
+    for (int i = 0; i < m_language->count(); ++i)
+        shown.append(m_language->itemData(i).toString());
+    if (shown != codes) {
+        m_language->clear();
+        for (const QString &code : codes) {
+            m_language->addItem(
+                QStringLiteral("%1 (%2)").arg(code == QLatin1String("en")
+                                                  ? QStringLiteral("English")
+                                                  : QLocale(code).nativeLanguageName(),
+                                              code),
+                code);
+        }
+    }
+    m_language->setCurrentIndex(m_language->findData(m_document.language()));
+}
+
+void TextTab::showPreview()
+{
+    const QString folder = m_pictures.follow(m_document.files(), m_document.step());
+    const Mode mode = m_mode->currentIndex() == 0 ? Mode::Code : Mode::Explore;
+    const QString text = m_editor->toPlainText();
+    m_preview->setMarkdown(part() == Instructions ? textFor(mode, text) : text,
+                           QUrl::fromLocalFile(folder));
+}
+
+void TextTab::followNames()
+{
+    const Task *task = m_document.task();
+    m_editor->setKnownNames(task ? textNames(*task) : TextNames());
+}
+
+void TextTab::showUnknown()
+{
+    const std::vector<UnknownName> &unknown = m_editor->unknown();
+    m_unknown->setVisible(!unknown.empty());
+    if (unknown.empty())
+        return;
+    const QString first = tr("Line %1: nothing here is called “%2”")
+                              .arg(unknown.front().line)
+                              .arg(unknown.front().name);
+    const auto more = static_cast<int>(unknown.size()) - 1;
+    m_unknown->setText(more == 0 ? first : tr("%1, and %2 more").arg(first).arg(more));
+}
+
+void TextTab::takeText(const QString &text)
+{
+    if (m_loading)
+        return;
+    m_previewTimer.start();
+    const LabFiles &files = m_document.files();
+    const QString step = m_document.step();
+    if (part() == Instructions) {
+        m_document.edit(tr("Edit the text"), withText(files, path(), text),
+                        QStringLiteral("text:") + path());
+        return;
+    }
+    const int hint = m_hints->current();
+    QStringList hints = m_shownHints;
+    if (hint < 0 || hint >= hints.size())
+        return;
+    hints[hint] = text;
+    Result<TaskForm> form = taskForm(files, step, m_document.language());
+    if (!form)
+        return;
+    (part() == CodeHints ? form->codeHints : form->hints) = hints;
+    m_document.edit(tr("Edit a hint"), withTask(files, step, *form, m_document.language()),
+                    QStringLiteral("hint:%1:%2:%3").arg(step).arg(int{part()}).arg(hint));
+}
+
+void TextTab::takeHints(const QStringList &hints, int current)
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    (part() == CodeHints ? form->codeHints : form->hints) = hints;
+    m_document.edit(tr("Change the hints"),
+                    withTask(files, m_document.step(), *form, m_document.language()));
+    m_hints->setCurrent(current);
+    m_editor->setFocus();
+}
+
+void TextTab::takeFields()
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->commit = m_commit->text();
+    form->extra = m_extra->isChecked();
+    m_document.edit(tr("Edit the step"),
+                    withTask(files, m_document.step(), *form, m_document.language()),
+                    QStringLiteral("fields:") + m_document.step());
+}
+
+void TextTab::insertFigure(const QString &name, const QString &description)
+{
+    m_part->setCurrentIndex(Instructions);
+    m_editor->insertPlainText(QStringLiteral("![%1](%2)").arg(description, name));
+    m_editor->setFocus();
+}
+
+void TextTab::retranslate()
+{
+    const auto setItems = [](QComboBox *box, const QStringList &texts) {
+        for (int i = 0; i < texts.size(); ++i) {
+            if (i >= box->count())
+                box->addItem(texts[i]);
+            box->setItemText(i, texts[i]);
+        }
+    };
+    setItems(m_part,
+             {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program")});
+    setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
+    m_part->setAccessibleName(tr("Which text"));
+    m_language->setAccessibleName(tr("Language of the texts"));
+    m_language->setToolTip(tr("Language of the texts"));
+    m_mode->setAccessibleName(tr("Mode of the preview"));
+    m_figure->setText(tr("Insert the scene as a figure"));
+    m_figure->setToolTip(tr("Draws the moment that the Scene tab shows, with its arrows, as an SVG "
+                            "in the step's folder"));
+    m_editor->setAccessibleName(tr("Text in Markdown"));
+    m_preview->setAccessibleName(tr("Preview"));
+    m_unknown->setToolTip(tr("Names in backticks that neither the scene nor the programs have"));
+    m_idCaption->setText(tr("Id"));
+    m_id->setAccessibleName(tr("Id of the step, and its folder"));
+    m_id->setToolTip(tr("Letters, digits, dots and dashes; also the name of the folder"));
+    m_commitCaption->setText(tr("Commit message"));
+    m_commit->setAccessibleName(tr("Commit message"));
+    m_commit->setToolTip(tr("What a student writes into the history after passing"));
+    m_extra->setText(tr("Extra step"));
+    m_extra->setToolTip(tr("Outside the lab's own count"));
+    showUnknown();
+}
+
+void TextTab::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

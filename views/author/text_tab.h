@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+#include "views/author/preview_folder.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSplitter;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class HintsList;
+class MarkdownEditor;
+class MarkdownView;
+
+/// The texts of a step: instructions and hints in CommonMark and TeX beside what the student will
+/// see, in every language of the lab; the commit message and the id.
+class TextTab final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TextTab(AuthorDocument &document, QWidget *parent = nullptr);
+
+    [[nodiscard]] MarkdownEditor &editor() { return *m_editor; }
+    [[nodiscard]] MarkdownView &preview() { return *m_preview; }
+    /// Writes the figure \p name of the step's folder into the text, where the cursor is.
+    void insertFigure(const QString &name, const QString &description);
+
+signals:
+    void figureRequested(); ///< the author wants the scene as a figure
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    /// Which text is written.
+    enum Part { Instructions, Hints, CodeHints };
+
+    void makeLayout();
+    QWidget *makeEditorColumn();
+    void wire();
+    void retranslate();
+    void reload();
+    void reloadForm();
+    void reloadText();
+    void showLanguages();
+    void showPreview();
+    void showUnknown();
+    void followNames();
+    void takeText(const QString &text);
+    void takeHints(const QStringList &hints, int current);
+    void takeFields();
+    [[nodiscard]] Part part() const;
+    [[nodiscard]] QString path() const; ///< of the instructions, in the language
+
+    AuthorDocument &m_document;
+    PreviewFolder m_pictures;
+    QTimer m_previewTimer;
+    QComboBox *m_part = nullptr;
+    QComboBox *m_language = nullptr;
+    QComboBox *m_mode = nullptr; ///< for whom the preview is
+    QPushButton *m_figure = nullptr;
+    QSplitter *m_splitter = nullptr;
+    HintsList *m_hints = nullptr;
+    MarkdownEditor *m_editor = nullptr;
+    QPushButton *m_unknown = nullptr; ///< names that nothing is called
+    MarkdownView *m_preview = nullptr;
+    QLabel *m_idCaption = nullptr;
+    QLineEdit *m_id = nullptr;
+    QLabel *m_commitCaption = nullptr;
+    QLineEdit *m_commit = nullptr;
+    QCheckBox *m_extra = nullptr;
+    QStringList m_shownHints;
+    QString m_shownStep;
+    bool m_loading = false;
+};
+
+} // namespace cradle
