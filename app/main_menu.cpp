@@ -3,11 +3,11 @@
 #include "app/main_menu.h"
 
 #include "app/code_desk.h"
+#include "app/export_menu.h"
 #include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "views/charts/chart_pane.h"
-#include "views/charts/phase_chart.h"
 #include "views/scene/scene_view.h"
 #include "views/transport_bar.h"
 
@@ -44,43 +44,6 @@ void addExamples(MainWindow &window, QMenu *menu)
         QObject::connect(action, &QAction::triggered, &window,
                          [w = &window, example] { w->openExample(example); });
     }
-}
-
-/// A submenu that is filled when it is opened, so that it knows what can be done.
-template <typename Chart>
-void addExportOf(QMenu *exports, const QString &name, Chart *chart)
-{
-    QMenu *formats = exports->addMenu(name);
-    QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
-        formats->clear();
-        chart->addExports(*formats);
-    });
-}
-
-void fillExport(MainWindow &window, QMenu *exports)
-{
-    for (ChartPane *chart : window.findChildren<ChartPane *>())
-        addExportOf(exports, chart->name(), chart);
-    addExportOf(exports, window.phaseChart().windowTitle(), &window.phaseChart());
-    exports->addSeparator();
-    MainWindow *w = &window;
-    const std::pair<RunTable, QString> tables[] = {
-        {RunTable::States, MenuText::tr("&States of the run as CSV…")},
-        {RunTable::Totals, MenuText::tr("&Totals of the run as CSV…")},
-        {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
-    for (const auto &[table, text] : tables)
-        add(exports, text, {}, w, [w, kind = table] { w->exportRun(kind); });
-}
-
-void addExport(MainWindow &window, QMenu *menu)
-{
-    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
-    // The charts learn of another language after the window.
-    QObject::connect(exports, &QMenu::aboutToShow, &window, [w = &window, exports] {
-        qDeleteAll(exports->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
-        exports->clear();
-        fillExport(*w, exports);
-    });
 }
 
 void addLab(MainWindow &window, QMenuBar &bar)

@@ -25,7 +25,7 @@ constexpr double rightRoom = 14.0;   ///< px
 constexpr double topRoom = 4.0;      ///< px
 constexpr double axisRoom = 22.0;    ///< px for the times below the plot
 constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
-constexpr int leastTicks = 3;        ///< however low the plot is
+constexpr int leastTicks = 4;        ///< however low the plot is
 constexpr double margin = 0.08;      ///< of the height, above and below the range
 
 /// Leaves out the points within level stretches: rounding would make beads of a thick line, and

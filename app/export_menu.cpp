@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export_menu.h"
+
+#include "app/main_window.h"
+#include "views/charts/chart_pane.h"
+#include "views/charts/phase_chart.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace cradle {
+
+namespace {
+
+struct MenuText {
+    Q_DECLARE_TR_FUNCTIONS(MainMenu)
+};
+
+/// A submenu that is filled when it is opened, so that it knows what can be done.
+template <typename Chart>
+void addExportOf(QMenu *exports, const QString &name, Chart *chart)
+{
+    QMenu *formats = exports->addMenu(name);
+    QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
+        formats->clear();
+        chart->addExports(*formats);
+    });
+}
+
+void fillExport(MainWindow &window, QMenu *exports)
+{
+    for (ChartPane *chart : window.findChildren<ChartPane *>())
+        addExportOf(exports, chart->name(), chart);
+    addExportOf(exports, window.phaseChart().windowTitle(), &window.phaseChart());
+    exports->addSeparator();
+    MainWindow *w = &window;
+    const std::pair<RunTable, QString> tables[] = {
+        {RunTable::States, MenuText::tr("&States of the run as CSV…")},
+        {RunTable::Totals, MenuText::tr("&Totals of the run as CSV…")},
+        {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
+    for (const auto &[table, text] : tables)
+        exports->addAction(text, w, [w, kind = table] { w->exportRun(kind); });
+}
+
+} // namespace
+
+void addExport(MainWindow &window, QMenu *menu)
+{
+    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
+    // The charts learn of another language after the window.
+    QObject::connect(exports, &QMenu::aboutToShow, &window, [w = &window, exports] {
+        qDeleteAll(exports->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
+        exports->clear();
+        fillExport(*w, exports);
+    });
+}
+
+} // namespace cradle

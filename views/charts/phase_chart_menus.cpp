@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Menus of PhaseChart: what is drawn, and what leaves it.
+#include "views/charts/phase_chart.h"
+
+#include "model/shortest_number.h"
+#include "views/charts/phase_plot.h"
+#include "views/charts/time_window.h"
+#include "views/theme.h"
+
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int mostListed = 20; ///< circles in a menu
+
+} // namespace
+
+void PhaseChart::fillAxisMenu(QMenu &menu, PhaseVariable &axis)
+{
+    const auto addChoice = [this, &axis](QMenu &to, const PhaseVariable &variable) {
+        QAction *action =
+            to.addAction(tr("%1 (%2)", "quantity, unit")
+                             .arg(nameOf(variable.quantity), unitOf(variable.quantity)));
+        action->setCheckable(true);
+        action->setChecked(axis == variable);
+        connect(action, &QAction::triggered, this, [this, &axis, variable] {
+            axis = variable;
+            m_isChosen = true;
+            changed();
+        });
+    };
+    addChoice(menu, {Quantity::Time, PhaseVariable::together});
+    const auto addGroup = [&](const QString &title, int circle) {
+        QMenu *group = menu.addMenu(title);
+        for (const Quantity quantity : quantitiesOfCircles)
+            addChoice(*group, {quantity, circle});
+    };
+    const auto &circles = m_simulation.preset().circles;
+    for (int i = 0; i < std::min(static_cast<int>(circles.size()), mostListed); ++i)
+        addGroup(tr("Circle %1").arg(i + 1), i);
+    addGroup(tr("All together"), PhaseVariable::together);
+    if (circles.size() > 1)
+        addChoice(menu, {Quantity::Distance, PhaseVariable::together});
+    if (m_simulation.shadow()) {
+        addChoice(menu, {Quantity::OffExact, PhaseVariable::together});
+        addChoice(menu, {Quantity::EnergyExact, PhaseVariable::together});
+    }
+}
+
+ChartPicture PhaseChart::picture() const
+{
+    return {m_plot->size(), tr("%1 against %2").arg(textOf(m_up), textOf(m_across)),
+            [plot = m_plot](QPainter &painter) {
+                painter.fillRect(plot->rect(), theme().panel);
+                plot->paint(painter);
+            }};
+}
+
+QByteArray PhaseChart::table() const
+{
+    const Recording &recording = m_simulation.recording();
+    const auto header = [](const PhaseVariable &axis) {
+        return csvCell(QStringLiteral("%1 (%2)").arg(textOf(axis), unitOf(axis.quantity)));
+    };
+    QByteArray rows =
+        QStringLiteral("%1,%2,%3\n")
+            .arg(header({Quantity::Time, PhaseVariable::together}), header(m_across), header(m_up))
+            .toUtf8();
+    const double end = recording.time(recording.last());
+    const TimeWindow::Span span =
+        m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
+    for (qint64 i = recording.first(); i <= recording.last(); ++i) {
+        const double time = recording.time(i);
+        const auto point = pointAt(i);
+        if (point && time >= span.from && time <= span.to)
+            rows += QStringLiteral("%1,%2,%3\n")
+                        .arg(shortestNumber(time), shortestNumber(point->x()),
+                             shortestNumber(point->y()))
+                        .toUtf8();
+    }
+    return rows;
+}
+
+void PhaseChart::addExports(QMenu &menu)
+{
+    ChartExports exports{this, [this] { return picture(); }, [this] { return table(); },
+                         [this](const Error &error) { emit failed(error); }};
+    addExportActions(menu, exports, m_simulation.recording().last() > 0);
+}
+
+void PhaseChart::contextMenuEvent(QContextMenuEvent *event)
+{
+    QMenu menu(this);
+    addExports(menu);
+    menu.exec(event->globalPos());
+}
+
+} // namespace cradle
