@@ -5,6 +5,7 @@
 #include "app/main_window.h"
 #include "app/screenshot.h"
 #include "tasks/authoring/lab_archive.h"
+#include "tasks/lab_list.h"
 #include "tasks/lab_reader.h"
 #include "views/shortcut_guard.h"
 
@@ -130,7 +131,7 @@ std::optional<Error> openNamed(Workbench &bench, const QString &named, const QSt
         path = *folder;
     }
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
-    const QString folder = isLab && !path.isEmpty() ? path : QLatin1String(shippedLab);
+    const QString folder = isLab && !path.isEmpty() ? path : shippedLabWith(step);
     if (const auto error = missingStep(folder, step))
         return error;
     if (auto error = bench.openLab(folder, currentLanguage()))

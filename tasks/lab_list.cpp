@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QFile>
 
 #include <algorithm>
 #include <optional>
@@ -56,6 +57,15 @@ std::vector<ListedLab> shippedLabs(const QString &language)
             labs.push_back(*lab);
     }
     return labs;
+}
+
+QString shippedLabWith(const QString &step)
+{
+    const QString first = QLatin1String(shippedLab);
+    const QString other = QLatin1String(bouncingBallLab);
+    // Its steps have their ids for folders, so that no lab has to be read.
+    return QFile::exists(other + QLatin1Char('/') + step + QStringLiteral("/task.json")) ? other
+                                                                                         : first;
 }
 
 std::vector<ListedLab> labsIn(const QString &parent, const QString &language)
