@@ -6,8 +6,8 @@
 #include "tasks/lab_reader.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QFile>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <optional>
