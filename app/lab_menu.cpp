@@ -4,12 +4,12 @@
 
 #include "app/language.h"
 #include "app/main_window.h"
+#include "tasks/authoring/lab_archive.h"
 #include "tasks/lab_list.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
-#include <QStandardPaths>
 
 namespace cradle {
 
@@ -18,12 +18,6 @@ namespace {
 struct LabMenuText {
     Q_DECLARE_TR_FUNCTIONS(LabMenu)
 };
-
-QString userLabs()
-{
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
-           + QStringLiteral("/labs");
-}
 
 void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const ListedLab &lab)
 {
@@ -46,7 +40,7 @@ void fill(MainWindow &window, QMenu *menu)
     auto *group = new QActionGroup(menu);
     for (const ListedLab &lab : shippedLabs(currentLanguage()))
         addEntry(window, menu, group, lab);
-    const std::vector<ListedLab> own = labsIn(userLabs(), currentLanguage());
+    const std::vector<ListedLab> own = labsIn(userLabsFolder(), currentLanguage());
     if (own.empty())
         return;
     menu->addSeparator();

@@ -6,6 +6,8 @@
 #include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "views/charts/chart_pane.h"
+#include "views/charts/phase_chart.h"
 #include "views/scene/scene_view.h"
 #include "views/transport_bar.h"
 
@@ -44,6 +46,31 @@ void addExamples(MainWindow &window, QMenu *menu)
     }
 }
 
+void addExport(MainWindow &window, QMenu *menu)
+{
+    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
+    for (ChartPane *chart : window.findChildren<ChartPane *>()) {
+        QMenu *formats = exports->addMenu(chart->title());
+        QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
+            formats->clear();
+            chart->addExports(*formats);
+        });
+    }
+    QMenu *phase = exports->addMenu(window.phaseChart().windowTitle());
+    QObject::connect(phase, &QMenu::aboutToShow, &window.phaseChart(), [w = &window, phase] {
+        phase->clear();
+        w->phaseChart().addExports(*phase);
+    });
+    exports->addSeparator();
+    MainWindow *w = &window;
+    const std::pair<RunTable, QString> tables[] = {
+        {RunTable::States, MenuText::tr("&States of the run as CSV…")},
+        {RunTable::Totals, MenuText::tr("&Totals of the run as CSV…")},
+        {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
+    for (const auto &[table, text] : tables)
+        add(exports, text, {}, w, [w, kind = table] { w->exportRun(kind); });
+}
+
 void addLab(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Lab"));
@@ -63,6 +90,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     addExamples(window, menu);
     add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
+    addExport(window, menu);
     menu->addSeparator();
     add(menu, MenuText::tr("&Quit"), QKeySequence::Quit, &window, &QWidget::close)
         ->setMenuRole(QAction::QuitRole);
@@ -88,6 +116,33 @@ void addEdit(MainWindow &window, QMenuBar &bar)
         &PresetDocument::resetToOriginal);
 }
 
+void addRuns(MainWindow &window, QMenu *menu)
+{
+    MainWindow *w = &window;
+    QAction *pin = add(menu, MenuText::tr("&Pin this run"), QKeySequence(Qt::CTRL | Qt::Key_P), w,
+                       &MainWindow::pinRun);
+    pin->setToolTip(MenuText::tr("Keeps its curves, pale, beneath those of later runs"));
+    QAction *unpin =
+        add(menu, MenuText::tr("Remo&ve pinned runs"), {}, &window.pins(), &PinnedRuns::clear);
+    QAction *here =
+        add(menu, MenuText::tr("Start a &new run from here"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), w, &MainWindow::startNewRunHere);
+    here->setToolTip(MenuText::tr("The moment shown becomes the start of the scene; the run so far "
+                                  "stays in the charts"));
+    const auto enable = [w, pin, unpin, here] {
+        const Simulation &simulation = w->workbench().simulation();
+        pin->setEnabled(!w->pins().isFull() && simulation.recording().last() > 0);
+        unpin->setEnabled(!w->pins().runs().empty());
+        here->setEnabled(!simulation.atStart());
+    };
+    QObject::connect(menu, &QMenu::aboutToShow, menu, enable);
+    // A shortcut must not find what was disabled when the menu was last seen.
+    QObject::connect(menu, &QMenu::aboutToHide, menu, [pin, unpin, here] {
+        for (QAction *action : {pin, unpin, here})
+            action->setEnabled(true);
+    });
+}
+
 void addSimulation(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Simulation"));
@@ -97,6 +152,8 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
                       transport.restartAction()});
     menu->addSeparator();
     menu->addActions({transport.slowerAction(), transport.fasterAction()});
+    menu->addSeparator();
+    addRuns(window, menu);
     menu->addSeparator();
     Simulation *simulation = &window.workbench().simulation();
     QAction *pauses = menu->addAction(MenuText::tr("Pause at &hits"));
@@ -164,12 +221,28 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
         &SceneView::fit);
 }
 
+void addCharts(MainWindow &window, QMenu *menu)
+{
+    QMenu *charts = menu->addMenu(MenuText::tr("C&harts"));
+    const auto all = window.findChildren<ChartPane *>();
+    if (all.isEmpty())
+        return;
+    // They share the time that they show.
+    add(charts, MenuText::tr("Zoom &in"), QKeySequence(Qt::ALT | Qt::Key_Plus), all.first(),
+        &ChartPane::zoomIn);
+    add(charts, MenuText::tr("Zoom &out"), QKeySequence(Qt::ALT | Qt::Key_Minus), all.first(),
+        &ChartPane::zoomOut);
+    add(charts, MenuText::tr("&Reset zoom"), QKeySequence(Qt::ALT | Qt::Key_0), &window,
+        &MainWindow::resetCharts);
+}
+
 void addView(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&View"));
     menu->setToolTipsVisible(true);
     addSceneOptions(window, menu);
     menu->addSeparator();
+    addCharts(window, menu);
 
     QMenu *panes = menu->addMenu(MenuText::tr("&Panes"));
     for (QDockWidget *dock : window.panes())

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "app/workbench.h"
+#include "tasks/run_tables.h"
+#include "views/charts/pinned_runs.h"
 #include "views/charts/run_curves.h"
+#include "views/charts/time_window.h"
 #include "views/theme.h"
 
 #include <QMainWindow>
@@ -17,6 +20,7 @@ class CodePane;
 class ConsoleView;
 class Inspector;
 class NoticeBar;
+class PhaseChart;
 class SceneView;
 class TaskPane;
 class Timeline;
@@ -44,6 +48,9 @@ public:
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
+    [[nodiscard]] PhaseChart &phaseChart() { return *m_phase; }
+    [[nodiscard]] PinnedRuns &pins() { return m_pins; }
+    [[nodiscard]] TimeWindow &timeWindow() { return m_timeWindow; }
     [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
 
 public slots:
@@ -58,6 +65,10 @@ public slots:
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
+    void pinRun();          ///< keeps the run to be compared with later ones
+    void startNewRunHere(); ///< from the moment shown; keeps the run so far
+    void exportRun(cradle::RunTable table);
+    void resetCharts(); ///< ends their zoom
     void showAbout();
     void showShortcuts();
 
@@ -70,6 +81,8 @@ private:
     QDockWidget *addPane(QWidget *widget, const QString &name, Qt::DockWidgetArea area);
     void wireWorkbench();
     void wireViews();
+    void wireCharts();
+    [[nodiscard]] RunSource runSource(); ///< of the run that goes on
     void arrangePanes();
     void retranslate();
     void showTask();
@@ -89,6 +102,8 @@ private:
     Workbench &m_workbench;
     QSettings &m_settings;
     RunCurves m_curves;
+    TimeWindow m_timeWindow;
+    PinnedRuns m_pins;
     TransportBar *m_transport = nullptr;
     TaskPane *m_taskPane = nullptr;
     SceneView *m_scene = nullptr;
@@ -98,6 +113,7 @@ private:
     ConsoleView *m_console = nullptr;
     QWidget *m_plots = nullptr;
     QWidget *m_speeds = nullptr;
+    PhaseChart *m_phase = nullptr;
     NoticeBar *m_notice = nullptr;
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;

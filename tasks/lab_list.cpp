@@ -6,6 +6,7 @@
 #include "tasks/lab_reader.h"
 
 #include <QDir>
+#include <QFile>
 
 #include <algorithm>
 #include <optional>
@@ -52,6 +53,15 @@ std::vector<ListedLab> shippedLabs(const QString &language)
             labs.push_back(*lab);
     }
     return labs;
+}
+
+QString shippedLabWith(const QString &step)
+{
+    const QString first = QLatin1String(shippedLab);
+    const QString other = QLatin1String(bouncingBallLab);
+    // Its steps have their ids for folders, so that no lab has to be read.
+    return QFile::exists(other + QLatin1Char('/') + step + QStringLiteral("/task.json")) ? other
+                                                                                         : first;
 }
 
 std::vector<ListedLab> labsIn(const QString &parent, const QString &language)

@@ -17,6 +17,9 @@ struct ListedLab {
 /// The labs that ship with the program, Lab 4.2 first.
 [[nodiscard]] std::vector<ListedLab> shippedLabs(const QString &language);
 
+/// The folder of the shipped lab that has a step with that id; of Lab 4.2 if none has.
+[[nodiscard]] QString shippedLabWith(const QString &step);
+
 /// The labs in the folders of \p parent, by their titles; what has no lab.json that can be read is
 /// left out. Reads nothing but lab.json and its translation.
 [[nodiscard]] std::vector<ListedLab> labsIn(const QString &parent, const QString &language);

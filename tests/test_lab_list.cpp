@@ -16,6 +16,7 @@ class TestLabList : public QObject
 private slots:
     void shippedLabsAreListedInTheLanguage();
     void shippedLabsOpen();
+    void stepsLeadToTheirLab();
     void foldersWithALabAreListedByTitle();
     void translatedTitleIsTaken();
     void missingFolderHasNoLabs();
@@ -70,6 +71,17 @@ void TestLabList::shippedLabsOpen()
         QVERIFY2(lab, qPrintable(listed.folder));
         QCOMPARE(lab->title, listed.title);
     }
+}
+
+void TestLabList::stepsLeadToTheirLab()
+{
+    for (const ListedLab &listed : shippedLabs(QStringLiteral("en"))) {
+        const Result<Lab> lab = readLab(listed.folder);
+        for (const Task &task : lab->tasks)
+            QCOMPARE(shippedLabWith(task.id), listed.folder);
+    }
+    QCOMPARE(shippedLabWith(QString()), QLatin1String(shippedLab));
+    QCOMPARE(shippedLabWith(QStringLiteral("nowhere")), QLatin1String(shippedLab));
 }
 
 void TestLabList::foldersWithALabAreListedByTitle()

@@ -141,7 +141,7 @@ void TestLabsMenu::labsOfTheUserAreThereAtOnce()
     QCOMPARE(labsMenu(open.window)->actions().size(), 2);
     const QString folder = m_userLabs + QStringLiteral("/mine");
     QVERIFY(QDir().mkpath(folder + QStringLiteral("/drop")));
-    const QDir from(QStringLiteral(":/labs/bouncing-ball/drop"));
+    const QDir from(QStringLiteral(":/labs/bouncing-ball/BALL1"));
     for (const QString &name : from.entryList(QDir::Files))
         QVERIFY(QFile::copy(from.filePath(name), folder + QStringLiteral("/drop/") + name));
     QFile lab(folder + QStringLiteral("/lab.json"));
