@@ -57,7 +57,7 @@ QStringList changesOf(const QString &solution)
 void TestMutations::programIsCutIntoTokens()
 {
     QStringList words;
-    for (const LuaToken &token :
+    for (const ProgramToken &token :
          luaTokens(QStringLiteral("a.b = 'x -- y' -- no\n--[[ no\n]] c <= 1e-3 ... [[z]]")))
         words.append(QStringLiteral("%1@%2").arg(token.text).arg(token.line));
     QCOMPARE(words,

@@ -25,7 +25,7 @@ bool isKeyword(const QString &word)
 
 } // namespace
 
-std::vector<LuaToken> luaTokens(const QString &source)
+std::vector<ProgramToken> luaTokens(const QString &source)
 {
     // White space and comments; long texts; short texts; numbers; names; signs.
     static const QRegularExpression pattern(QStringLiteral(
@@ -34,23 +34,24 @@ std::vector<LuaToken> luaTokens(const QString &source)
         R"re(|(0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))re"
         R"re(|([A-Za-z_]\w*))re"
         R"re(|(\.\.\.|\.\.|==|~=|<=|>=|//|::|<<|>>|[^\s\w]))re"));
-    std::vector<LuaToken> tokens;
+    std::vector<ProgramToken> tokens;
     int line = 1;
     auto match = pattern.globalMatch(source);
     while (match.hasNext()) {
         const QRegularExpressionMatch found = match.next();
         const QString text = found.captured();
         if (found.capturedStart(1) < 0) {
-            LuaToken token;
+            ProgramToken token;
             token.text = text;
             token.start = found.capturedStart();
             token.line = line;
             if (found.capturedStart(3) >= 0)
-                token.kind = LuaToken::Kind::Text;
+                token.kind = ProgramToken::Kind::Text;
             else if (found.capturedStart(5) >= 0)
-                token.kind = LuaToken::Kind::Number;
+                token.kind = ProgramToken::Kind::Number;
             else if (found.capturedStart(6) >= 0)
-                token.kind = isKeyword(text) ? LuaToken::Kind::Keyword : LuaToken::Kind::Name;
+                token.kind =
+                    isKeyword(text) ? ProgramToken::Kind::Keyword : ProgramToken::Kind::Name;
             tokens.push_back(token);
         }
         line += static_cast<int>(text.count(QLatin1Char('\n')));

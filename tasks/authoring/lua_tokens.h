@@ -9,7 +9,7 @@
 namespace cradle {
 
 /// A word or sign of a Lua program; comments and white space are none.
-struct LuaToken {
+struct ProgramToken {
     enum class Kind { Name, Keyword, Number, Text, Sign };
 
     Kind kind = Kind::Sign;
@@ -31,6 +31,6 @@ struct LuaToken {
 };
 
 /// The tokens of \p source, which is a program that can be read.
-[[nodiscard]] std::vector<LuaToken> luaTokens(const QString &source);
+[[nodiscard]] std::vector<ProgramToken> luaTokens(const QString &source);
 
 } // namespace cradle

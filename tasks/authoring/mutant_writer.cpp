@@ -26,7 +26,7 @@ MutantWriter::MutantWriter(const QString &solution)
     findStart();
 }
 
-const LuaToken *MutantWriter::at(std::size_t i) const
+const ProgramToken *MutantWriter::at(std::size_t i) const
 {
     return i < m_tokens.size() ? &m_tokens[i] : nullptr;
 }
@@ -51,12 +51,12 @@ void MutantWriter::findStart()
 
 std::size_t MutantWriter::afterOperand(std::size_t i) const
 {
-    const LuaToken *first = at(i);
+    const ProgramToken *first = at(i);
     if (!first || !(first->endsOperand() || first->is("(")) || first->is(")"))
         return i;
     if (!first->is("("))
         ++i;
-    while (const LuaToken *next = at(i)) {
+    while (const ProgramToken *next = at(i)) {
         if (next->is("(") || next->is("[")) {
             i = afterGroup(i);
         } else if ((next->is(".") || next->is(":")) && at(i + 1)) {
@@ -84,20 +84,20 @@ std::size_t MutantWriter::afterGroup(std::size_t i) const
 
 bool MutantWriter::isStatement(int line) const
 {
-    const LuaToken *first = nullptr;
+    const ProgramToken *first = nullptr;
     int depth = 0;
     bool acts = false;
-    for (const LuaToken &token : m_tokens) {
+    for (const ProgramToken &token : m_tokens) {
         if (token.line != line)
             continue;
         first = first ? first : &token;
-        if (token.kind == LuaToken::Kind::Keyword && !token.is("and") && !token.is("or")
+        if (token.kind == ProgramToken::Kind::Keyword && !token.is("and") && !token.is("or")
             && !token.is("not") && !token.is("true") && !token.is("false"))
             return false;
         depth += token.is("(") || token.is("{") ? 1 : token.is(")") || token.is("}") ? -1 : 0;
         acts = acts || token.is("=") || token.is("(");
     }
-    return first && first->kind == LuaToken::Kind::Name && depth == 0 && acts;
+    return first && first->kind == ProgramToken::Kind::Name && depth == 0 && acts;
 }
 
 qsizetype MutantWriter::startOf(int line) const

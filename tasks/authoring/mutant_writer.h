@@ -24,10 +24,10 @@ public:
     explicit MutantWriter(const QString &solution);
 
     [[nodiscard]] const QString &source() const { return m_source; }
-    [[nodiscard]] const std::vector<LuaToken> &tokens() const { return m_tokens; }
+    [[nodiscard]] const std::vector<ProgramToken> &tokens() const { return m_tokens; }
     [[nodiscard]] const QStringList &lines() const { return m_lines; }
     /// Null behind the last.
-    [[nodiscard]] const LuaToken *at(std::size_t i) const;
+    [[nodiscard]] const ProgramToken *at(std::size_t i) const;
     [[nodiscard]] bool isAt(std::size_t i, const char *word) const;
     /// Whether the line belongs to on_load: what stands there are the values of the scene.
     [[nodiscard]] bool isInStart(int line) const
@@ -53,7 +53,7 @@ private:
     void findStart();
 
     const QString &m_source;
-    std::vector<LuaToken> m_tokens;
+    std::vector<ProgramToken> m_tokens;
     QStringList m_lines;
     QSet<QString> m_used{}; ///< names of mutants
     int m_startFrom = 0;    ///< lines of on_load

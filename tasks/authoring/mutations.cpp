@@ -23,8 +23,8 @@ public:
         , m_source(m_text.source())
         , m_tokens(m_text.tokens())
     {
-        for (const LuaToken &token : m_tokens) {
-            if (token.kind == LuaToken::Kind::Name)
+        for (const ProgramToken &token : m_tokens) {
+            if (token.kind == ProgramToken::Kind::Name)
                 m_names.insert(token.text);
         }
     }
@@ -52,7 +52,7 @@ public:
 private:
     void turnSign(std::size_t i)
     {
-        const LuaToken &sign = m_tokens[i];
+        const ProgramToken &sign = m_tokens[i];
         if (!sign.is("+") && !sign.is("-"))
             return;
         const Mistake mistake{"sign", MutationText::tr("A term has the wrong sign"),
@@ -67,7 +67,7 @@ private:
 
     void dropFactor(std::size_t i)
     {
-        const LuaToken &sign = m_tokens[i];
+        const ProgramToken &sign = m_tokens[i];
         if (sign.is("*") || sign.is("/") || sign.is("^")) {
             const std::size_t after = m_text.afterOperand(i + 1);
             if (after == i + 1)
@@ -143,8 +143,8 @@ private:
     {
         if (!m_tokens[i].is("and") && !m_tokens[i].is("or"))
             return;
-        const auto stops = [&](const LuaToken &token) {
-            return token.kind == LuaToken::Kind::Keyword && !token.is("not");
+        const auto stops = [&](const ProgramToken &token) {
+            return token.kind == ProgramToken::Kind::Keyword && !token.is("not");
         };
         std::size_t first = i;
         int depth = 0;
@@ -210,8 +210,8 @@ private:
 
     void exchangeNames(std::size_t i)
     {
-        const LuaToken &name = m_tokens[i];
-        if (name.kind != LuaToken::Kind::Name || m_text.isAt(i + 1, "="))
+        const ProgramToken &name = m_tokens[i];
+        if (name.kind != ProgramToken::Kind::Name || m_text.isAt(i + 1, "="))
             return;
         const QString partner = partnerOf(name.text);
         if (partner.isEmpty())
@@ -224,7 +224,7 @@ private:
 
     void changeRestitution(std::size_t i)
     {
-        const LuaToken &name = m_tokens[i];
+        const ProgramToken &name = m_tokens[i];
         if (!name.is("restitution") || m_text.isAt(i + 1, "="))
             return;
         m_text.add(
@@ -265,7 +265,7 @@ private:
 
     MutantWriter m_text;
     const QString &m_source;
-    const std::vector<LuaToken> &m_tokens;
+    const std::vector<ProgramToken> &m_tokens;
     QSet<QString> m_names{};
 };
 
