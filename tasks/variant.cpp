@@ -60,7 +60,7 @@ public:
             else if (m_spec.kind == QLatin1String("corners"))
                 addShot(i, 45.0 + 90.0 * i + (i / 4) * (i % 2 == 0 ? 1.5 : -1.5));
             else
-                addShot(i, 360.0 * (i + m_random.between(0.1, 0.9)) / m_spec.count);
+                addShot(i, spread(i + m_random.between(0.1, 0.9)));
         }
         return std::move(m_variants);
     }
@@ -76,6 +76,12 @@ private:
                                   preset, m_spec.duration});
         }
         return std::move(m_variants);
+    }
+
+    /// The angle of scene \p place of all, which divide the angles evenly; degrees.
+    [[nodiscard]] double spread(double place) const
+    {
+        return m_spec.angles.x + (m_spec.angles.y - m_spec.angles.x) * place / m_spec.count;
     }
 
     double range(Vec2 lowHigh) { return m_random.between(lowHigh.x, lowHigh.y); }
@@ -122,7 +128,7 @@ private:
     void addFlight(int i)
     {
         Preset preset = stage(i, needed());
-        const Vec2 velocity = range(m_spec.speeds) * fromAngle(m_random.between(0.0, 360.0));
+        const Vec2 velocity = range(m_spec.speeds) * fromAngle(range(m_spec.angles));
         const Vec2 place{m_random.between(-1.0, 1.0), m_random.between(-1.0, 1.0)};
         for (PresetCircle &circle : preset.circles) {
             circle.body.position = place;
@@ -162,7 +168,7 @@ private:
         Preset preset = stage(i, 2);
         Circle &a = preset.circles[0].body;
         Circle &b = preset.circles[1].body;
-        const double degrees = 360.0 * (i + m_random.between(0.0, 1.0)) / m_spec.count;
+        const double degrees = spread(i + m_random.between(0.0, 1.0));
         const Vec2 n = fromAngle(degrees);
         // Off centre by the sine of the angle between the relative velocity and the normal.
         const double sine = m_spec.offset * m_random.between(-1.0, 1.0);
@@ -187,7 +193,7 @@ private:
         Preset preset = stage(i, 2);
         Circle &a = preset.circles[0].body;
         Circle &b = preset.circles[1].body;
-        const double degrees = 360.0 * (i + m_random.between(0.0, 1.0)) / m_spec.count;
+        const double degrees = spread(i + m_random.between(0.0, 1.0));
         const Vec2 n = fromAngle(degrees);
         const double speed = range(m_spec.speeds);
         const Vec2 common = range({0.5, 1.5}) * fromAngle(m_random.between(0.0, 360.0));

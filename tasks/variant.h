@@ -23,6 +23,7 @@ struct Variant {
 ///                 \c offset · (r₁ + r₂) off centre
 ///     parting     circles 1 and 2 overlap and move apart already
 ///     drop        circle 1 falls onto the floor
+/// Angles are counted from the x axis and spread over \c angles, all round if not given.
 /// All but \c own pin square, positions, velocities, radii, densities, gravity (none if not given)
 /// and restitution (1 if not given) and keep no circles beyond those that the check needs.
 /// The same \p seed gives the same scenes; a \c seed of the check's own takes its place.

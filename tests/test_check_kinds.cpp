@@ -50,8 +50,8 @@ void TestCheckKinds::everyParameterIsDescribed()
             QVERIFY2(!p.label.isEmpty() && !p.help.isEmpty(), place);
             QVERIFY2(names.insert(p.name).second, place);
             QVERIFY2(!p.least || !p.most || *p.least < *p.most, place);
-            const bool chosen = p.type == ParameterInfo::Type::Choice
-                                || p.type == ParameterInfo::Type::Choices;
+            const bool chosen =
+                p.type == ParameterInfo::Type::Choice || p.type == ParameterInfo::Type::Choices;
             QCOMPARE(p.choices.isEmpty(), !chosen);
             QVERIFY2(!p.required || p.standard.isUndefined(), place);
         }

@@ -29,10 +29,7 @@ private slots:
     void wrongTimeIsRefused();
     void reboundIsCompared_data();
     void reboundIsCompared();
-    void partingCirclesAreLeftAlone_data();
-    void partingCirclesAreLeftAlone();
     void toleranceWidensWhatIsRight();
-    void ownSeedDrawsTheSameScenes();
 };
 
 namespace {
@@ -238,45 +235,6 @@ void TestChecksMoments::reboundIsCompared()
     QVERIFY(!judge(checkOf("touches", wanted, {0, 1}), run));
 }
 
-void TestChecksMoments::partingCirclesAreLeftAlone_data()
-{
-    QTest::addColumn<bool>("asks"); ///< the program asks whether they approach
-    QTest::newRow("with the test") << true;
-    QTest::newRow("without the test") << false;
-}
-
-void TestChecksMoments::partingCirclesAreLeftAlone()
-{
-    QFETCH(bool, asks);
-    CheckSpec check = checkOf("collides", {{QStringLiteral("contacts"), 0}}, {0, 1});
-    check.scene = {{QStringLiteral("kind"), QStringLiteral("parting")},
-                   {QStringLiteral("count"), 12},
-                   {QStringLiteral("radii"), QJsonArray{0.1, 0.5}},
-                   {QStringLiteral("timesteps"), QJsonArray{1.0 / 60.0, 1.0 / 120.0, 1.0 / 30.0}}};
-    const auto variants = makeVariants(scene({Circle{}, Circle{.position = {1, 1}}}), check, 3);
-    QCOMPARE(variants.size(), 12U);
-    for (const Variant &variant : variants) {
-        const Circle &a = variant.preset.circles[0].body;
-        const Circle &b = variant.preset.circles[1].body;
-        QVERIFY(length(b.position - a.position) < a.radius + b.radius);
-        QVERIFY(dot(b.velocity - a.velocity, b.position - a.position) > 0.0);
-        const Observation run = observed(variant.preset, 0.5, [&](Circles &c, double h) {
-            move(c, h);
-            const Vec2 n = normalized(between(c));
-            const double closing = dot(c[0].velocity - c[1].velocity, n);
-            if (!touches(c) || (asks && closing <= 0.0))
-                return;
-            c[0].velocity -= closing * n;
-            c[1].velocity += closing * n;
-        });
-        const auto fault = judge(check, run);
-        QVERIFY2(fault.has_value() != asks, qPrintable(variant.name));
-        if (fault)
-            QVERIFY2(fault->message.contains(QStringLiteral("already moving apart")),
-                     qPrintable(fault->message));
-    }
-}
-
 void TestChecksMoments::toleranceWidensWhatIsRight()
 {
     // Moves by 0.1 % too much in every step.
@@ -288,23 +246,6 @@ void TestChecksMoments::toleranceWidensWhatIsRight()
     QVERIFY(!judge(checkOf("integrates", {{QStringLiteral("tolerance"), 1e-3}}), run));
     QVERIFY(judge(checkOf("closed_form", {{QStringLiteral("tolerance"), 1e-3}}), run));
     QVERIFY(!judge(checkOf("closed_form", {{QStringLiteral("tolerance"), 3e-3}}), run));
-}
-
-void TestChecksMoments::ownSeedDrawsTheSameScenes()
-{
-    CheckSpec check = checkOf("integrates", {});
-    check.scene = {{QStringLiteral("kind"), QStringLiteral("flight")},
-                   {QStringLiteral("count"), 3}};
-    const Preset preset = scene({Circle{}});
-    const auto presetsOf = [&](qint64 seed) {
-        std::vector<Preset> presets;
-        for (const Variant &variant : makeVariants(preset, check, seed))
-            presets.push_back(variant.preset);
-        return presets;
-    };
-    QVERIFY(!(presetsOf(1) == presetsOf(2)));
-    check.scene.insert(QStringLiteral("seed"), 7);
-    QVERIFY(presetsOf(1) == presetsOf(2));
 }
 
 QTEST_GUILESS_MAIN(TestChecksMoments)

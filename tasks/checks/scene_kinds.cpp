@@ -47,6 +47,14 @@ ParameterInfo speeds(double most)
     return range("speeds", SceneText::tr("Speeds"), "m/s", {0.0, most}, 1.0, 3.0);
 }
 
+ParameterInfo angles()
+{
+    return usually(inUnit(make("angles", Type::Range, SceneText::tr("Angles"),
+                               SceneText::tr("From the x axis; the scenes divide them evenly")),
+                          "°", {-360.0, 360.0}),
+                   QJsonArray{0.0, 360.0});
+}
+
 /// What all scenes share that the application makes up.
 std::vector<ParameterInfo> drawn(std::vector<ParameterInfo> own)
 {
@@ -92,10 +100,10 @@ std::vector<KindInfo> sceneKinds()
               SceneText::tr("With each of the timesteps"), 1, {duration(10.0), timesteps()}),
         scene("flight", SceneText::tr("Throws"),
               SceneText::tr("The circles thrown together from the middle, in any direction"), 1,
-              drawn({speeds(20.0)})),
+              drawn({speeds(20.0), angles()})),
         scene("directions", SceneText::tr("Shots in all directions"),
               SceneText::tr("Each of the circles alone from the middle, all round"), 1,
-              drawn({speeds(20.0)})),
+              drawn({speeds(20.0), angles()})),
         scene(
             "corners", SceneText::tr("Shots at the corners"),
             SceneText::tr("Each of the circles alone from the middle, straight at the corners and "
@@ -103,7 +111,7 @@ std::vector<KindInfo> sceneKinds()
             1, drawn({speeds(20.0)})),
         scene("encounters", SceneText::tr("Encounters"),
               SceneText::tr("Circles 1 and 2 thrown so that they meet, from all angles"), 2,
-              drawn({speeds(3.0),
+              drawn({speeds(3.0), angles(),
                      usually(inUnit(make("offset", Type::Number, SceneText::tr("Off centre"),
                                          SceneText::tr("How far off centre they meet at most, in "
                                                        "r₁ + r₂")),
@@ -115,7 +123,7 @@ std::vector<KindInfo> sceneKinds()
         scene("parting", SceneText::tr("Circles that part"),
               SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
                             "apart already; ask for 0 hits"),
-              2, drawn({speeds(3.0)})),
+              2, drawn({speeds(3.0), angles()})),
         scene("drop", SceneText::tr("Drops"),
               SceneText::tr("The circles fall from rest, at about the middle of the square"), 1,
               drawn({})),

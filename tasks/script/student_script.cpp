@@ -134,10 +134,11 @@ std::optional<ProgramError> StudentScript::call(int arguments)
     return std::nullopt;
 }
 
-/// Where the laws move the circles, they need a scene that can be run.
+/// Where the laws move the circles, they need a scene that can be run; one that keeps its values
+/// is as it was made.
 std::optional<ProgramError> StudentScript::checkScene(const Preset &scene) const
 {
-    if (m_moves)
+    if (m_moves || m_options.pinned)
         return std::nullopt;
     const std::optional<Error> fault = findFault(scene);
     if (!fault)
