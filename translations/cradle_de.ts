@@ -536,6 +536,14 @@
         <source>The circles fall from rest, at about the middle of the square</source>
         <translation>Die Kreise fallen aus der Ruhe, etwa aus der Mitte des Quadrats</translation>
     </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>From the x axis; the scenes divide them evenly</source>
+        <translation>Von der x-Achse aus; die Szenen teilen sie gleichmäßig auf</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -763,6 +771,10 @@
         <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
         <translation>%1: Die Prüfung selbst brach ab und sagt nichts über deine Arbeit: %2</translation>
     </message>
+    <message>
+        <source>What the step fixes is as the step has it</source>
+        <translation>Was der Schritt festlegt, ist so, wie er es festlegt</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -933,10 +945,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
         <translation>Prüft ein Lab selbst: Startprogramme bestehen eine Prüfung nicht, Lösungen bestehen, jeder bekannte Fehler besteht nicht und wird erkannt, und an jeder Prüfung scheitert ein Fehler. Gibt aus, welcher Fehler (Zeile) an welcher Prüfung scheitert (Spalte, x) und wofür er gehalten wird.</translation>
-    </message>
-    <message>
-        <source>the lab&apos;s folder</source>
-        <translation>der Ordner des Labs</translation>
     </message>
     <message>
         <source>this step alone</source>
@@ -1425,6 +1433,73 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>Locks</name>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>Stoßzahl</translation>
+    </message>
+    <message>
+        <source>timestep</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>half width of the square</source>
+        <translation>halbe Breite des Quadrats</translation>
+    </message>
+    <message>
+        <source>law for walls</source>
+        <translation>Gesetz für Wände</translation>
+    </message>
+    <message>
+        <source>law for circles</source>
+        <translation>Gesetz für Kreise</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>Zeitbestimmung</translation>
+    </message>
+    <message>
+        <source>number of circles</source>
+        <translation>Anzahl der Kreise</translation>
+    </message>
+    <message>
+        <source>position of %1</source>
+        <translation>Position von %1</translation>
+    </message>
+    <message>
+        <source>velocity of %1</source>
+        <translation>Geschwindigkeit von %1</translation>
+    </message>
+    <message>
+        <source>radius of %1</source>
+        <translation>Radius von %1</translation>
+    </message>
+    <message>
+        <source>density of %1</source>
+        <translation>Dichte von %1</translation>
+    </message>
+    <message>
+        <source>integrator of %1</source>
+        <translation>Integrator von %1</translation>
+    </message>
+    <message>
+        <source>mass of %1</source>
+        <translation>Masse von %1</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>Fixed in this step: %1</source>
+        <translation>In diesem Schritt fest: %1</translation>
+    </message>
+</context>
+<context>
     <name>LuaApi</name>
     <message>
         <source>You write it: runs once, before the first step</source>
@@ -1849,6 +1924,18 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>there is no example %1; there are %2</source>
         <translation>es gibt kein Beispiel %1; es gibt %2</translation>
     </message>
+    <message>
+        <source>open this lab in the window in which labs are written</source>
+        <translation>dieses Lab in dem Fenster öffnen, in dem Labs geschrieben werden</translation>
+    </message>
+    <message>
+        <source>of that window: scene, text, checks, programs or proof</source>
+        <translation>dieses Fensters: scene, text, checks, programs oder proof</translation>
+    </message>
+    <message>
+        <source>--tab %1: scene, text, checks, programs or proof is right</source>
+        <translation>--tab %1: Richtig ist scene, text, checks, programs oder proof</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -2104,6 +2191,14 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>&amp;Reset zoom</source>
         <translation>Zoom &amp;zurücksetzen</translation>
     </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Lab aus einer &amp;Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Author a lab…</source>
+        <translation>Ein Lab s&amp;chreiben…</translation>
+    </message>
 </context>
 <context>
     <name>MomentumInset</name>
@@ -2229,6 +2324,53 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Which value does the second line need: the one from before or the one from after the first?</source>
         <translation>Welchen Wert braucht die zweite Zeile: den von vor oder den von nach der ersten?</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>from %1 to %2%3</source>
+        <translation>von %1 bis %2%3</translation>
+    </message>
+    <message>
+        <source>%1%2 or more</source>
+        <translation>%1%2 oder mehr</translation>
+    </message>
+    <message>
+        <source>any%1</source>
+        <translation>beliebig%1</translation>
+    </message>
+    <message>
+        <source>%1: a whole number, %2, is right</source>
+        <translation>%1: Richtig ist eine ganze Zahl, %2</translation>
+    </message>
+    <message>
+        <source>%1: two numbers as “2, 0”, %2, are right</source>
+        <translation>%1: Richtig sind zwei Zahlen wie „2, 0“, %2</translation>
+    </message>
+    <message>
+        <source>%1: the least and the most as “0.5, 2”, %2, are right</source>
+        <translation>%1: Richtig sind kleinster und größter Wert wie „0.5, 2“, %2</translation>
+    </message>
+    <message>
+        <source>%1: pairs of numbers as “2, 0; 0, 0”, %2, are right</source>
+        <translation>%1: Richtig sind Zahlenpaare wie „2, 0; 0, 0“, %2</translation>
+    </message>
+    <message>
+        <source>%1: numbers as “0.5, 1”, %2, are right</source>
+        <translation>%1: Richtig sind Zahlen wie „0.5, 1“, %2</translation>
+    </message>
+    <message>
+        <source>%1: a number, %2, is right</source>
+        <translation>%1: Richtig ist eine Zahl, %2</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
     </message>
 </context>
 <context>
@@ -2434,6 +2576,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>%1 did not pass: %2 of %3 checks failed</source>
         <translation>%1 nicht bestanden: %2 von %3 Prüfungen nicht bestanden</translation>
     </message>
+    <message>
+        <source>%1 (%2 of %3 points)</source>
+        <translation>%1 (%2 von %3 Punkten)</translation>
+    </message>
 </context>
 <context>
     <name>ResultPane</name>
@@ -2546,6 +2692,29 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>SceneTemplates</name>
+    <message>
+        <source>Head-on collision</source>
+        <translation>Gerader Stoß</translation>
+    </message>
+    <message>
+        <source>Glancing collision</source>
+        <translation>Schräger Stoß</translation>
+    </message>
+    <message>
+        <source>Newton&apos;s cradle</source>
+        <translation>Kugelstoßpendel</translation>
+    </message>
+    <message>
+        <source>Gas</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Fall</translation>
     </message>
 </context>
 <context>
@@ -2802,10 +2971,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>ein Text von 1 bis 1000 Zeichen</translation>
     </message>
     <message>
-        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks and extra</source>
-        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks und extra</translation>
-    </message>
-    <message>
         <source>an object with id, kind, title, points, parameters and scene</source>
         <translation>ein Objekt mit id, kind, title, points, parameters und scene</translation>
     </message>
@@ -2828,6 +2993,18 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>what passing the check is worth, a number from 0 to 1000</source>
         <translation>was das Bestehen der Prüfung wert ist, eine Zahl von 0 bis 1000</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, extra and locked</source>
+        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, extra und locked</translation>
+    </message>
+    <message>
+        <source>a list of fields of the scene that the student may not change</source>
+        <translation>eine Liste von Feldern der Szene, die nicht geändert werden dürfen</translation>
+    </message>
+    <message>
+        <source>a field as gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing or circles/1/velocity</source>
+        <translation>ein Feld wie gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing oder circles/1/velocity</translation>
     </message>
 </context>
 <context>
@@ -3285,6 +3462,240 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>cradle::AuthorDocument</name>
+    <message>
+        <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
+        <translation>Dieses Lab gehört zu Cradle und bleibt, wie es ist; lege eine Kopie an und ändere diese</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; a new or an empty one is right</source>
+        <translation>der Ordner ist nicht leer; richtig ist ein neuer oder ein leerer</translation>
+    </message>
+    <message>
+        <source>Reload from the folder</source>
+        <translation>Aus dem Ordner neu laden</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
+    <message>
+        <source>New lab</source>
+        <translation>Neues Lab</translation>
+    </message>
+    <message>
+        <source>Title of the lab:</source>
+        <translation>Titel des Labs:</translation>
+    </message>
+    <message>
+        <source>My lab</source>
+        <translation>Mein Lab</translation>
+    </message>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>Ordner eines Labs öffnen</translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation>Von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>Replace with mine</source>
+        <translation>Durch meine ersetzen</translation>
+    </message>
+    <message>
+        <source>Take theirs</source>
+        <translation>Die anderen übernehmen</translation>
+    </message>
+    <message>
+        <source>A new folder for the lab</source>
+        <translation>Ein neuer Ordner für das Lab</translation>
+    </message>
+    <message>
+        <source>Folder:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>Export the lab as one file</source>
+        <translation>Lab als eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Insert a figure</source>
+        <translation>Abbildung einfügen</translation>
+    </message>
+    <message>
+        <source>The scene at %1 s</source>
+        <translation>Die Szene bei %1 s</translation>
+    </message>
+    <message>
+        <source>Save the lab?</source>
+        <translation>Lab speichern?</translation>
+    </message>
+    <message>
+        <source>The lab has changes that are not saved.</source>
+        <translation>Das Lab hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;Lab</translation>
+    </message>
+    <message>
+        <source>&amp;New lab…</source>
+        <translation>&amp;Neues Lab…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder…</source>
+        <translation>Einen Ordner &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Export as one file…</source>
+        <translation>Als eine Datei &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Open as a s&amp;tudent</source>
+        <translation>Als S&amp;tudent öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a &amp;figure</source>
+        <translation>Szene als &amp;Abbildung einfügen</translation>
+    </message>
+    <message>
+        <source>Start from the moment &amp;shown</source>
+        <translation>Ab dem &amp;gezeigten Moment starten</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move d&amp;own</source>
+        <translation>Nach u&amp;nten</translation>
+    </message>
+    <message>
+        <source>&amp;Proof</source>
+        <translation>&amp;Nachweis</translation>
+    </message>
+    <message>
+        <source>&amp;Verify this step</source>
+        <translation>Diesen Schritt &amp;nachweisen</translation>
+    </message>
+    <message>
+        <source>Verify the &amp;lab</source>
+        <translation>Das ganze &amp;Lab nachweisen</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest mistakes</source>
+        <translation>&amp;Fehler vorschlagen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>This is a scene of the proof, at the moment where it went wrong.</source>
+        <translation>Dies ist eine Szene des Nachweises, in dem Moment, in dem es schiefging.</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
+        <translation>Dieses Lab gehört zu Cradle und bleibt, wie es ist. Sieh dich um, oder lege eine Kopie an und ändere diese.</translation>
+    </message>
+    <message>
+        <source>Copy to a folder…</source>
+        <translation>In einen Ordner kopieren…</translation>
+    </message>
+    <message>
+        <source>Changed by another program: %1</source>
+        <translation>Von einem anderen Programm geändert: %1</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Parts of the step</source>
+        <translation>Teile des Schritts</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ChartPane</name>
     <message>
         <source>%1 · %2</source>
@@ -3365,6 +3776,85 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>cradle::CheckEditor</name>
+    <message>
+        <source>An id of letters, digits, dots and dashes is right</source>
+        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten und Strichen</translation>
+    </message>
+    <message>
+        <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
+        <translation>Kreise: Richtig sind Nummern von 1 bis 100 wie „1, 2“</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
+    </message>
+    <message>
+        <source>What is checked</source>
+        <translation>Was geprüft wird</translation>
+    </message>
+    <message>
+        <source>In which scenes</source>
+        <translation>In welchen Szenen</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>Title of the check</source>
+        <translation>Titel der Prüfung</translation>
+    </message>
+    <message>
+        <source>Id of the check</source>
+        <translation>Kennung der Prüfung</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes; reports name the check by it</source>
+        <translation>Buchstaben, Ziffern, Punkte und Striche; so heißt die Prüfung in Berichten</translation>
+    </message>
+    <message>
+        <source>What passing this check is worth in reports</source>
+        <translation>Was diese Prüfung in Berichten wert ist</translation>
+    </message>
+    <message>
+        <source>Kind of the check</source>
+        <translation>Art der Prüfung</translation>
+    </message>
+    <message>
+        <source>Circles that it looks at</source>
+        <translation>Kreise, die sie betrachtet</translation>
+    </message>
+    <message>
+        <source>Numbers of the circles, as “1, 2”</source>
+        <translation>Nummern der Kreise, wie „1, 2“</translation>
+    </message>
+    <message>
+        <source>Kind of the scenes</source>
+        <translation>Art der Szenen</translation>
+    </message>
+</context>
+<context>
     <name>cradle::CheckRow</name>
     <message>
         <source>Passed: %1</source>
@@ -3389,6 +3879,87 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Show the moment</source>
         <translation>Moment zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChecksTab</name>
+    <message>
+        <source>Checks · %1</source>
+        <translation>Prüfungen · %1</translation>
+    </message>
+    <message>
+        <source>Edit a check</source>
+        <translation>Prüfung ändern</translation>
+    </message>
+    <message>
+        <source>-- Returns true, or false and what is wrong.
+</source>
+        <translation>-- Gibt true zurück, oder false und was falsch ist.
+</translation>
+    </message>
+    <message>
+        <source>Edit the program of a check</source>
+        <translation>Programm einer Prüfung ändern</translation>
+    </message>
+    <message>
+        <source>New check</source>
+        <translation>Neue Prüfung</translation>
+    </message>
+    <message>
+        <source>Add a check</source>
+        <translation>Prüfung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate a check</source>
+        <translation>Prüfung duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove a check</source>
+        <translation>Prüfung entfernen</translation>
+    </message>
+    <message>
+        <source>Move a check</source>
+        <translation>Prüfung verschieben</translation>
+    </message>
+    <message>
+        <source>Checks of the step</source>
+        <translation>Prüfungen des Schritts</translation>
+    </message>
+    <message>
+        <source>No check yet. Add one with the plus, then say what is right.</source>
+        <translation>Noch keine Prüfung. Füge mit dem Plus eine hinzu und sage dann, was richtig ist.</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>Programm der Prüfung</translation>
+    </message>
+    <message>
+        <source>Duplicate the check</source>
+        <translation>Prüfung duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove the check</source>
+        <translation>Prüfung entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Move the check up</source>
+        <translation>Prüfung nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Move the check down</source>
+        <translation>Prüfung nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
     </message>
 </context>
 <context>
@@ -4033,6 +4604,45 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>cradle::HintsList</name>
+    <message>
+        <source>A new hint</source>
+        <translation>Ein neuer Hinweis</translation>
+    </message>
+    <message>
+        <source>Hints, in the order of opening</source>
+        <translation>Hinweise, in der Reihenfolge des Öffnens</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>Hinweis hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>Hinweis entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Move the hint up</source>
+        <translation>Hinweis nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Move the hint down</source>
+        <translation>Hinweis nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
+    </message>
+</context>
+<context>
     <name>cradle::HitsModel</name>
     <message>
         <source>left wall</source>
@@ -4412,6 +5022,66 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
     </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ein Lab aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Select several circles</source>
+        <translation>Mehrere Kreise auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
+        <translation>Strg+Klick, Umschalt+Ziehen, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Move what is selected</source>
+        <translation>Ausgewähltes verschieben</translation>
+    </message>
+    <message>
+        <source>drag; Ctrl+arrows, finer with Shift</source>
+        <translation>ziehen; Strg+Pfeile, feiner mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Drag free of the grid</source>
+        <translation>Frei vom Raster ziehen</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>Ziehen zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>drag on empty space, or the middle button</source>
+        <translation>an leerer Stelle ziehen, oder mit der mittleren Taste</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Am Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>In der Szene</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -4457,6 +5127,17 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Got it</source>
         <translation>Verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ParameterForm</name>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 (usual)</source>
+        <translation>%1 (üblich)</translation>
     </message>
 </context>
 <context>
@@ -4649,6 +5330,231 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::ProgramsTab</name>
+    <message>
+        <source>Edit a program</source>
+        <translation>Programm ändern</translation>
+    </message>
+    <message>
+        <source>Edit what the student reads</source>
+        <translation>Text für Studierende ändern</translation>
+    </message>
+    <message>
+        <source>-- What went wrong, in a few words
+--
+-- What was observed, what it means, and where to look.
+</source>
+        <translation>-- Was schiefging, in wenigen Worten
+--
+-- Was zu sehen war, was es bedeutet und wo man nachsieht.
+</translation>
+    </message>
+    <message>
+        <source>-- What is good about it, in a few words
+--
+-- What it does otherwise than most, and what that is worth.
+</source>
+        <translation>-- Was daran gut ist, in wenigen Worten
+--
+-- Was es anders macht als die meisten und was das wert ist.
+</translation>
+    </message>
+    <message>
+        <source>Add a mistake</source>
+        <translation>Fehler hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a remark</source>
+        <translation>Bemerkung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a program</source>
+        <translation>Programm entfernen</translation>
+    </message>
+    <message>
+        <source>Rename a program</source>
+        <translation>Programm umbenennen</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Programs of the step</source>
+        <translation>Programme des Schritts</translation>
+    </message>
+    <message>
+        <source>Program %1</source>
+        <translation>Programm %1</translation>
+    </message>
+    <message>
+        <source>Add a program</source>
+        <translation>Programm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename the program</source>
+        <translation>Programm umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove the program</source>
+        <translation>Programm entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>A &amp;mistake that students make</source>
+        <translation>Ein &amp;Fehler, den Studierende machen</translation>
+    </message>
+    <message>
+        <source>A &amp;remark on work that passes</source>
+        <translation>Eine &amp;Bemerkung zu Arbeiten, die bestehen</translation>
+    </message>
+    <message>
+        <source>What the student reads: the comment that the program begins with, or its translation</source>
+        <translation>Was Studierende lesen: der Kommentar am Anfang des Programms oder seine Übersetzung</translation>
+    </message>
+    <message>
+        <source>What the student reads, translated</source>
+        <translation>Was Studierende lesen, übersetzt</translation>
+    </message>
+    <message>
+        <source>What a student&apos;s program starts from in this step.</source>
+        <translation>Womit das Programm in diesem Schritt anfängt.</translation>
+    </message>
+    <message>
+        <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
+        <translation>Kein eigener: Es geht mit der Lösung des vorigen Schritts weiter. Schreibe hier, um mit etwas anderem anzufangen.</translation>
+    </message>
+    <message>
+        <source>The reference: it passes every check, with every seed.</source>
+        <translation>Die Referenz: Sie besteht jede Prüfung, mit jedem Startwert.</translation>
+    </message>
+    <message>
+        <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
+        <translation>Ein ganzes Programm mit einem Fehler: Es scheitert an einer Prüfung, und wer dasselbe schrieb, liest den Kommentar an seinem Anfang.</translation>
+    </message>
+    <message>
+        <source>A whole program that passes and deserves a word.</source>
+        <translation>Ein ganzes Programm, das besteht und ein Wort verdient.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProofMatrix</name>
+    <message>
+        <source>Programs and the checks that they fail</source>
+        <translation>Programme und die Prüfungen, an denen sie scheitern</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Said of it</source>
+        <translation>Erkannt als</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>besteht</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProofTab</name>
+    <message>
+        <source>All is as it should be: the solution passes, every mistake fails and is recognised, every check is needed.</source>
+        <translation>Alles ist, wie es sein soll: Die Lösung besteht, jeder Fehler scheitert und wird erkannt, jede Prüfung wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Not as it should be: %1</source>
+        <translation>Nicht, wie es sein soll: %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Mistakes that this step does not know</source>
+        <translation>Fehler, die dieser Schritt nicht kennt</translation>
+    </message>
+    <message>
+        <source>None was found: each change of the solution is caught and explained.</source>
+        <translation>Keiner gefunden: Jede Änderung der Lösung wird bemerkt und erklärt.</translation>
+    </message>
+    <message>
+        <source>Show the run</source>
+        <translation>Lauf zeigen</translation>
+    </message>
+    <message>
+        <source>Open the program</source>
+        <translation>Programm öffnen</translation>
+    </message>
+    <message>
+        <source>Open the check</source>
+        <translation>Prüfung öffnen</translation>
+    </message>
+    <message>
+        <source>Open the programs</source>
+        <translation>Programme öffnen</translation>
+    </message>
+    <message>
+        <source>Passes every check, so one is missing: %1 (line %2: %3)</source>
+        <translation>Besteht jede Prüfung, also fehlt eine: %1 (Zeile %2: %3)</translation>
+    </message>
+    <message>
+        <source>Fails by “%1” without a word on why: %2 (line %3: %4)</source>
+        <translation>Scheitert an „%1“, ohne dass gesagt wird, warum: %2 (Zeile %3: %4)</translation>
+    </message>
+    <message>
+        <source>Add as a mistake</source>
+        <translation>Als Fehler aufnehmen</translation>
+    </message>
+    <message>
+        <source>Add a suggested mistake</source>
+        <translation>Vorgeschlagenen Fehler aufnehmen</translation>
+    </message>
+    <message>
+        <source>Verify this step</source>
+        <translation>Diesen Schritt nachweisen</translation>
+    </message>
+    <message>
+        <source>Judges every program of the step, the solution with five seeds</source>
+        <translation>Beurteilt jedes Programm des Schritts, die Lösung mit fünf Startwerten</translation>
+    </message>
+    <message>
+        <source>Verify the lab</source>
+        <translation>Das Lab nachweisen</translation>
+    </message>
+    <message>
+        <source>Suggest mistakes</source>
+        <translation>Fehler vorschlagen</translation>
+    </message>
+    <message>
+        <source>Changes the solution as students err, and tells which changes the checks miss or cannot explain</source>
+        <translation>Ändert die Lösung so, wie Studierende irren, und sagt, welche Änderungen die Prüfungen übersehen oder nicht erklären</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Progress of the proof</source>
+        <translation>Fortschritt des Nachweises</translation>
+    </message>
+    <message>
+        <source>The lab was edited since.</source>
+        <translation>Das Lab wurde seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
+        <translation>Drücke „Diesen Schritt nachweisen“: Der Anfang soll an einer Prüfung scheitern, die Lösung mit jedem Startwert bestehen, und jeder Fehler soll scheitern und erkannt werden.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ResultPane</name>
     <message>
         <source>Checking… %1 of %2</source>
@@ -4793,10 +5699,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Geschwindigkeit von %1 auf null setzen</translation>
     </message>
     <message>
-        <source>Press Restart (R) to change the start</source>
-        <translation>Drücke Neustart (R), um den Anfang zu ändern</translation>
-    </message>
-    <message>
         <source>Move %1</source>
         <translation>%1 verschieben</translation>
     </message>
@@ -4821,6 +5723,73 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
             <numerusform>%n Kreis einfügen</numerusform>
             <numerusform>%n Kreise einfügen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
+        <translation>Drücke Neustart (R), um den Anfang zu ändern, oder beginne hier einen neuen Lauf (Strg+Umschalt+R)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneTab</name>
+    <message>
+        <source>Start from the moment shown</source>
+        <translation>Vom gezeigten Moment an beginnen</translation>
+    </message>
+    <message>
+        <source>Take the template %1</source>
+        <translation>Vorlage %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Lock…</source>
+        <translation>Festlegen…</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Festgelegt: %1</translation>
+    </message>
+    <message>
+        <source>Lock a field</source>
+        <translation>Feld festlegen</translation>
+    </message>
+    <message>
+        <source>Unlock a field</source>
+        <translation>Feld freigeben</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Scenes to begin with; the one that is here is replaced</source>
+        <translation>Szenen zum Anfangen; die jetzige wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Start from this moment</source>
+        <translation>Ab diesem Moment starten</translation>
+    </message>
+    <message>
+        <source>The circles start where, and as fast as, they are at the moment shown</source>
+        <translation>Die Kreise starten dort und so schnell, wie sie im gezeigten Moment sind</translation>
+    </message>
+    <message>
+        <source>What the student may not change in this step</source>
+        <translation>Was in diesem Schritt nicht geändert werden darf</translation>
+    </message>
+    <message>
+        <source>Back to the step&apos;s scene</source>
+        <translation>Zurück zur Szene des Schritts</translation>
+    </message>
+    <message>
+        <source>Moved by the scene&apos;s laws</source>
+        <translation>Bewegt von den Gesetzen der Szene</translation>
+    </message>
+    <message>
+        <source>Moved by solution.lua</source>
+        <translation>Bewegt von solution.lua</translation>
+    </message>
+    <message>
+        <source>What moves the circles here</source>
+        <translation>Was die Kreise hier bewegt</translation>
     </message>
 </context>
 <context>
@@ -4890,6 +5859,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
             <numerusform>%n ausgewählt</numerusform>
             <numerusform>%n ausgewählt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Start a new run from here</source>
+        <translation>Neuer Lauf ab hier</translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5984,192 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>%1 files of this lab could not be read</source>
         <translation>%1 Dateien dieses Labs konnten nicht gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepsPanel</name>
+    <message>
+        <source>Add a step</source>
+        <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>New step</source>
+        <translation>Neuer Schritt</translation>
+    </message>
+    <message>
+        <source>Duplicate the step</source>
+        <translation>Schritt duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove the step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Rename the step</source>
+        <translation>Schritt umbenennen</translation>
+    </message>
+    <message>
+        <source>Move the step</source>
+        <translation>Schritt verschieben</translation>
+    </message>
+    <message>
+        <source>Steps · %1</source>
+        <translation>Schritte · %1</translation>
+    </message>
+    <message>
+        <source>Steps of the lab</source>
+        <translation>Schritte des Labs</translation>
+    </message>
+    <message>
+        <source>All files can be read</source>
+        <translation>Alle Dateien sind lesbar</translation>
+    </message>
+    <message>
+        <source>Findings · %1</source>
+        <translation>Befunde · %1</translation>
+    </message>
+    <message>
+        <source>Findings in the lab&apos;s files</source>
+        <translation>Befunde in den Dateien des Labs</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Move the step up</source>
+        <translation>Schritt nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Move the step down</source>
+        <translation>Schritt nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::TextTab</name>
+    <message>
+        <source>Rename the step&apos;s folder</source>
+        <translation>Ordner des Schritts umbenennen</translation>
+    </message>
+    <message>
+        <source>No text in this language yet: students read it in the lab&apos;s own.</source>
+        <translation>Noch kein Text in dieser Sprache: Gelesen wird der in der Sprache des Labs.</translation>
+    </message>
+    <message>
+        <source>No hint yet: add one with the plus above.</source>
+        <translation>Noch kein Hinweis: Füge oben mit dem Plus einen hinzu.</translation>
+    </message>
+    <message>
+        <source>Line %1: nothing here is called “%2”</source>
+        <translation>Zeile %1: Nichts heißt hier „%2“</translation>
+    </message>
+    <message>
+        <source>%1, and %2 more</source>
+        <translation>%1, und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Edit the text</source>
+        <translation>Text ändern</translation>
+    </message>
+    <message>
+        <source>Edit a hint</source>
+        <translation>Hinweis ändern</translation>
+    </message>
+    <message>
+        <source>Change the hints</source>
+        <translation>Hinweise ändern</translation>
+    </message>
+    <message>
+        <source>Edit the step</source>
+        <translation>Schritt ändern</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Hints without a program</source>
+        <translation>Hinweise ohne Programm</translation>
+    </message>
+    <message>
+        <source>Hints for a program</source>
+        <translation>Hinweise für ein Programm</translation>
+    </message>
+    <message>
+        <source>As seen in Code mode</source>
+        <translation>Wie im Modus Code</translation>
+    </message>
+    <message>
+        <source>As seen in Explore mode</source>
+        <translation>Wie im Modus Erkunden</translation>
+    </message>
+    <message>
+        <source>Which text</source>
+        <translation>Welcher Text</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message>
+        <source>Mode of the preview</source>
+        <translation>Modus der Vorschau</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a figure</source>
+        <translation>Szene als Abbildung einfügen</translation>
+    </message>
+    <message>
+        <source>Draws the moment that the Scene tab shows, with its arrows, as an SVG in the step&apos;s folder</source>
+        <translation>Zeichnet den Moment aus dem Reiter Szene mit seinen Pfeilen als SVG in den Ordner des Schritts</translation>
+    </message>
+    <message>
+        <source>Text in Markdown</source>
+        <translation>Text in Markdown</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Names in backticks that neither the scene nor the programs have</source>
+        <translation>Namen in Backticks, die weder in der Szene noch in den Programmen vorkommen</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Id of the step, and its folder</source>
+        <translation>Kennung des Schritts und sein Ordner</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes; also the name of the folder</source>
+        <translation>Buchstaben, Ziffern, Punkte und Striche; auch der Name des Ordners</translation>
+    </message>
+    <message>
+        <source>Commit message</source>
+        <translation>Commit-Nachricht</translation>
+    </message>
+    <message>
+        <source>What a student writes into the history after passing</source>
+        <translation>Was nach dem Bestehen in die Versionsgeschichte kommt</translation>
+    </message>
+    <message>
+        <source>Extra step</source>
+        <translation>Zusatzschritt</translation>
+    </message>
+    <message>
+        <source>Outside the lab&apos;s own count</source>
+        <translation>Außerhalb der Zählung des Labs</translation>
     </message>
 </context>
 <context>
