@@ -132,6 +132,16 @@ public:
         return follow(things, found, count);
     }
 
+    /// All that are listed, cell by cell and row by row.
+    template <class Thing>
+    void all(const Thing *things, Slot *found) const
+    {
+        for (const Slot head : m_heads) {
+            for (Slot slot = head; slot != none; slot = things[slot].link.next)
+                *found++ = slot;
+        }
+    }
+
 private:
     static constexpr Slot none = std::numeric_limits<Slot>::max();
     static constexpr unsigned bit(Wall wall, bool set)

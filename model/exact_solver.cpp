@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/exact_solver.h"
 
+#include "model/disc_grid.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,10 +109,9 @@ void ExactSolver::beginEpoch()
     listDiscs();
 }
 
-/// Lists the discs where they are now. What is foreseen stays the same.
+/// Lists the discs where they are now, in the order of the cells. What is foreseen stays the same.
 void ExactSolver::listDiscs()
 {
-    sortDiscs();
     Vec2 low{-m_rules.halfWidth, -m_rules.halfWidth};
     Vec2 high = -low;
     const auto placeOf = [this](Slot slot) {
@@ -126,25 +127,26 @@ void ExactSolver::listDiscs()
             high = {std::max(high.x, p.x), std::max(high.y, p.y)};
         }
     }
-    m_cells.divide(low, high, m_small, 2.0 * m_smallRadius);
-    for (Slot slot = 0; slot < m_small; ++slot)
-        m_cells.insert(m_discs.data(), slot, placeOf(slot));
+    for (const bool inOrder : {false, true}) {
+        m_cells.divide(low, high, m_small, 2.0 * m_smallRadius);
+        for (Slot slot = 0; slot < m_small; ++slot)
+            m_cells.insert(m_discs.data(), slot, placeOf(slot));
+        if (!inOrder) {
+            m_cells.all(m_discs.data(), m_near.data());
+            sortDiscs();
+        }
+    }
     m_crossings = 0;
     findFirstEvents();
 }
 
+/// Puts the discs into the order of m_near, along the cycles of the permutation, so that it takes
+/// no second array.
 void ExactSolver::sortDiscs()
 {
-    m_grid.build(m_small, [this](std::size_t i) {
-        Disc disc = m_discs[i];
-        carryTo(disc, m_eventTime);
-        return disc.position;
-    });
-    // Along the cycles of the permutation, so that it takes no second array.
-    const std::span<const std::uint32_t> sorted = m_grid.sorted();
     m_moved.assign(m_small, false);
     for (std::size_t first = 0; first < m_small; ++first) {
-        if (m_moved[first] || sorted[first] == first)
+        if (m_moved[first] || m_near[first] == first)
             continue;
         const Disc disc = m_discs[first];
         const std::uint32_t id = m_ids[first];
@@ -152,7 +154,7 @@ void ExactSolver::sortDiscs()
         std::size_t slot = first;
         while (true) {
             m_moved[slot] = true;
-            const std::size_t from = sorted[slot];
+            const std::size_t from = m_near[slot];
             const bool last = from == first;
             m_discs[slot] = last ? disc : m_discs[from];
             m_ids[slot] = last ? id : m_ids[from];

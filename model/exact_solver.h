@@ -5,7 +5,6 @@
 #include "model/cell_lists.h"
 #include "model/collision_detection.h"
 #include "model/contact_solver.h"
-#include "model/disc_grid.h"
 #include "model/rules.h"
 #include "model/tournament.h"
 #include "model/world.h"
@@ -156,8 +155,8 @@ private:
     bool m_walls = false;
     bool m_pairs = false;
     bool m_lossy = false;        ///< e < 1 or a law that stops: hits may come ever quicker
-    std::size_t m_small = 0;     ///< discs in the grid; the few giants follow them
-    double m_smallRadius = 0;    ///< the largest in the grid, m
+    std::size_t m_small = 0;     ///< discs in cells; the few giants follow them
+    double m_smallRadius = 0;    ///< the largest in cells, m
     double m_quiet = 0;          ///< without gravity: slower hits lose nothing, m/s
     double m_now = 0;            ///< s into the epoch
     double m_moment = 0;         ///< events closer than this are one, s
@@ -166,10 +165,9 @@ private:
     qint64 m_step = 0;           ///< as hits report it
     std::size_t m_hits = 0;      ///< of discs, in this epoch
     std::size_t m_crossings = 0; ///< of cells, since discs were listed
-    DiscGrid m_grid;             ///< for the order of the discs
     CellLists m_cells;
     Tournament m_queue;
-    std::vector<Disc> m_discs;        ///< in the order of the grid
+    std::vector<Disc> m_discs;        ///< in the order of the cells
     std::vector<std::uint32_t> m_ids; ///< which circle a slot holds
     std::vector<bool> m_shaking;      ///< of each slot, if lossy: the latest hit was soft
     std::vector<Slot> m_near;         ///< for a search

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace cradle;
 
@@ -58,6 +59,7 @@ private slots:
     void nearMissesNobody();
     void movingBringsIntoReachWhatIsAhead();
     void aBoxHoldsWhatLiesInIt();
+    void allAreListedOnceRowByRow();
     void placesOutsideBelongToTheEdge();
 };
 
@@ -125,6 +127,22 @@ void TestCellLists::aBoxHoldsWhatLiesInIt()
         if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y)
             QVERIFY(std::binary_search(list.begin(), list.end(), a));
     }
+}
+
+void TestCellLists::allAreListedOnceRowByRow()
+{
+    CellLists cells;
+    const std::vector<Thing> things = scattered(300, cells);
+    std::vector<std::uint32_t> found(things.size());
+    cells.all(things.data(), found.data());
+    const auto cellOf = [&](std::uint32_t slot) {
+        return std::pair(things[slot].link.row, things[slot].link.column);
+    };
+    for (std::size_t i = 1; i < found.size(); ++i)
+        QVERIFY(cellOf(found[i - 1]) <= cellOf(found[i]));
+    const auto list = sorted(found, found.size());
+    for (std::uint32_t slot = 0; slot < things.size(); ++slot)
+        QCOMPARE(list[slot], slot);
 }
 
 void TestCellLists::placesOutsideBelongToTheEdge()
