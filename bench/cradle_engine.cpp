@@ -12,14 +12,14 @@ template <class Solver>
 class CradleEngine final : public GasEngine
 {
 public:
-    CradleEngine(Preset preset, int stepsPerFrame)
+    CradleEngine(const Preset &gas, int stepsPerFrame)
         : m_stepsPerFrame(stepsPerFrame)
         , m_timestep(1.0 / (60.0 * stepsPerFrame))
-        , m_circles(initialWorld(preset).circles)
+        , m_count(gas.circles.size())
     {
-        for (PresetCircle &circle : preset.circles)
-            circle.integrator = Integrator::Verlet;
-        m_solver.start(rulesOf(preset), m_circles);
+        Rules rules = rulesOf(gas);
+        rules.integrators.assign(m_count, Integrator::Verlet);
+        m_solver.start(rules, initialWorld(gas).circles);
     }
 
     void step() override
@@ -34,7 +34,7 @@ public:
 
     void read(std::vector<Motion> &motions) const override
     {
-        std::vector<Circle> circles = m_circles;
+        std::vector<Circle> circles(m_count);
         m_solver.read(circles);
         motions.clear();
         for (const Circle &circle : circles)
@@ -45,7 +45,7 @@ private:
     int m_stepsPerFrame;
     double m_timestep; // s
     qint64 m_step = 0;
-    std::vector<Circle> m_circles; // at the start
+    std::size_t m_count;
     Solver m_solver;
     std::vector<Hit> m_hits;
     qint64 m_hitCount = 0;

@@ -96,7 +96,7 @@ void ExactSolver::noteHit(Slot slot, bool soft)
 {
     Disc &disc = m_discs[slot];
     ++disc.hits;
-    limitEpoch(std::sqrt(lengthSquared(disc.velocity)));
+    ++m_hits;
     if (m_lossy)
         m_shaking[slot] = soft;
 }
@@ -127,49 +127,48 @@ void ExactSolver::report(Hit hit, std::vector<Hit> &hits)
     hits.push_back(hit);
 }
 
-void ExactSolver::hitWall(const Event &event, std::vector<Hit> &hits)
+void ExactSolver::hitWall(Slot a, Wall wall, std::vector<Hit> &hits)
 {
-    Disc &disc = m_discs[event.a];
-    const Wall wall = wallOf(event.b);
+    Disc &disc = m_discs[a];
     const Vec2 n = outwardNormal(wall);
     carryTo(disc, m_eventTime);
     setAgainst(disc, wall);
     const double closing = dot(disc.velocity, n);
-    const Rebound rebound = reboundOf(event.a, event.b, n, std::max(0.0, closing));
-    Hit hit = newHit(event.a, event.b, n);
+    const Rebound rebound = reboundOf(a, wallSlot(wall), n, std::max(0.0, closing));
+    Hit hit = newHit(a, wallSlot(wall), n);
     disc.velocity -= (closing + rebound.speed) * n;
     if (rebound.speed == 0.0 && dot(m_rules.gravity, n) > 0.0)
         disc.held |= heldBy(wall);
-    noteHit(event.a, rebound.soft);
+    noteHit(a, rebound.soft);
     if (!rebound.lasting) {
         hit.afterA = disc.velocity;
         hit.impulse = (closing + rebound.speed) / disc.inverseMass;
         hit.loss = 0.5 * (closing - rebound.speed) * hit.impulse;
         report(hit, hits);
     }
-    findEvents(event.a);
+    findEvents(a);
 }
 
-void ExactSolver::hitPair(const Event &event, std::vector<Hit> &hits)
+void ExactSolver::hitPair(Slot slotA, Slot slotB, std::vector<Hit> &hits)
 {
-    Disc &a = m_discs[event.a];
-    Disc &b = m_discs[event.b];
-    if ((a.held | b.held) != 0) {
-        takeMoment(event, hits);
-        return;
-    }
+    Disc &a = m_discs[slotA];
+    Disc &b = m_discs[slotB];
     carryTo(a, m_eventTime);
     carryTo(b, m_eventTime);
     const Vec2 d = b.position - a.position;
     const Vec2 n = d / std::sqrt(lengthSquared(d));
     const double closing = dot(a.velocity - b.velocity, n);
-    if (closing <= 0.0)
+    if (closing <= 0.0) {
+        // They graze, and rounding has them part already.
+        findEvents(slotA);
+        findEvents(slotB);
         return;
-    const Rebound rebound = reboundOf(event.a, event.b, n, closing);
-    Hit hit = newHit(event.a, event.b, n);
+    }
+    const Rebound rebound = reboundOf(slotA, slotB, n, closing);
+    Hit hit = newHit(slotA, slotB, n);
     respond(a, b, n, closing + rebound.speed, rebound.lasting);
-    noteHit(event.a, rebound.soft);
-    noteHit(event.b, rebound.soft);
+    noteHit(slotA, rebound.soft);
+    noteHit(slotB, rebound.soft);
     if (!rebound.lasting) {
         hit.afterA = a.velocity;
         hit.afterB = b.velocity;
@@ -179,8 +178,8 @@ void ExactSolver::hitPair(const Event &event, std::vector<Hit> &hits)
                        : kineticLoss(hit.beforeA, a) + kineticLoss(hit.beforeB, b);
         report(hit, hits);
     }
-    findEvents(event.a);
-    findEvents(event.b);
+    findEvents(slotA);
+    findEvents(slotB);
 }
 
 /// Lets the law answer for two discs alone; \p change is by how much the closing speed falls.

@@ -3,7 +3,6 @@
 #include "model/exact_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cradle {
@@ -12,204 +11,270 @@ namespace cradle {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A closing speed below this share of the speeds is rounding: two that touch move alike.
 constexpr double roundedSpeed = 1e-13;
-/// Discs that one may meet on the average at the start of an epoch before its drift is made
-/// shorter, by this factor, down to so many radii.
-constexpr double crowded = 20.0;
-constexpr double shorter = 0.75;
-constexpr double leastDrift = 0.5;
+/// A giant looks around for as long as it moves by this share of its radius.
+constexpr double homeOfGiant = 0.25;
+/// A bound is wider by this share, so that rounding cannot hide what is right at it.
+constexpr double margin = 1e-9;
+
+/// Two discs as seen from the one when the later of the hits that they come from is over: from then
+/// on they move straight, if they fall alike.
+struct Encounter {
+    double since = 0.0; ///< s into the epoch
+    Vec2 d{};           ///< from the one to the other, m
+    Vec2 v{};           ///< m/s
+
+    /// Whether they come as near as \p distance (m) or nearly so.
+    [[nodiscard]] bool mayMeet(double distance) const
+    {
+        const double across = cross(d, v);
+        const bool closes = dot(d, v) < 0.0;
+        const bool hits =
+            across * across < (distance * distance) * ((1.0 + margin) * lengthSquared(v));
+        return closes & hits;
+    }
+
+    /// When they come as near as \p distance (m):
+    ///     s = (d² − R²)/(−d·v + √D),   D = (d·v)² − v² (d² − R²) = R² v² − (d × v)²
+    /// √D is R times the closing speed then. \param least  smaller D are none, m⁴/s²
+    [[nodiscard]] double time(double distance, double least) const
+    {
+        const double square = distance * distance;
+        const double gap = std::max(0.0, lengthSquared(d) - square);
+        const double approach = -dot(d, v);
+        const double across = cross(d, v);
+        // Of the two forms of D the one in which less cancels.
+        const double discriminant = gap < square ? approach * approach - lengthSquared(v) * gap
+                                                 : square * lengthSquared(v) - across * across;
+        return discriminant > least ? since + gap / (approach + std::sqrt(discriminant)) : infinity;
+    }
+};
+
+template <bool Falling, class Disc>
+Encounter encounterOf(const Disc &a, const Disc &b, [[maybe_unused]] Vec2 acceleration)
+{
+    const double since = std::max(a.clock, b.clock);
+    const double s = since - a.clock;
+    const double u = since - b.clock;
+    Encounter e{since, (b.position + u * b.velocity) - (a.position + s * a.velocity),
+                b.velocity - a.velocity};
+    if constexpr (Falling) {
+        e.d += (0.5 * (u * u - s * s)) * acceleration;
+        e.v += (u - s) * acceleration;
+    }
+    return e;
+}
+
+/// When a point leaves the interval from \p low to \p high, in which it is but for rounding, s.
+double timeToLeave(double place, double speed, double push, double low, double high)
+{
+    if (push < 0.0)
+        return timeToLeave(-place, -speed, -push, -high, -low);
+    const double back = speed * speed - 2.0 * push * std::max(0.0, place - low);
+    if (speed < 0.0 && back > 0.0)
+        return 2.0 * std::max(0.0, place - low) / (std::sqrt(back) - speed);
+    return high < infinity
+               ? timeToLine(high - place, speed, 0.5 * push, infinity).value_or(infinity)
+               : infinity;
+}
+
 } // namespace
 
-void ExactSolver::push(double time, Slot a, Slot b)
+/// Takes note in \p plan of a hit on \p b, a disc or a wall, at \p time (s into the epoch).
+void ExactSolver::note(Plan &plan, Slot b, double time) const
 {
-    m_events.push_back({.time = time,
-                        .a = a,
-                        .b = b,
-                        .hitsA = m_discs[a].hits,
-                        .hitsB = isDisc(b) ? m_discs[b].hits : 0});
-    std::push_heap(m_events.begin(), m_events.end(), later);
-}
-
-ExactSolver::Event ExactSolver::pop()
-{
-    const Event event = m_events.front();
-    std::pop_heap(m_events.begin(), m_events.end(), later);
-    m_events.pop_back();
-    return event;
-}
-
-/// Looks for hits of \p a, which is at the present event's time, with the discs that \p visitRuns
-/// hands out. \p Falling: there is gravity, and discs may rest. \p Fresh: all clocks are at 0.
-template <bool Falling, bool Fresh, class VisitRuns>
-void ExactSolver::search(Slot a, VisitRuns visitRuns)
-{
-    constexpr std::size_t most = 64;
-    std::array<Slot, most> near;
-    std::size_t count = 0;
-    const auto look = [&] {
-        for (std::size_t k = 0; k < count; ++k)
-            findPairEvent(a, near[k]);
-        count = 0;
-    };
-    const Disc first = m_discs[a];
-    const Disc *discs = m_discs.data();
-    const Vec2 g = m_rules.gravity;
-    const double time = m_eventTime;
-    const double span = 2.0 * (m_horizon - time);
-    // Without branches, as most cannot meet within the epoch: their distance at s is at least
-    // √(d² − 2 s approach).
-    visitRuns([&](Slot begin, Slot end) {
-        for (Slot b = begin; b < end; ++b) {
-            const Disc &second = discs[b];
-            Vec2 v = second.velocity;
-            Vec2 d = second.position - first.position;
-            if constexpr (!Fresh) {
-                const double s = time - second.clock;
-                if constexpr (Falling) {
-                    d += s * (v + (0.5 * s) * g);
-                    v += s * g;
-                } else {
-                    d += s * v;
-                }
-            }
-            const double sum = first.radius + second.radius;
-            bool mayMeet = lengthSquared(d) - sum * sum < span * dot(d, first.velocity - v);
-            if constexpr (Falling)
-                mayMeet = mayMeet || (first.held | second.held) != 0;
-            if constexpr (!Fresh)
-                mayMeet = mayMeet && b != a;
-            near[count] = b;
-            count += mayMeet ? 1 : 0;
-            if (count == most)
-                look();
-        }
-    });
-    look();
-}
-
-void ExactSolver::findFirstEvents()
-{
-    m_horizon = m_epochEnd;
-    if (m_walls) {
-        for (Slot a = 0; a < m_discs.size(); ++a)
-            findWallEvent(a);
+    if (time < plan.hit) {
+        plan.then = plan.hit;
+        plan.hit = std::max(time, m_eventTime);
+        plan.partner = b;
+        plan.partnerHits = isWall(b) ? 0 : m_discs[b].hits;
+    } else if (b != plan.partner) {
+        plan.then = std::min(plan.then, time);
     }
-    if (m_pairs && m_gravity > 0.0)
-        findFirstPairs<true>();
-    else if (m_pairs)
-        findFirstPairs<false>();
 }
 
+/// Where a wall holds one of two, the one falls as the other sees it: they meet, if ever, before it
+/// has fallen farther than they are apart.
+void ExactSolver::noteHitOfUnlike(Plan &plan, Slot a, Slot b) const
+{
+    Disc first = m_discs[a];
+    Disc second = m_discs[b];
+    const double since = std::max(first.clock, second.clock);
+    carryTo(first, since);
+    carryTo(second, since);
+    const Path pathA{first.position, first.velocity, 0.5 * accelerationOf(first)};
+    const Path pathB{second.position, second.velocity, 0.5 * accelerationOf(second)};
+    const double distance = first.radius + second.radius;
+    const double curve = std::sqrt(lengthSquared(pathB.curve - pathA.curve));
+    const double speed = std::sqrt(lengthSquared(second.velocity - first.velocity));
+    const double far = std::sqrt(lengthSquared(second.position - first.position)) + distance;
+    // |k| s² = |v| s + |d| + R
+    const double last = (speed + std::sqrt(speed * speed + 4.0 * curve * far)) / (2.0 * curve);
+    const double end = std::min(last, plan.hit + m_moment - since);
+    if (!(end >= 0.0))
+        return;
+    if (const auto s = timeToDistance(pathA, pathB, distance, end))
+        note(plan, b, since + *s);
+}
+
+void ExactSolver::noteWallHit(Plan &plan, Slot a, Wall wall) const
+{
+    const Disc &disc = m_discs[a];
+    if ((disc.held & heldBy(wall)) != 0)
+        return;
+    const Vec2 n = outwardNormal(wall);
+    const double gap = m_rules.halfWidth - disc.radius - dot(disc.position, n);
+    if (const auto s =
+            timeToLine(gap, dot(disc.velocity, n), 0.5 * dot(accelerationOf(disc), n), infinity))
+        note(plan, wallSlot(wall), disc.clock + *s);
+}
+
+/// Lists in m_near all that \p a may meet before it or they leave the cells in which they are
+/// listed, but for giants. \return how many
+std::size_t ExactSolver::listNear(Slot a)
+{
+    if (a < m_small)
+        return m_cells.near(m_discs.data(), a, m_near.data());
+    Disc disc = m_discs[a];
+    carryTo(disc, m_eventTime);
+    const double reach = ((1.0 + homeOfGiant) * disc.radius + m_smallRadius) * (1.0 + margin);
+    const Vec2 box{reach, reach};
+    return m_cells.within(m_discs.data(), disc.position - box, disc.position + box, m_near.data());
+}
+
+/// Appends the giants to the first \p count of m_near. \return how many it holds then
+std::size_t ExactSolver::listGiants(std::size_t count)
+{
+    for (auto giant = static_cast<Slot>(m_small); giant < m_discs.size(); ++giant)
+        m_near[count++] = giant;
+    return count;
+}
+
+/// Completes the plan of \p a: hits on those of the first \p count of m_near that come at or after
+/// \p from, and when it leaves its cell.
 template <bool Falling>
-void ExactSolver::findFirstPairs()
+void ExactSolver::complete(Slot a, Plan &plan, std::size_t count, Slot from)
 {
-    const auto small = static_cast<Slot>(m_small);
-    const auto all = static_cast<Slot>(m_discs.size());
-    std::size_t met = 0;
-    for (Slot a = 0; a < all; ++a) {
-        search<Falling, true>(a, [&](auto look) {
-            if (a < small) {
-                const Disc &disc = m_discs[a];
-                const double reach = disc.radius + m_smallRadius + m_drift + travelOf(disc);
-                m_grid.visitRunsAfter(a, disc.position, reach, [&](Slot begin, Slot end) {
-                    met += end - std::min(begin, end);
-                    look(begin, end);
-                });
-            }
-            look(std::max(a + 1, small), all);
-        });
+    const Disc &first = m_discs[a];
+    const Vec2 acceleration = Falling ? accelerationOf(first) : Vec2{};
+    const Disc *discs = m_discs.data();
+    Slot *near = m_near.data();
+    // Without branches, as most pass each other.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Slot b = near[i];
+        const Disc &second = discs[b];
+        const double distance = first.radius + second.radius;
+        bool mayMeet = encounterOf<Falling>(first, second, acceleration).mayMeet(distance);
+        if constexpr (Falling)
+            mayMeet = mayMeet | (first.held != second.held);
+        near[kept] = b;
+        kept += (mayMeet & (b >= from)) ? 1 : 0;
     }
-    // Where it is crowded shorter epochs are cheaper; the searches of this one rely on its drift.
-    const double share = static_cast<double>(met) / std::max(1.0, static_cast<double>(all));
-    if (share > crowded)
-        m_nextDrift = std::max(shorter * m_drift, leastDrift * m_smallRadius);
-    else if (share < shorter * shorter * shorter * crowded)
-        m_nextDrift = std::min(m_drift / shorter, m_widestDrift);
+    for (std::size_t i = 0; i < kept; ++i) {
+        const Slot b = near[i];
+        const Disc &second = discs[b];
+        if (Falling && first.held != second.held) {
+            noteHitOfUnlike(plan, a, b);
+            continue;
+        }
+        const double distance = first.radius + second.radius;
+        const double least = roundedSpeed * distance;
+        const double speeds = lengthSquared(first.velocity) + lengthSquared(second.velocity);
+        note(plan, b,
+             encounterOf<Falling>(first, second, acceleration)
+                 .time(distance, least * least * speeds));
+    }
+    planLeaving<Falling>(a, plan);
+    m_discs[a].plan = plan;
+    m_queue.set(a, std::min(plan.hit, plan.leave));
+}
+
+/// When \p a leaves the cell in which it is listed; a giant, a box around it.
+template <bool Falling>
+void ExactSolver::planLeaving(Slot a, Plan &plan) const
+{
+    const Disc &disc = m_discs[a];
+    const double s = m_eventTime - disc.clock;
+    const Vec2 acceleration = Falling ? accelerationOf(disc) : Vec2{};
+    const Vec2 p = disc.position + s * (disc.velocity + (0.5 * s) * acceleration);
+    const Vec2 v = disc.velocity + s * acceleration;
+    const double home = homeOfGiant * disc.radius;
+    const bool listed = a < m_small;
+    const auto across = [&](bool right) {
+        return listed ? m_cells.endAcross(disc.link, right) : p.x + (right ? home : -home);
+    };
+    const auto along = [&](bool top) {
+        return listed ? m_cells.endAlong(disc.link, top) : p.y + (top ? home : -home);
+    };
+    const auto wait = [](double place, double speed, double push, auto end) {
+        if (Falling && push != 0.0)
+            return timeToLeave(place, speed, push, end(false), end(true));
+        // Not quite zero, so that what rests never leaves.
+        const double gap =
+            std::max(std::abs(end(speed > 0.0) - place), std::numeric_limits<double>::min());
+        return gap / std::abs(speed);
+    };
+    const double x = wait(p.x, v.x, acceleration.x, across);
+    const double y = wait(p.y, v.y, acceleration.y, along);
+    plan.leave = m_eventTime + std::min(x, y);
+    const bool right = (Falling && acceleration.x != 0.0 ? v.x + x * acceleration.x : v.x) > 0.0;
+    const bool top = (Falling && acceleration.y != 0.0 ? v.y + y * acceleration.y : v.y) > 0.0;
+    static_assert(static_cast<int>(Wall::Right) == 1 && static_cast<int>(Wall::Bottom) == 2);
+    plan.side = static_cast<Wall>(x < y ? int{right} : 2 + int{top});
+}
+
+void ExactSolver::findEventsFrom(Slot a, Slot from)
+{
+    Plan plan;
+    if (m_walls) {
+        const unsigned edges = a < m_small ? m_cells.edgesOf(m_discs[a].link) : ~0U;
+        for (const Wall wall : allWalls) {
+            if (edges == 0)
+                break;
+            if ((edges & heldBy(wall)) != 0)
+                noteWallHit(plan, a, wall);
+        }
+    }
+    const std::size_t count = m_pairs ? listGiants(listNear(a)) : 0;
+    if (m_gravity > 0.0)
+        complete<true>(a, plan, count, from);
+    else
+        complete<false>(a, plan, count, from);
 }
 
 void ExactSolver::findEvents(Slot a)
 {
-    // Discs in a lasting contact will be hit again soon: farther on is not worth the search.
-    m_horizon = shakes(a) ? std::min(m_epochEnd, m_eventTime + m_lastingSearch) : m_epochEnd;
-    if (m_horizon < m_epochEnd)
-        push(m_horizon, a, lookAgain);
-    if (m_walls)
-        findWallEvent(a);
-    if (!m_pairs)
+    findEventsFrom(a, 0);
+}
+
+void ExactSolver::findFirstEvents()
+{
+    m_queue.reset(std::max<std::size_t>(m_discs.size(), 1));
+    for (Slot a = 0; a < m_discs.size(); ++a)
+        findEventsFrom(a, a + 1);
+}
+
+/// Lists \p a in the next cell and looks for what it can meet there that it could not before.
+void ExactSolver::cross(Slot a)
+{
+    ++m_crossings;
+    if (a >= m_small) {
+        findEvents(a);
         return;
-    const Disc &disc = m_discs[a];
-    const double reach = disc.radius + m_smallRadius + m_drift + travelOf(disc);
-    const auto neighbours = [&](auto look) {
-        m_grid.visitRuns(disc.position, reach, look);
-        look(static_cast<Slot>(m_small), static_cast<Slot>(m_discs.size()));
-    };
+    }
+    Plan plan = m_discs[a].plan;
+    m_cells.move(m_discs.data(), a, plan.side);
+    if (m_walls && (m_cells.edgesOf(m_discs[a].link) & heldBy(plan.side)) != 0)
+        noteWallHit(plan, a, plan.side);
+    const std::size_t count =
+        m_pairs ? listGiants(m_cells.ahead(m_discs.data(), a, plan.side, m_near.data())) : 0;
     if (m_gravity > 0.0)
-        search<true, false>(a, neighbours);
+        complete<true>(a, plan, count, 0);
     else
-        search<false, false>(a, neighbours);
-}
-
-/// How far a disc can come before events are looked for again, m.
-double ExactSolver::travelOf(const Disc &disc) const
-{
-    const double left = m_horizon - m_eventTime;
-    const double speed = std::sqrt(lengthSquared(disc.velocity));
-    return std::min(2.0 * m_drift, left * (speed + 0.5 * left * m_gravity));
-}
-
-void ExactSolver::findWallEvent(Slot a)
-{
-    const Disc &disc = m_discs[a];
-    const double room = m_rules.halfWidth - disc.radius;
-    const double safe = room - 2.0 * m_drift;
-    if (std::abs(disc.position.x) < safe && std::abs(disc.position.y) < safe)
-        return;
-    const Vec2 acceleration = accelerationOf(disc);
-    for (const Wall wall : allWalls) {
-        const Vec2 n = outwardNormal(wall);
-        if ((disc.held & heldBy(wall)) != 0)
-            continue;
-        const auto s = timeToLine(room - dot(disc.position, n), dot(disc.velocity, n),
-                                  0.5 * dot(acceleration, n), m_horizon - m_eventTime);
-        if (s)
-            push(m_eventTime + *s, a, wallSlot(wall));
-    }
-}
-
-/// \p a is at the present event's time, \p b at its own clock.
-void ExactSolver::findPairEvent(Slot a, Slot b)
-{
-    const Disc &first = m_discs[a];
-    const Disc &second = m_discs[b];
-    const double s = m_eventTime - second.clock;
-    const double left = m_horizon - m_eventTime;
-    const double distance = first.radius + second.radius;
-    if (first.held != second.held) {
-        Disc other = second;
-        carryTo(other, m_eventTime);
-        const Path pathA{first.position, first.velocity, 0.5 * accelerationOf(first)};
-        const Path pathB{other.position, other.velocity, 0.5 * accelerationOf(other)};
-        if (const auto meeting = timeToDistance(pathA, pathB, distance, left))
-            push(m_eventTime + *meeting, a, b);
-        return;
-    }
-    // Both fall alike: the one moves straight as the other sees it.
-    const Vec2 g = first.held == 0 ? m_rules.gravity : accelerationOf(second);
-    const Vec2 v = second.velocity - first.velocity + s * g;
-    const Vec2 d = second.position - first.position + s * (second.velocity + (0.5 * s) * g);
-    const double approach = -dot(d, v);
-    const double gap = std::max(0.0, lengthSquared(d) - distance * distance);
-    if (approach <= 0.0 || gap > 2.0 * left * approach)
-        return;
-    const double discriminant = approach * approach - lengthSquared(v) * gap;
-    const double least = roundedSpeed * distance;
-    if (discriminant
-        <= least * least * (lengthSquared(first.velocity) + lengthSquared(second.velocity)))
-        return;
-    const double meeting = gap / (approach + std::sqrt(discriminant));
-    if (meeting <= left)
-        push(m_eventTime + meeting, a, b);
+        complete<false>(a, plan, count, 0);
 }
 
 } // namespace cradle

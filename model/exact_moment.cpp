@@ -44,21 +44,27 @@ void ExactSolver::meet(Slot a, Slot b)
     m_meetings.push_back({a, b});
 }
 
-void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
+/// What happens at the moment at which \p a and \p b meet, be it no more than that.
+void ExactSolver::takeMoment(Slot a, Slot b, std::vector<Hit> &hits)
 {
     m_touched.clear();
     m_meetings.clear();
     m_contacts.clear();
     m_soft = true;
-    meet(event.a, event.b);
-    while (!m_events.empty() && m_events.front().time <= event.time + m_moment) {
-        const Event next = pop();
-        if (isVoid(next))
-            continue;
-        if (next.b == lookAgain)
-            touch(next.a);
-        else
-            meet(next.a, next.b);
+    const double end = m_eventTime + m_moment;
+    meet(a, b);
+    m_queue.set(a, infinity);
+    while (m_queue.firstTime() <= end) {
+        const Slot next = m_queue.first();
+        const Plan &plan = m_discs[next].plan;
+        if (plan.leave < plan.hit) {
+            cross(next);
+        } else if (isVoid(plan)) {
+            findEvents(next);
+        } else {
+            meet(next, plan.partner);
+            m_queue.set(next, infinity);
+        }
     }
     // What touches these and closes, too, joins them; so does what touches those.
     for (std::size_t i = 0; i < m_touched.size(); ++i)
@@ -71,6 +77,14 @@ void ExactSolver::takeMoment(const Event &event, std::vector<Hit> &hits)
               [order](const Meeting &x, const Meeting &y) { return order(x) < order(y); });
     m_meetings.erase(std::unique(m_meetings.begin(), m_meetings.end()), m_meetings.end());
 
+    if (m_meetings.size() == 1 && isWall(m_meetings[0].b)) {
+        hitWall(m_meetings[0].a, wallOf(m_meetings[0].b), hits);
+        return;
+    }
+    if (m_meetings.size() == 1) {
+        hitPair(m_meetings[0].a, m_meetings[0].b, hits);
+        return;
+    }
     const CircleLaw law = m_rules.laws.circles;
     if (law == CircleLaw::Stop || law == CircleLaw::SwapVelocities)
         answerInTurn(hits);
@@ -95,23 +109,22 @@ void ExactSolver::joinNeighbours(Slot slot)
     }
     if (!m_pairs)
         return;
-    const auto join = [&](Slot begin, Slot end) {
-        for (Slot other = begin; other < end; ++other) {
-            if (other == slot)
-                continue;
-            Disc b = m_discs[other];
-            carryTo(b, m_eventTime);
-            const double near = (disc.radius + b.radius) * (1.0 + touching);
-            const Vec2 d = b.position - disc.position;
-            if (lengthSquared(d) > near * near)
-                continue;
-            const double slow = roundedSpeed * (length(disc.velocity) + length(b.velocity));
-            if (dot(disc.velocity - b.velocity, d) > slow * near)
-                meet(slot, other);
-        }
-    };
-    m_grid.visitRuns(disc.position, disc.radius + m_smallRadius + m_drift, join);
-    join(static_cast<Slot>(m_small), static_cast<Slot>(m_discs.size()));
+    const std::size_t count = listGiants(listNear(slot));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Slot other = m_near[i];
+        if (other == slot)
+            continue;
+        Disc b = m_discs[other];
+        carryTo(b, m_eventTime);
+        const double sum = disc.radius + b.radius;
+        const Vec2 d = b.position - disc.position;
+        const double closing = dot(disc.velocity - b.velocity, d) / sum;
+        const double near = sum * (1.0 + touching) + m_moment * std::max(closing, 0.0);
+        if (lengthSquared(d) > near * near)
+            continue;
+        if (closing > roundedSpeed * (length(disc.velocity) + length(b.velocity)))
+            meet(slot, other);
+    }
 }
 
 Vec2 ExactSolver::normalOf(const Meeting &m) const

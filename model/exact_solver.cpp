@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/exact_solver.h"
 
+#include "model/disc_grid.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,17 +11,15 @@ namespace cradle {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// How far a disc may drift from its cell in an epoch, as a share of the mean spacing of the
-/// discs: far enough that sorting is rare, near enough that few cells are searched.
-constexpr double driftShare = 0.65;
+/// An epoch lasts for so many hits, and so many a disc: its times stay short, so that they keep
+/// their digits, and its order stays near to that of the places.
+constexpr std::size_t hitsOfEpoch = 8;
+/// Discs are listed anew after so many changes of cell for each, as without walls they spread.
+constexpr std::size_t crossingsOfList = 64;
 /// Rounding of places and speeds parts hits of one moment by less than this many of their units.
 constexpr double roundings = 64.0 * std::numeric_limits<double>::epsilon();
 /// Without gravity: hits below this share of the speed that there was at the start lose nothing.
 constexpr double quietShare = 1e-6;
-/// A disc in a lasting contact looks ahead about as long as a fall by this many radii takes.
-constexpr double searchHeight = 5e-3;
 
 } // namespace
 
@@ -58,94 +58,95 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
     }
     setScales();
     m_shaking.assign(m_lossy ? count : 0, false);
+    m_near.resize(count + 1);
     m_now = 0.0;
-    m_epochEnd = 0.0;
+    m_eventTime = 0.0;
     beginEpoch();
 }
 
-/// What is near and what is soon in this crowd.
+/// What is slow in this crowd.
 void ExactSolver::setScales()
 {
-    Vec2 low{infinity, infinity};
-    Vec2 high{-infinity, -infinity};
     Vec2 mean{};
     double squares = 0.0;
-    double smallest = infinity;
     const auto count = static_cast<double>(std::max<std::size_t>(m_discs.size(), 1));
     for (const Disc &disc : m_discs) {
-        low = {std::min(low.x, disc.position.x), std::min(low.y, disc.position.y)};
-        high = {std::max(high.x, disc.position.x), std::max(high.y, disc.position.y)};
         mean += disc.velocity / count;
         squares += lengthSquared(disc.velocity) / count;
-        smallest = std::min(smallest, disc.radius);
     }
-    const double span = m_walls ? 2.0 * m_rules.halfWidth
-                                : std::max({high.x - low.x, high.y - low.y, 0.0}) + m_smallRadius;
-    const double spacing = span / std::sqrt(count);
-    m_nextDrift = m_widestDrift = driftShare * spacing;
-    const double speed = std::sqrt(std::max(0.0, squares - lengthSquared(mean)));
-    m_quiet = quietShare * speed;
-    m_lastingSearch = m_gravity > 0.0 ? std::sqrt(searchHeight * smallest / m_gravity) : infinity;
+    m_quiet = quietShare * std::sqrt(std::max(0.0, squares - lengthSquared(mean)));
 }
 
-Vec2 ExactSolver::accelerationOf(const Disc &disc) const
+/// Of a disc that rests on one wall or two.
+Vec2 ExactSolver::accelerationHeld(const Disc &disc) const
 {
     Vec2 a = m_rules.gravity;
-    if (disc.held != 0) {
-        for (const Wall wall : allWalls) {
-            const Vec2 n = outwardNormal(wall);
-            if ((disc.held & heldBy(wall)) != 0)
-                a -= dot(a, n) * n;
-        }
+    for (const Wall wall : allWalls) {
+        const Vec2 n = outwardNormal(wall);
+        if ((disc.held & heldBy(wall)) != 0)
+            a -= dot(a, n) * n;
     }
     return a;
 }
 
-void ExactSolver::carryTo(Disc &disc, double time) const
-{
-    const double s = time - disc.clock;
-    const Vec2 a = accelerationOf(disc);
-    disc.position += s * (disc.velocity + (0.5 * s) * a);
-    disc.velocity += s * a;
-    disc.clock = time;
-}
-
+/// Carries all discs to the present event and counts time from there.
 void ExactSolver::beginEpoch()
 {
     double extent = m_rules.halfWidth;
     double fastest = 0.0;
     for (Disc &disc : m_discs) {
-        carryTo(disc, m_epochEnd);
+        carryTo(disc, m_eventTime);
         disc.clock = 0.0;
-        disc.hits = 0;
         extent = std::max({extent, std::abs(disc.position.x), std::abs(disc.position.y)});
         fastest = std::max(fastest, lengthSquared(disc.velocity));
     }
-    m_now -= m_epochEnd;
+    m_now -= m_eventTime;
+    m_startTime += m_eventTime;
     m_eventTime = 0.0;
-    m_startTime += m_epochEnd;
-    m_drift = m_nextDrift;
-    m_events.clear();
-    sortDiscs();
-
-    m_foreseenAt = 0.0;
-    m_foreseenDrift = 0.0;
-    m_foreseenSpeed = 0.0;
-    m_epochEnd = infinity;
-    limitEpoch(std::sqrt(fastest));
-    const double speed = m_foreseenSpeed + (m_gravity > 0.0 ? m_gravity * m_epochEnd : 0.0);
+    m_hits = 0;
+    const double speed = std::sqrt(fastest + 2.0 * m_gravity * extent);
     m_moment = speed > 0.0 ? roundings * extent / speed : 0.0;
+    listDiscs();
+}
+
+/// Lists the discs where they are now, in the order of the cells. What is foreseen stays the same.
+void ExactSolver::listDiscs()
+{
+    Vec2 low{-m_rules.halfWidth, -m_rules.halfWidth};
+    Vec2 high = -low;
+    const auto placeOf = [this](Slot slot) {
+        Disc disc = m_discs[slot];
+        carryTo(disc, m_eventTime);
+        return disc.position;
+    };
+    if (!m_walls && m_small > 0) {
+        low = high = placeOf(0);
+        for (Slot slot = 1; slot < m_small; ++slot) {
+            const Vec2 p = placeOf(slot);
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+    }
+    for (const bool inOrder : {false, true}) {
+        m_cells.divide(low, high, m_small, 2.0 * m_smallRadius);
+        for (Slot slot = 0; slot < m_small; ++slot)
+            m_cells.insert(m_discs.data(), slot, placeOf(slot));
+        if (!inOrder) {
+            m_cells.all(m_discs.data(), m_near.data());
+            sortDiscs();
+        }
+    }
+    m_crossings = 0;
     findFirstEvents();
 }
 
+/// Puts the discs into the order of m_near, along the cycles of the permutation, so that it takes
+/// no second array.
 void ExactSolver::sortDiscs()
 {
-    m_grid.build(m_small, [this](std::size_t i) { return m_discs[i].position; });
-    // Along the cycles of the permutation, so that it takes no second array.
-    const std::span<const std::uint32_t> sorted = m_grid.sorted();
     m_moved.assign(m_small, false);
     for (std::size_t first = 0; first < m_small; ++first) {
-        if (m_moved[first] || sorted[first] == first)
+        if (m_moved[first] || m_near[first] == first)
             continue;
         const Disc disc = m_discs[first];
         const std::uint32_t id = m_ids[first];
@@ -153,7 +154,7 @@ void ExactSolver::sortDiscs()
         std::size_t slot = first;
         while (true) {
             m_moved[slot] = true;
-            const std::size_t from = sorted[slot];
+            const std::size_t from = m_near[slot];
             const bool last = from == first;
             m_discs[slot] = last ? disc : m_discs[from];
             m_ids[slot] = last ? id : m_ids[from];
@@ -166,26 +167,9 @@ void ExactSolver::sortDiscs()
     }
 }
 
-/// Takes note that a disc now has \p speed (m/s): the epoch ends before anything drifts too far.
-void ExactSolver::limitEpoch(double speed)
+bool ExactSolver::isVoid(const Plan &plan) const
 {
-    const double since = m_eventTime - m_foreseenAt;
-    const double foreseen = m_foreseenSpeed + m_gravity * since;
-    if (m_epochEnd < infinity && speed <= foreseen)
-        return;
-    m_foreseenDrift += since * (m_foreseenSpeed + 0.5 * m_gravity * since);
-    m_foreseenSpeed = speed;
-    m_foreseenAt = m_eventTime;
-    const double left = std::max(0.0, m_drift - m_foreseenDrift);
-    const double fastest = speed + std::sqrt(speed * speed + 2.0 * m_gravity * left);
-    m_epochEnd =
-        std::min(m_epochEnd, fastest > 0.0 ? m_eventTime + 2.0 * left / fastest : infinity);
-}
-
-bool ExactSolver::isVoid(const Event &event) const
-{
-    return m_discs[event.a].hits != event.hitsA
-           || (isDisc(event.b) && m_discs[event.b].hits != event.hitsB);
+    return !isWall(plan.partner) && m_discs[plan.partner].hits != plan.partnerHits;
 }
 
 void ExactSolver::advance(double dt, double time, qint64 step, std::vector<Hit> &hits)
@@ -193,34 +177,56 @@ void ExactSolver::advance(double dt, double time, qint64 step, std::vector<Hit> 
     m_step = step;
     m_startTime = time - dt - m_now;
     m_now += dt;
-    while (true) {
-        if (!m_events.empty() && m_events.front().time <= std::min(m_now, m_epochEnd)) {
-            takeNext(hits);
-        } else if (m_epochEnd < m_now) {
+    while (m_queue.firstTime() <= m_now) {
+        takeNext(hits);
+        // Carrying discs rounds, so when that happens must not depend on cells.
+        if (m_hits >= hitsOfEpoch * (m_discs.size() + 1))
             beginEpoch();
-        } else {
-            return;
-        }
+        else if (m_crossings >= crossingsOfList * (m_discs.size() + 1))
+            listDiscs();
     }
 }
 
 void ExactSolver::takeNext(std::vector<Hit> &hits)
 {
-    const Event event = pop();
-    if (isVoid(event))
-        return;
-    m_eventTime = event.time;
-    if (event.b == lookAgain) {
-        carryTo(m_discs[event.a], m_eventTime);
-        findEvents(event.a);
-        return;
-    }
-    if (!m_events.empty() && m_events.front().time <= event.time + m_moment)
-        takeMoment(event, hits);
-    else if (isWall(event.b))
-        hitWall(event, hits);
+    const Slot a = m_queue.first();
+    const Plan &plan = m_discs[a].plan;
+    m_eventTime = m_queue.firstTime();
+    // Those of a large crowd come from anywhere in memory.
+    m_queue.visitSoonest([this](Slot slot) {
+        const char *disc = reinterpret_cast<const char *>(&m_discs[slot]);
+        __builtin_prefetch(disc);
+        __builtin_prefetch(disc + 64);
+    });
+    if (plan.leave < plan.hit)
+        cross(a);
+    else if (isVoid(plan))
+        findEvents(a);
     else
-        hitPair(event, hits);
+        takeHit(a, hits);
+}
+
+/// The hit that \p a plans, with whatever else happens at that moment.
+void ExactSolver::takeHit(Slot a, std::vector<Hit> &hits)
+{
+    const Plan &plan = m_discs[a].plan;
+    const Slot b = plan.partner;
+    const double end = plan.hit + m_moment;
+    const std::uint32_t held = m_discs[a].held | (isWall(b) ? 0 : m_discs[b].held);
+    bool alone = held == 0 && plan.then > end;
+    if (alone && m_queue.secondTime() <= end) {
+        m_queue.set(a, infinity);
+        // The partner may have foreseen the same hit.
+        if (!isWall(b) && m_discs[b].plan.partner == a && m_discs[b].plan.then > end)
+            m_queue.set(b, infinity);
+        alone = m_queue.firstTime() > end;
+    }
+    if (!alone)
+        takeMoment(a, b, hits);
+    else if (isWall(b))
+        hitWall(a, wallOf(b), hits);
+    else
+        hitPair(a, b, hits);
 }
 
 void ExactSolver::read(std::span<Circle> circles) const

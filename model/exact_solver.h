@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/cell_lists.h"
 #include "model/collision_detection.h"
 #include "model/contact_solver.h"
-#include "model/disc_grid.h"
 #include "model/rules.h"
+#include "model/tournament.h"
 #include "model/world.h"
 
 #include <limits>
@@ -16,12 +17,13 @@ namespace cradle {
 /// parabolas between hits, closed-form times of impact, contacts of one moment solved together.
 /// Every disc has its own clock and is carried on only when something happens to it.
 ///
-/// Time is cut into epochs. At the start of one the discs are sorted into a grid, and the hits
-/// that lie inside it go into a queue. The epoch ends before any disc can have moved farther from
-/// its cell than `m_drift`; one that is kicked faster than foreseen shortens it. So a search of the
-/// cells within reach cannot miss a partner. Events whose discs have been hit since are skipped.
+/// Discs are listed in cells as wide as two of them. A disc that was hit looks for its next hit
+/// among those of the cells around, one that comes into the next cell among those that this brings
+/// near; so it cannot miss a partner. Each has its next event in a queue. If the partner has been
+/// hit since, it looks again.
 ///
-/// The result does not depend on how the time is divided into calls of advance().
+/// When two meet follows from where each was hit last, whenever that is worked out. So cells and
+/// searches leave no trace in the result, nor does how the time is divided into calls of advance().
 /// Theory, and what bounds the number of hits when e < 1: docs/physics.md.
 /// Source of the method: Rapaport, The Art of Molecular Dynamics Simulation, 2nd ed., ch. 14;
 /// of the own clocks and the queue: Lubachevsky, J. Comput. Phys. 94 (1991) 255.
@@ -38,23 +40,28 @@ public:
 
 private:
     using Slot = std::uint32_t;
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /// What the search for events reads of a disc: one line of cache.
+    /// What comes next for a disc, s into the epoch.
+    struct Plan {
+        double hit = infinity;   ///< the first that it has found
+        double then = infinity;  ///< the one after that, if it has found more
+        double leave = infinity; ///< when it comes into the next cell
+        Slot partner = 0;        ///< of the hit: a disc, or firstWall + Wall
+        std::uint32_t partnerHits = 0;
+        Wall side = Wall::Left; ///< to which it leaves its cell
+    };
+    /// A disc; what a search reads of others comes first and is one line of cache.
     struct alignas(64) Disc {
         Vec2 position{};          ///< at its own clock, m
         Vec2 velocity{};          ///< at its own clock, m/s
         double clock = 0.0;       ///< s into the epoch
         double radius = 0.0;      ///< m
-        double inverseMass = 0.0; ///< 1/kg
-        std::uint32_t hits = 0;   ///< counts; an event that saw fewer is void
+        std::uint32_t hits = 0;   ///< counts; a plan that saw fewer is void
         std::uint32_t held = 0;   ///< bit w: rests on Wall w, which takes the push of gravity
-    };
-    struct Event {
-        double time = 0.0; ///< s into the epoch
-        Slot a = 0;
-        Slot b = 0; ///< disc, or firstWall + Wall
-        std::uint32_t hitsA = 0;
-        std::uint32_t hitsB = 0;
+        CellLink link{};          ///< of the cell in which it is listed
+        double inverseMass = 0.0; ///< 1/kg
+        Plan plan{};
     };
     /// How two answer.
     struct Rebound {
@@ -69,45 +76,57 @@ private:
         friend bool operator==(const Meeting &, const Meeting &) = default;
     };
     static constexpr Slot firstWall = 0xfffffff0U;
-    static constexpr Slot lookAgain = 0xffffffefU; ///< as a partner: the search went only so far
     static constexpr bool isWall(Slot b) { return b >= firstWall; }
-    static constexpr bool isDisc(Slot b) { return b < lookAgain; }
     static constexpr Slot wallSlot(Wall wall) { return firstWall + static_cast<Slot>(wall); }
     static constexpr Wall wallOf(Slot b) { return static_cast<Wall>(b - firstWall); }
     static constexpr std::uint32_t heldBy(Wall wall) { return 1U << static_cast<unsigned>(wall); }
-    static bool later(const Event &x, const Event &y) { return x.time > y.time; }
     /// What a push of 1 N s does to a disc, m/s; an exchange of normal parts knows no masses.
     [[nodiscard]] double weight(const Disc &disc) const
     {
         return m_rules.laws.circles == CircleLaw::SwapNormal ? 1.0 : disc.inverseMass;
     }
 
+    [[nodiscard]] Vec2 accelerationOf(const Disc &disc) const
+    {
+        return disc.held == 0 ? m_rules.gravity : accelerationHeld(disc);
+    }
+    [[nodiscard]] Vec2 accelerationHeld(const Disc &disc) const;
+    void carryTo(Disc &disc, double time) const
+    {
+        const double s = time - disc.clock;
+        const Vec2 a = accelerationOf(disc);
+        disc.position += s * (disc.velocity + (0.5 * s) * a);
+        disc.velocity += s * a;
+        disc.clock = time;
+    }
+
     // Epochs and the flow of events: exact_solver.cpp
     void setScales();
     void beginEpoch();
     void sortDiscs();
-    void limitEpoch(double speed);
-    void carryTo(Disc &disc, double time) const;
-    [[nodiscard]] bool isVoid(const Event &event) const;
+    void listDiscs();
+    [[nodiscard]] bool isVoid(const Plan &plan) const;
     void takeNext(std::vector<Hit> &hits);
-    [[nodiscard]] Vec2 accelerationOf(const Disc &disc) const;
+    void takeHit(Slot a, std::vector<Hit> &hits);
 
     // The search for events: exact_events.cpp
     void findFirstEvents();
     void findEvents(Slot a);
-    void findWallEvent(Slot a);
-    template <bool Falling, bool Fresh, class VisitRuns>
-    void search(Slot a, VisitRuns visitRuns);
+    void findEventsFrom(Slot a, Slot from);
+    void cross(Slot a);
     template <bool Falling>
-    void findFirstPairs();
-    [[nodiscard]] double travelOf(const Disc &disc) const;
-    void findPairEvent(Slot a, Slot b);
-    void push(double time, Slot a, Slot b);
-    Event pop();
+    void complete(Slot a, Plan &plan, std::size_t count, Slot from);
+    template <bool Falling>
+    void planLeaving(Slot a, Plan &plan) const;
+    void note(Plan &plan, Slot b, double time) const;
+    void noteHitOfUnlike(Plan &plan, Slot a, Slot b) const;
+    void noteWallHit(Plan &plan, Slot a, Wall wall) const;
+    [[nodiscard]] std::size_t listNear(Slot a);
+    [[nodiscard]] std::size_t listGiants(std::size_t count);
 
     // How two answer: exact_contacts.cpp
-    void hitPair(const Event &event, std::vector<Hit> &hits);
-    void hitWall(const Event &event, std::vector<Hit> &hits);
+    void hitPair(Slot slotA, Slot slotB, std::vector<Hit> &hits);
+    void hitWall(Slot a, Wall wall, std::vector<Hit> &hits);
     void respond(Disc &a, Disc &b, Vec2 n, double change, bool lasting) const;
     void noteHit(Slot slot, bool soft);
     void setAgainst(Disc &disc, Wall wall) const;
@@ -121,7 +140,7 @@ private:
     [[nodiscard]] static double kineticLoss(Vec2 before, const Disc &disc);
 
     // Moments at which more than two meet: exact_moment.cpp
-    void takeMoment(const Event &event, std::vector<Hit> &hits);
+    void takeMoment(Slot a, Slot b, std::vector<Hit> &hits);
     void meet(Slot a, Slot b);
     std::uint32_t touch(Slot slot);
     void joinNeighbours(Slot slot);
@@ -135,29 +154,23 @@ private:
     double m_gravity = 0.0; ///< its size, m/s²
     bool m_walls = false;
     bool m_pairs = false;
-    bool m_lossy = false;       ///< e < 1 or a law that stops: hits may come ever quicker
-    std::size_t m_small = 0;    ///< discs in the grid; the few giants follow them
-    double m_smallRadius = 0;   ///< the largest in the grid, m
-    double m_quiet = 0;         ///< without gravity: slower hits lose nothing, m/s
-    double m_lastingSearch = 0; ///< how far ahead a disc in a lasting contact looks, s
-    double m_drift = 0;         ///< how far a disc may move in an epoch, m
-    double m_nextDrift = 0;     ///< of the next epoch, m
-    double m_widestDrift = 0;   ///< the most that is worth while, m
-    double m_now = 0;           ///< s into the epoch
-    double m_horizon = 0;       ///< until when events are looked for, s into the epoch
-    double m_epochEnd = 0;      ///< s into the epoch
-    double m_foreseenSpeed = 0; ///< the greatest at m_foreseenAt, m/s
-    double m_foreseenAt = 0;    ///< s into the epoch
-    double m_foreseenDrift = 0; ///< by then, m
-    double m_moment = 0;        ///< events closer than this are one, s
-    double m_eventTime = 0;     ///< of the event that is taken, s into the epoch
-    double m_startTime = 0;     ///< of the epoch, as hits report it, s
-    qint64 m_step = 0;          ///< as hits report it
-    DiscGrid m_grid;
-    std::vector<Disc> m_discs;        ///< in the order of the grid
+    bool m_lossy = false;        ///< e < 1 or a law that stops: hits may come ever quicker
+    std::size_t m_small = 0;     ///< discs in cells; the few giants follow them
+    double m_smallRadius = 0;    ///< the largest in cells, m
+    double m_quiet = 0;          ///< without gravity: slower hits lose nothing, m/s
+    double m_now = 0;            ///< s into the epoch
+    double m_moment = 0;         ///< events closer than this are one, s
+    double m_eventTime = 0;      ///< of the event that is taken, s into the epoch
+    double m_startTime = 0;      ///< of the epoch, as hits report it, s
+    qint64 m_step = 0;           ///< as hits report it
+    std::size_t m_hits = 0;      ///< of discs, in this epoch
+    std::size_t m_crossings = 0; ///< of cells, since discs were listed
+    CellLists m_cells;
+    Tournament m_queue;
+    std::vector<Disc> m_discs;        ///< in the order of the cells
     std::vector<std::uint32_t> m_ids; ///< which circle a slot holds
     std::vector<bool> m_shaking;      ///< of each slot, if lossy: the latest hit was soft
-    std::vector<Event> m_events;      ///< a heap, the earliest first
+    std::vector<Slot> m_near;         ///< for a search
     std::vector<bool> m_moved;        ///< while sorting
     // Of this moment; bodies of contacts are places in m_touched.
     std::vector<Slot> m_touched;
