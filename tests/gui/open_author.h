@@ -20,6 +20,7 @@
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QTabWidget>
@@ -106,30 +107,46 @@ public:
         auto *line = list->viewport()->findChild<QLineEdit *>();
         line->selectAll();
         QTest::keyClicks(line, text);
+        const QPointer<QLineEdit> watched(line);
         QTest::keyClick(line, Qt::Key_Return);
-        QCoreApplication::processEvents();
+        QTRY_VERIFY(!watched);
+        QTest::qWait(20); // the edit follows
+    }
+    /// Does \p act to the next dialog of that class, as soon as it is there.
+    template <typename Dialog, typename Act>
+    static void inDialog(Act act)
+    {
+        auto *timer = new QTimer(qApp);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
+            auto *dialog = qobject_cast<Dialog *>(QApplication::activeModalWidget());
+            if (!dialog || !dialog->isVisible())
+                return;
+            timer->deleteLater();
+            timer->stop();
+            act(dialog);
+        });
+        timer->start(20);
     }
     /// Types \p text into the next dialog and accepts it.
     static void answerDialog(const QString &text)
     {
-        QTimer::singleShot(0, qApp, [text] {
-            auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
-            QVERIFY(dialog);
+        inDialog<QDialog>([text](QDialog *dialog) {
             auto *line = dialog->findChild<QLineEdit *>();
-            QVERIFY(line);
-            line->selectAll();
-            QTest::keyClicks(line, text);
-            QTest::keyClick(line, Qt::Key_Return);
+            if (line) {
+                line->selectAll();
+                QTest::keyClicks(line, text);
+                QTest::keyClick(line, Qt::Key_Return);
+            }
             if (dialog->isVisible())
                 QMetaObject::invokeMethod(dialog, "accept");
+            if (dialog->isVisible())
+                dialog->reject(); // what it asked for was not typed: the test will tell
         });
     }
     /// Presses the button of the next message box that is called so.
     static void answerQuestion(const QString &name)
     {
-        QTimer::singleShot(0, qApp, [name] {
-            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
-            QVERIFY(box);
+        inDialog<QMessageBox>([name](QMessageBox *box) {
             for (QAbstractButton *each : box->buttons()) {
                 if (each->text().remove(QLatin1Char('&')) == name) {
                     each->click();
@@ -141,9 +158,13 @@ public:
         });
     }
     void undo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier); }
-    void redo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+    void redo() { QTest::keySequence(focus(), QKeySequence(QKeySequence::Redo)); }
     [[nodiscard]] QWidget *focus()
     {
+        // A dialog was active until a moment ago, perhaps.
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window))
+            qWarning("the window does not become active");
         return QApplication::focusWidget() ? QApplication::focusWidget() : &window;
     }
 
