@@ -272,7 +272,7 @@ void TestAuthorWindow::shippedLabIsReadOnlyUntilCopied()
     const QString place = folder.filePath(QStringLiteral("copy"));
     OpenAuthor::answerDialog(place);
     author.click(QStringLiteral("Copy to a folder…"));
-    QVERIFY(!author.document().isReadOnly());
+    QVERIFY2(!author.document().isReadOnly(), qPrintable(author.window.notice().text()));
     QCOMPARE(*readLabFiles(place), before);
     author.window.steps().addStep();
     QVERIFY(author.files() != before);
