@@ -28,6 +28,8 @@ public:
     void close();
 
     [[nodiscard]] const QString &text() const { return m_text; }
+    /// The text of the program that moves the circles; empty while the laws do.
+    [[nodiscard]] QString runningText() const { return program() ? m_script->source() : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
     [[nodiscard]] bool isSaved() const { return !m_unsaved; }
     /// What keeps the text from being read; the last good version runs on.

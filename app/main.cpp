@@ -6,12 +6,14 @@
 #include "app/main_window.h"
 #include "app/screenshot.h"
 #include "tasks/authoring/lab_archive.h"
+#include "tasks/lab_list.h"
 #include "tasks/lab_reader.h"
 #include "views/shortcut_guard.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -138,7 +140,7 @@ std::optional<Error> openNamed(Workbench &bench, const QString &named, const QSt
         path = *folder;
     }
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
-    const QString folder = isLab && !path.isEmpty() ? path : QLatin1String(shippedLab);
+    const QString folder = isLab && !path.isEmpty() ? path : shippedLabWith(step);
     if (const auto error = missingStep(folder, step))
         return error;
     if (auto error = bench.openLab(folder, currentLanguage()))
@@ -207,6 +209,8 @@ int main(int argc, char **argv)
     QApplication::setApplicationName(QStringLiteral("cradle"));
     QApplication::setApplicationDisplayName(QStringLiteral("Cradle"));
     QApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("cradle"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/desktop/cradle.svg")));
     QSettings settings;
 
     const Options options;

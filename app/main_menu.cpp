@@ -3,8 +3,11 @@
 #include "app/main_menu.h"
 
 #include "app/code_desk.h"
+#include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "views/charts/chart_pane.h"
+#include "views/charts/phase_chart.h"
 #include "views/scene/scene_view.h"
 #include "views/transport_bar.h"
 
@@ -43,6 +46,31 @@ void addExamples(MainWindow &window, QMenu *menu)
     }
 }
 
+void addExport(MainWindow &window, QMenu *menu)
+{
+    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
+    for (ChartPane *chart : window.findChildren<ChartPane *>()) {
+        QMenu *formats = exports->addMenu(chart->title());
+        QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
+            formats->clear();
+            chart->addExports(*formats);
+        });
+    }
+    QMenu *phase = exports->addMenu(window.phaseChart().windowTitle());
+    QObject::connect(phase, &QMenu::aboutToShow, &window.phaseChart(), [w = &window, phase] {
+        phase->clear();
+        w->phaseChart().addExports(*phase);
+    });
+    exports->addSeparator();
+    MainWindow *w = &window;
+    const std::pair<RunTable, QString> tables[] = {
+        {RunTable::States, MenuText::tr("&States of the run as CSV…")},
+        {RunTable::Totals, MenuText::tr("&Totals of the run as CSV…")},
+        {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
+    for (const auto &[table, text] : tables)
+        add(exports, text, {}, w, [w, kind = table] { w->exportRun(kind); });
+}
+
 void addLab(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Lab"));
@@ -54,6 +82,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("&Previous step"), QKeySequence(Qt::CTRL | Qt::Key_PageUp), bench,
         &Workbench::openPreviousTask);
     menu->addSeparator();
+    addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);
     add(menu, MenuText::tr("Open lab in one &file…"), {}, &window, &MainWindow::openLabFile);
@@ -64,6 +93,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
         &window, &MainWindow::authorLab);
     add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
+    addExport(window, menu);
     menu->addSeparator();
     add(menu, MenuText::tr("&Quit"), QKeySequence::Quit, &window, &QWidget::close)
         ->setMenuRole(QAction::QuitRole);
@@ -83,13 +113,37 @@ void addEdit(MainWindow &window, QMenuBar &bar)
     menu->addSeparator();
     add(menu, MenuText::tr("&Add circle"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), scene,
         [scene] { scene->addCircle(); });
-    add(menu, MenuText::tr("&Duplicate circle"), QKeySequence(Qt::CTRL | Qt::Key_D), scene,
-        &SceneView::duplicateSelected);
-    add(menu, MenuText::tr("Re&move circle"), QKeySequence(Qt::CTRL | Qt::Key_Backspace), scene,
-        &SceneView::removeSelected);
+    menu->addActions(scene->circleActions());
     menu->addSeparator();
     add(menu, MenuText::tr("Reset to the &step's scene"), {}, document,
         &PresetDocument::resetToOriginal);
+}
+
+void addRuns(MainWindow &window, QMenu *menu)
+{
+    MainWindow *w = &window;
+    QAction *pin = add(menu, MenuText::tr("&Pin this run"), QKeySequence(Qt::CTRL | Qt::Key_P), w,
+                       &MainWindow::pinRun);
+    pin->setToolTip(MenuText::tr("Keeps its curves, pale, beneath those of later runs"));
+    QAction *unpin =
+        add(menu, MenuText::tr("Remo&ve pinned runs"), {}, &window.pins(), &PinnedRuns::clear);
+    QAction *here =
+        add(menu, MenuText::tr("Start a &new run from here"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), w, &MainWindow::startNewRunHere);
+    here->setToolTip(MenuText::tr("The moment shown becomes the start of the scene; the run so far "
+                                  "stays in the charts"));
+    const auto enable = [w, pin, unpin, here] {
+        const Simulation &simulation = w->workbench().simulation();
+        pin->setEnabled(!w->pins().isFull() && simulation.recording().last() > 0);
+        unpin->setEnabled(!w->pins().runs().empty());
+        here->setEnabled(!simulation.atStart());
+    };
+    QObject::connect(menu, &QMenu::aboutToShow, menu, enable);
+    // A shortcut must not find what was disabled when the menu was last seen.
+    QObject::connect(menu, &QMenu::aboutToHide, menu, [pin, unpin, here] {
+        for (QAction *action : {pin, unpin, here})
+            action->setEnabled(true);
+    });
 }
 
 void addSimulation(MainWindow &window, QMenuBar &bar)
@@ -101,6 +155,8 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
                       transport.restartAction()});
     menu->addSeparator();
     menu->addActions({transport.slowerAction(), transport.fasterAction()});
+    menu->addSeparator();
+    addRuns(window, menu);
     menu->addSeparator();
     Simulation *simulation = &window.workbench().simulation();
     QAction *pauses = menu->addAction(MenuText::tr("Pause at &hits"));
@@ -145,6 +201,8 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
     addOption(MenuText::tr("&Trails"), &SceneOptions::trails);
     addOption(MenuText::tr("&Parts of a hit"), &SceneOptions::hitParts);
+    addOption(MenuText::tr("&Momenta tip to tail"), &SceneOptions::momenta);
+    addOption(MenuText::tr("&Centre of mass and its way"), &SceneOptions::centreOfMass);
     addOption(MenuText::tr("&Drawings of the program"), &SceneOptions::programDrawings);
     addOption(MenuText::tr("&Names"), &SceneOptions::names);
     addOption(MenuText::tr("&Grid"), &SceneOptions::grid);
@@ -154,10 +212,31 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     exact->setChecked(window.workbench().simulation().shadow() != nullptr);
     exact->setToolTip(MenuText::tr("Outlines where every circle would be without any error of "
                                    "the integrator, the program or the timestep"));
+    QAction *follow = menu->addAction(MenuText::tr("&Follow the centre of mass"));
+    follow->setCheckable(true);
+    follow->setChecked(scene->followsCentreOfMass());
+    follow->setToolTip(MenuText::tr("The view moves along with it: in its frame the momenta of all "
+                                    "circles add up to nothing"));
+    QObject::connect(follow, &QAction::toggled, scene, &SceneView::followCentreOfMass);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
     add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
         &SceneView::fit);
+}
+
+void addCharts(MainWindow &window, QMenu *menu)
+{
+    QMenu *charts = menu->addMenu(MenuText::tr("C&harts"));
+    const auto all = window.findChildren<ChartPane *>();
+    if (all.isEmpty())
+        return;
+    // They share the time that they show.
+    add(charts, MenuText::tr("Zoom &in"), QKeySequence(Qt::ALT | Qt::Key_Plus), all.first(),
+        &ChartPane::zoomIn);
+    add(charts, MenuText::tr("Zoom &out"), QKeySequence(Qt::ALT | Qt::Key_Minus), all.first(),
+        &ChartPane::zoomOut);
+    add(charts, MenuText::tr("&Reset zoom"), QKeySequence(Qt::ALT | Qt::Key_0), &window,
+        &MainWindow::resetCharts);
 }
 
 void addView(MainWindow &window, QMenuBar &bar)
@@ -166,6 +245,7 @@ void addView(MainWindow &window, QMenuBar &bar)
     menu->setToolTipsVisible(true);
     addSceneOptions(window, menu);
     menu->addSeparator();
+    addCharts(window, menu);
 
     QMenu *panes = menu->addMenu(MenuText::tr("&Panes"));
     for (QDockWidget *dock : window.panes())

@@ -9,6 +9,7 @@
 #include "app/notice_bar.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
+#include "views/charts/phase_chart.h"
 #include "views/charts/plots_chart.h"
 #include "views/charts/speed_histogram.h"
 #include "views/code/code_pane.h"
@@ -121,6 +122,8 @@ void MainWindow::makePanes()
     m_values->addTab(plots, plots->windowTitle());
     m_speeds = new SpeedHistogram(simulation, this);
     m_values->addTab(m_speeds, m_speeds->windowTitle());
+    m_phase = new PhaseChart(simulation, this);
+    m_values->addTab(m_phase, m_phase->windowTitle());
     unlockPanes(false);
 }
 

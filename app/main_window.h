@@ -3,7 +3,10 @@
 #pragma once
 
 #include "app/workbench.h"
+#include "tasks/run_tables.h"
+#include "views/charts/pinned_runs.h"
 #include "views/charts/run_curves.h"
+#include "views/charts/time_window.h"
 #include "views/theme.h"
 
 #include <QMainWindow>
@@ -19,6 +22,7 @@ class CodePane;
 class ConsoleView;
 class Inspector;
 class NoticeBar;
+class PhaseChart;
 class SceneView;
 class TaskPane;
 class Timeline;
@@ -50,6 +54,9 @@ public:
     [[nodiscard]] AuthorWindow *author() const;
     /// Opens that window with the lab in \p folder. \return what is wrong with it
     std::optional<Error> openAuthor(const QString &folder);
+    [[nodiscard]] PhaseChart &phaseChart() { return *m_phase; }
+    [[nodiscard]] PinnedRuns &pins() { return m_pins; }
+    [[nodiscard]] TimeWindow &timeWindow() { return m_timeWindow; }
     [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
 
 public slots:
@@ -62,11 +69,15 @@ public slots:
     void openLabFolder();
     void openLabFile(); ///< NAME.cradle
     /// Opens the lab in a folder, or unpacks one file into the user's labs and opens that.
-    void openLabAt(const QString &path);
+    void openLab(const QString &path);
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
-    void authorLab(); ///< opens the open lab in a window in which it can be written
+    void pinRun();          ///< keeps the run to be compared with later ones
+    void startNewRunHere(); ///< from the moment shown; keeps the run so far
+    void exportRun(cradle::RunTable table);
+    void resetCharts(); ///< ends their zoom
+    void authorLab();   ///< opens the open lab in a window in which it can be written
     void showAbout();
     void showShortcuts();
 
@@ -81,6 +92,8 @@ private:
     QDockWidget *addPane(QWidget *widget, const QString &name, Qt::DockWidgetArea area);
     void wireWorkbench();
     void wireViews();
+    void wireCharts();
+    [[nodiscard]] RunSource runSource(); ///< of the run that goes on
     void arrangePanes();
     void retranslate();
     void showTask();
@@ -100,6 +113,8 @@ private:
     Workbench &m_workbench;
     QSettings &m_settings;
     RunCurves m_curves;
+    TimeWindow m_timeWindow;
+    PinnedRuns m_pins;
     TransportBar *m_transport = nullptr;
     TaskPane *m_taskPane = nullptr;
     SceneView *m_scene = nullptr;
@@ -109,6 +124,7 @@ private:
     ConsoleView *m_console = nullptr;
     QWidget *m_plots = nullptr;
     QWidget *m_speeds = nullptr;
+    PhaseChart *m_phase = nullptr;
     NoticeBar *m_notice = nullptr;
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;

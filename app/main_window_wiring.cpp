@@ -4,7 +4,7 @@
 
 #include "app/code_desk.h"
 #include "app/notice_bar.h"
-#include "views/charts/chart_pane.h"
+#include "views/charts/phase_chart.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/console_view.h"
@@ -70,11 +70,7 @@ void MainWindow::wireViews()
     connect(m_inspector, &Inspector::selectionChanged, m_scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &MainWindow::showVisit);
     connect(m_notice, &NoticeBar::actionTriggered, document, &PresetDocument::leave);
-    for (ChartPane *chart : findChildren<ChartPane *>()) {
-        connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
-            simulation->seek(simulation->recording().indexAt(time));
-        });
-    }
+    wireCharts();
     connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
     connect(m_console, &ConsoleView::seekRequested, simulation, &Simulation::seek);
     connect(m_console, &ConsoleView::lineActivated, this, &MainWindow::showLine);
@@ -188,6 +184,7 @@ void MainWindow::titleTabs()
     m_values->setTabTitle(m_console, m_console->windowTitle());
     m_values->setTabTitle(m_plots, m_plots->windowTitle());
     m_values->setTabTitle(m_speeds, m_speeds->windowTitle());
+    m_values->setTabTitle(m_phase, m_phase->windowTitle());
 }
 
 void MainWindow::showReport()

@@ -31,6 +31,17 @@ Totals measure(std::span<const Circle> circles, Vec2 gravity, double halfWidth)
     return sum;
 }
 
+Vec2 centreOfMass(std::span<const Circle> circles)
+{
+    Vec2 sum;
+    double all = 0.0;
+    for (const Circle &circle : circles) {
+        sum += mass(circle) * circle.position;
+        all += mass(circle);
+    }
+    return circles.empty() ? Vec2{} : sum / all;
+}
+
 double greatestDistance(std::span<const Circle> circles, std::span<const Circle> other)
 {
     double greatest = 0.0;

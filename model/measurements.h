@@ -25,6 +25,9 @@ struct Totals {
 /// The sum over all circles.
 [[nodiscard]] Totals measure(std::span<const Circle> circles, Vec2 gravity, double halfWidth);
 
+/// Σ m x / Σ m, m; the origin without any circles.
+[[nodiscard]] Vec2 centreOfMass(std::span<const Circle> circles);
+
 /// How far a run is from another run of the same circles, above all from the exact one.
 struct Deviation {
     double greatest = 0.0;       ///< max |x_i − y_i|, m

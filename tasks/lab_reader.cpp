@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QFileInfo>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -209,6 +210,10 @@ int Lab::indexOf(const QString &taskId) const
 
 Result<Lab> readLab(const QString &folder, const QString &language)
 {
+    // What is no lab may be a whole disk: then nothing else is read.
+    const QFileInfo index(folder + QStringLiteral("/lab.json"));
+    if (QFileInfo(folder).isDir() && !index.exists() && !index.isSymLink())
+        return readLab(LabFiles{}, folder, language);
     std::vector<Error> faults;
     const Result<LabFiles> files = readLabFiles(folder, &faults);
     if (!files) {

@@ -51,7 +51,7 @@ void TestDrawList::optionsLeaveThingsOut()
 {
     Simulation simulation(twoCircles());
     simulation.seekNextHit();
-    const SceneOptions none{false, false, false, false, false};
+    const SceneOptions none{false, false, false, false, false, false, false, false};
     const DrawList list = buildScene(SceneMoment(simulation), none, lookAt(twoCircles()));
     QCOMPARE(list.lines.size(), std::size_t{4});
     QCOMPARE(list.discs.size(), std::size_t{2});
@@ -167,7 +167,7 @@ void TestDrawList::dragSnapsUnlessFreed()
     const HandleDrag pull({Handle::Kind::Velocity, 1}, twoCircles(), {2.0, 2.0});
     const Preset pulled = pull.candidate({2.75, 2.0}, true);
     QCOMPARE(pulled.circles[1].body.velocity, (Vec2{1.0, 0.0}));
-    QCOMPARE(pull.valueText(pulled), QStringLiteral("(1.00, 0.00) m/s"));
+    QCOMPARE(pull.valueText(pulled), QStringLiteral("(1.00, 0.00) m/s, speed 1.00 m/s"));
     QVERIFY(move.mergeKey() != pull.mergeKey());
 }
 

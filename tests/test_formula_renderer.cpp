@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <ctime>
+
 using cradle::Formula;
 using cradle::FormulaRenderer;
 
@@ -41,6 +43,14 @@ int inkOf(const QByteArray &svg)
     return ink;
 }
 
+/// CPU time so far, s; unlike wall time it does not depend on what else the machine does.
+double cpuSeconds(clockid_t clock)
+{
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 } // namespace
 
 class TestFormulaRenderer : public QObject
@@ -60,6 +70,7 @@ private slots:
     void readsFormulaOfEarlierRunFromDisk();
     void drawsAgainIfCacheFileIsDamaged();
     void survivesDestructionDuringWork();
+    void leavesTheThreadOfTheWindowFree();
 
 private:
     QTemporaryDir m_folder;
@@ -215,6 +226,22 @@ void TestFormulaRenderer::survivesDestructionDuringWork()
             renderer.request(QStringLiteral("\\sqrt{\\frac{x_{%1}}{%2}}").arg(i).arg(wait), true);
         QTest::qWait(wait);
     }
+}
+
+/// MathJax is loaded and run while the window goes on: nearly all the time is spent elsewhere.
+void TestFormulaRenderer::leavesTheThreadOfTheWindowFree()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    const QTemporaryDir folder;
+    FormulaRenderer renderer(nullptr, folder.path());
+    const double allBefore = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double hereBefore = cpuSeconds(CLOCK_THREAD_CPUTIME_ID);
+    QCOMPARE(answerOf(renderer, QStringLiteral("\\frac{m_1 - m_2}{m_1 + m_2}")).state,
+             Formula::State::Ready);
+    const double all = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - allBefore;
+    const double here = cpuSeconds(CLOCK_THREAD_CPUTIME_ID) - hereBefore;
+    QVERIFY2(here < 0.1 * all, qPrintable(QStringLiteral("%1 of %2 s").arg(here).arg(all)));
 }
 
 QTEST_MAIN(TestFormulaRenderer)

@@ -45,7 +45,9 @@ void makeLab(const QString &folder)
 {
     LabFiles lab = newLab(text("two"), text("Two steps"), text("en"));
     TAKE(lab, withStepAdded(lab, text("S2"), text("Second")));
-    QVERIFY(!saveLabFiles(lab, {}, folder));
+    // Not saved, which waits for the disk each time.
+    for (auto it = lab.contents.begin(); it != lab.contents.end(); ++it)
+        writeTo(folder + QLatin1Char('/') + it.key(), *it);
 }
 
 Breaker put(const char *path, const QByteArray &content)

@@ -67,7 +67,7 @@ void addFields()
         QTest::newRow(field) << QByteArray(field);
 }
 
-const QString step = text("L42T14"); // it has remarks
+const QString masses = text("L42T14"); // it has remarks
 
 } // namespace
 
@@ -125,16 +125,16 @@ void TestLabEdits::oneFieldChangesOneLine()
 {
     QFETCH(QByteArray, field);
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step));
+    TAKE(form, taskForm(m_lab, masses));
     change(form, field);
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form));
-    const QString path = step + text("/task.json");
+    TAKE(lab, withTask(m_lab, masses, form));
+    const QString path = masses + text("/task.json");
     QCOMPARE(differences(m_lab, lab), QStringList{path});
     const QList<QByteArray> lines = newLines(m_lab.contents[path], lab.contents[path]);
     QVERIFY2(lines.size() == 1, lines.join('\n').constData());
     TaskForm again;
-    TAKE(again, taskForm(lab, step));
+    TAKE(again, taskForm(lab, masses));
     QVERIFY(again == form);
     QVERIFY(readLab(lab, text("lab"))->findings.empty());
 }
@@ -148,21 +148,21 @@ void TestLabEdits::fieldSetBackKeepsEveryByte()
 {
     QFETCH(QByteArray, field);
     TaskForm before;
-    TAKE(before, taskForm(m_lab, step));
+    TAKE(before, taskForm(m_lab, masses));
     TaskForm form = before;
     change(form, field);
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form));
+    TAKE(lab, withTask(m_lab, masses, form));
     QVERIFY(lab != m_lab);
-    TAKE(lab, withTask(lab, step, before));
+    TAKE(lab, withTask(lab, masses, before));
     QCOMPARE(differences(m_lab, lab), QStringList());
 }
 
 void TestLabEdits::checksAreAddedMovedAndRemoved()
 {
-    const QString path = step + text("/task.json");
+    const QString path = masses + text("/task.json");
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step));
+    TAKE(form, taskForm(m_lab, masses));
     const std::vector<CheckForm> checks = form.checks;
     form.checks.insert(form.checks.begin() + 1,
                        CheckForm{.id = text("new"),
@@ -172,48 +172,48 @@ void TestLabEdits::checksAreAddedMovedAndRemoved()
                                  .parameters = {{text("tolerance"), 1e-3}},
                                  .scene = {{text("kind"), text("drop")}, {text("count"), 5}}});
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form));
+    TAKE(lab, withTask(m_lab, masses, form));
     QCOMPARE(
         newLines(m_lab.contents[path], lab.contents[path]),
         (QList<QByteArray>{"    {\"id\": \"new\", \"kind\": \"settles\", \"title\": \"It comes to "
                            "rest\", \"circles\": [2], \"parameters\": {\"tolerance\": 0.001}, "
                            "\"scene\": {\"kind\": \"drop\", \"count\": 5}},"}));
     std::swap(form.checks[0], form.checks[2]);
-    TAKE(lab, withTask(lab, step, form));
+    TAKE(lab, withTask(lab, masses, form));
     TaskForm again;
-    TAKE(again, taskForm(lab, step));
+    TAKE(again, taskForm(lab, masses));
     QVERIFY(again == form);
     form.checks = checks;
-    TAKE(lab, withTask(lab, step, form));
+    TAKE(lab, withTask(lab, masses, form));
     QCOMPARE(differences(m_lab, lab), QStringList());
     form.checks.clear();
-    TAKE(lab, withTask(lab, step, form));
+    TAKE(lab, withTask(lab, masses, form));
     QVERIFY(lab.contents[path].contains("\"checks\": []"));
     form.checks = {checks[0]};
-    TAKE(lab, withTask(lab, step, form));
+    TAKE(lab, withTask(lab, masses, form));
     QVERIFY(lab.contents[path].contains("\"checks\": [\n    {\"id\": \"start-1\", "));
 }
 
 void TestLabEdits::translationTakesTheTextsAlone()
 {
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step, text("de")));
+    TAKE(form, taskForm(m_lab, masses, text("de")));
     form.title = text("Größer");
     form.checks[1].title = text("Eine Prüfung");
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form, text("de")));
-    const QString german = step + text("/task.de.json");
+    TAKE(lab, withTask(m_lab, masses, form, text("de")));
+    const QString german = masses + text("/task.de.json");
     QCOMPARE(differences(m_lab, lab), QStringList{german});
     QCOMPARE(newLines(m_lab.contents[german], lab.contents[german]).size(), 2);
     // What is no text belongs to all languages.
     form.checks[1].circles = {0};
     form.commit = text("Committed");
-    TAKE(lab, withTask(lab, step, form, text("de")));
-    QCOMPARE(differences(m_lab, lab), (QStringList{german, step + text("/task.json")}));
+    TAKE(lab, withTask(lab, masses, form, text("de")));
+    QCOMPARE(differences(m_lab, lab), (QStringList{german, masses + text("/task.json")}));
     TaskForm english;
-    TAKE(english, taskForm(lab, step));
-    QCOMPARE(english.title, taskForm(m_lab, step)->title);
-    QCOMPARE(english.checks[1].title, taskForm(m_lab, step)->checks[1].title);
+    TAKE(english, taskForm(lab, masses));
+    QCOMPARE(english.title, taskForm(m_lab, masses)->title);
+    QCOMPARE(english.checks[1].title, taskForm(m_lab, masses)->checks[1].title);
     QCOMPARE(english.checks[1].circles, std::vector<int>{0});
     QCOMPARE(english.commit, text("Committed"));
 }
@@ -221,11 +221,11 @@ void TestLabEdits::translationTakesTheTextsAlone()
 void TestLabEdits::newTranslationHoldsWhatIsTranslated()
 {
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step, text("fr")));
+    TAKE(form, taskForm(m_lab, masses, text("fr")));
     form.checks[1].title = text("Une preuve");
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form, text("fr")));
-    QCOMPARE(lab.contents.value(step + text("/task.fr.json")),
+    TAKE(lab, withTask(m_lab, masses, form, text("fr")));
+    QCOMPARE(lab.contents.value(masses + text("/task.fr.json")),
              QByteArray("{\n  \"checks\": {\n    \"start-2\": \"Une preuve\"\n  }\n}\n"));
     QCOMPARE(languagesOf(lab), (QStringList{text("en"), text("de"), text("fr")}));
     QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
@@ -234,80 +234,80 @@ void TestLabEdits::newTranslationHoldsWhatIsTranslated()
 void TestLabEdits::textsFollowARenamedCheck()
 {
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step));
+    TAKE(form, taskForm(m_lab, masses));
     form.checks[0].id = text("begin-1");
     LabFiles lab;
-    TAKE(lab, withTask(m_lab, step, form));
-    const TaskForm before = *taskForm(m_lab, step, text("de"));
+    TAKE(lab, withTask(m_lab, masses, form));
+    const TaskForm before = *taskForm(m_lab, masses, text("de"));
     TaskForm german;
-    TAKE(german, taskForm(lab, step, text("de")));
+    TAKE(german, taskForm(lab, masses, text("de")));
     QCOMPARE(german.checks[0].title, before.checks[0].title);
-    QVERIFY(!lab.contents[step + text("/task.de.json")].contains("\"start-1\""));
+    QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("\"start-1\""));
     // One that is gone takes its text with it.
     form.checks.erase(form.checks.begin());
-    TAKE(lab, withTask(lab, step, form));
-    QVERIFY(!lab.contents[step + text("/task.de.json")].contains("begin-1"));
+    TAKE(lab, withTask(lab, masses, form));
+    QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("begin-1"));
 }
 
 void TestLabEdits::sceneChangesWhatDiffers()
 {
     Preset preset;
-    TAKE(preset, presetOf(m_lab, step));
+    TAKE(preset, presetOf(m_lab, masses));
     preset.gravity = {0, -1.5};
     preset.circles[1].body.radius = 0.3;
     LabFiles lab;
-    TAKE(lab, withPreset(m_lab, step, preset));
-    const QString path = step + text("/preset.json");
+    TAKE(lab, withPreset(m_lab, masses, preset));
+    const QString path = masses + text("/preset.json");
     QCOMPARE(differences(m_lab, lab), QStringList{path});
     QCOMPARE(newLines(m_lab.contents[path], lab.contents[path]),
              (QList<QByteArray>{"  \"gravity\": [0, -1.5],", "      \"radius\": 0.3,"}));
     Preset again;
-    TAKE(again, presetOf(lab, step));
+    TAKE(again, presetOf(lab, masses));
     QVERIFY(again == preset);
     // Another number of circles, and a crowd.
     preset.circles.erase(preset.circles.begin());
-    TAKE(lab, withPreset(lab, step, preset));
-    QVERIFY(*presetOf(lab, step) == preset);
+    TAKE(lab, withPreset(lab, masses, preset));
+    QVERIFY(*presetOf(lab, masses) == preset);
     preset.fill = CircleFill{.count = 20};
     preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
-    TAKE(lab, withPreset(lab, step, preset));
-    QVERIFY(*presetOf(lab, step) == preset);
+    TAKE(lab, withPreset(lab, masses, preset));
+    QVERIFY(*presetOf(lab, masses) == preset);
 }
 
 void TestLabEdits::sceneThatCannotBeIsRefused()
 {
     Preset preset;
-    TAKE(preset, presetOf(m_lab, step));
+    TAKE(preset, presetOf(m_lab, masses));
     preset.circles[0].body.radius = -1;
-    const Result<LabFiles> lab = withPreset(m_lab, step, preset);
+    const Result<LabFiles> lab = withPreset(m_lab, masses, preset);
     QVERIFY(!lab);
-    QCOMPARE(lab.error().file, step + text("/preset.json"));
+    QCOMPARE(lab.error().file, masses + text("/preset.json"));
     QCOMPARE(lab.error().pointer, text("/circles/0/radius"));
 }
 
 void TestLabEdits::formThatDoesNotFitIsRefused()
 {
     TaskForm form;
-    TAKE(form, taskForm(m_lab, step));
-    form.checks[2].kind = text("teleports");
-    const Result<LabFiles> lab = withTask(m_lab, step, form);
+    TAKE(form, taskForm(m_lab, masses));
+    form.checks[2].title = QString(201, QLatin1Char('x'));
+    const Result<LabFiles> lab = withTask(m_lab, masses, form);
     QVERIFY(!lab);
-    QCOMPARE(lab.error().file, step + text("/task.json"));
-    QCOMPARE(lab.error().pointer, text("/checks/2/kind"));
+    QCOMPARE(lab.error().file, masses + text("/task.json"));
+    QCOMPARE(lab.error().pointer, text("/checks/2/title"));
     QVERIFY(!taskForm(m_lab, text("nowhere")));
 }
 
 void TestLabEdits::unknownKeysAreKept()
 {
     LabFiles lab = m_lab;
-    const QString path = step + text("/preset.json");
+    const QString path = masses + text("/preset.json");
     // In the forms that people write: tabs, exponents, no space after a colon.
     lab.contents[path] = "{ \"format\":1,\n\t\"restitution\" : 1.0e0,\"circles\":[\n"
                          "\t\t{\"position\":[0,  1]},\t{\"position\":[2.50, 1]} ]\n}";
     Preset preset;
-    TAKE(preset, presetOf(lab, step));
+    TAKE(preset, presetOf(lab, masses));
     preset.circles[1].body.velocity = {1, 0};
-    TAKE(lab, withPreset(lab, step, preset));
+    TAKE(lab, withPreset(lab, masses, preset));
     QCOMPARE(
         lab.contents[path],
         QByteArray("{ \"format\":1,\n\t\"restitution\" : 1.0e0,\"circles\":[\n"
@@ -318,7 +318,7 @@ void TestLabEdits::unknownKeysAreKept()
 void TestLabEdits::textOfAnotherSystemKeepsItsLineEnds()
 {
     LabFiles lab = m_lab;
-    const QString path = step + text("/instructions.md");
+    const QString path = masses + text("/instructions.md");
     lab.contents[path] = "\xef\xbb\xbf# Title\r\nText\r\n";
     QCOMPARE(textOf(lab, path), text("# Title\nText\n"));
     QCOMPARE(withText(lab, path, text("# Title\nText\n")).contents[path], lab.contents[path]);

@@ -63,8 +63,10 @@ QStringList problemsOf(const LabFiles &files, const QString &language)
     QStringList problems;
     for (const Error &finding : lab->findings)
         problems.append(finding.toString());
-    for (const VerifiedTask &task : verifyLab(*lab))
-        problems += task.problems;
+    for (const VerifiedTask &task : verifyLab(*lab)) {
+        for (const LabFinding &finding : task.findings)
+            problems.append(finding.message);
+    }
     return problems;
 }
 

@@ -34,6 +34,8 @@ private slots:
     void coloursPartsOfVelocity_data();
     void coloursPartsOfVelocity();
     void leavesOtherWordsInColourOfText();
+    void linesOfCodeBeginBelowEachOther_data();
+    void linesOfCodeBeginBelowEachOther();
 };
 
 void TestMarkdownStyle::scalesHeadings()
@@ -83,6 +85,41 @@ void TestMarkdownStyle::leavesOtherWordsInColourOfText()
         for (auto it = block.begin(); !it.atEnd(); ++it)
             QVERIFY(!it.fragment().charFormat().hasProperty(QTextFormat::ForegroundBrush));
     }
+}
+
+void TestMarkdownStyle::linesOfCodeBeginBelowEachOther_data()
+{
+    QTest::addColumn<QString>("before");
+    QTest::newRow("in the text") << QString();
+    QTest::newRow("in a list") << QStringLiteral("   ");
+}
+
+void TestMarkdownStyle::linesOfCodeBeginBelowEachOther()
+{
+    QFETCH(QString, before);
+    MarkdownView view;
+    view.resize(400, 300);
+    QString text = QStringLiteral("1. item\n\n");
+    for (const char *line :
+         {"```lua", "local a = 1", "local b = 2", "  inner = 3", "local c = 4", "```"})
+        text += before + QLatin1String(line) + QLatin1Char('\n');
+    view.setMarkdown(text + QStringLiteral("\nafter\n"), {});
+    view.show();
+    QList<int> starts;
+    int inner = 0;
+    for (QTextBlock block = view.document()->begin(); block.isValid(); block = block.next()) {
+        QTextCursor cursor(block);
+        if (block.text().startsWith(QStringLiteral("local")))
+            starts.append(view.cursorRect(cursor).left());
+        if (block.text().trimmed().startsWith(QStringLiteral("inner"))) {
+            cursor.setPosition(block.position() + 2);
+            inner = view.cursorRect(cursor).left();
+        }
+    }
+    QCOMPARE(starts.size(), 3);
+    QCOMPARE(starts[1], starts[0]);
+    QCOMPARE(starts[2], starts[0]);
+    QVERIFY(inner > starts[0]);
 }
 
 QTEST_MAIN(TestMarkdownStyle)

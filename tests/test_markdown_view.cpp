@@ -42,6 +42,28 @@ int pixelsLike(const QWidget &widget, const QColor &colour)
     return count;
 }
 
+QImage pictureOf(QWidget &widget, double scale)
+{
+    QImage image(widget.size() * scale, QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
+    widget.render(&image);
+    image.setDevicePixelRatio(1.0);
+    return image;
+}
+
+/// Sum of the squares of the differences between neighbours in a row: a blurred edge has less.
+double sharpness(const QImage &image)
+{
+    double sum = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 1; x < image.width(); ++x) {
+            const double step = qGray(image.pixel(x, y)) - qGray(image.pixel(x - 1, y));
+            sum += step * step;
+        }
+    }
+    return sum;
+}
+
 void setColours(QWidget &widget, const QColor &text, const QColor &base)
 {
     QPalette palette;
@@ -60,6 +82,7 @@ private slots:
     void initTestCase();
     void showsTexUntilFormulaIsReady();
     void drawsFormulaInColourOfText();
+    void isSharpAtTwiceTheScale();
     void showsReasonOfBrokenTex();
     void givesDisplayFormulaItsOwnCentredLine();
     void keepsPunctuationWithFormula();
@@ -128,6 +151,21 @@ void TestMarkdownView::drawsFormulaInColourOfText()
     setColours(view, Qt::green, Qt::black);
     QVERIFY(pixelsLike(view, Qt::green) > 5);
     QCOMPARE(pixelsLike(view, Qt::red), 0);
+}
+
+void TestMarkdownView::isSharpAtTwiceTheScale()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    MarkdownView view(nullptr, &m_renderer);
+    setColours(view, Qt::black, Qt::white);
+    show(view, "$$\\frac{m_1 - m_2}{m_1 + m_2}$$", 1);
+    view.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const QImage twice = pictureOf(view, 2.0);
+    const QImage enlarged =
+        pictureOf(view, 1.0).scaled(twice.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QVERIFY(sharpness(enlarged) > 0.0);
+    QVERIFY(sharpness(twice) > 2.0 * sharpness(enlarged));
 }
 
 void TestMarkdownView::showsReasonOfBrokenTex()

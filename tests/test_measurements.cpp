@@ -33,6 +33,7 @@ private slots:
     void potentialEnergyCountsBothPartsOfGravity();
     void allTogetherAreTheSum();
     void ofNoCirclesIsNothing();
+    void centreOfMassByHand();
     void deviationByHand();
     void deviationOfTheSameIsNone();
     void hitsSayWhatTheyTook_data();
@@ -75,6 +76,15 @@ void TestMeasurements::allTogetherAreTheSum()
 void TestMeasurements::ofNoCirclesIsNothing()
 {
     QVERIFY(measure(std::span<const Circle>(), {0, -g}, 4.0) == Totals{});
+}
+
+void TestMeasurements::centreOfMassByHand()
+{
+    const std::array circles{two({4, 0}, {}), six({0, -8}, {})};
+    const Vec2 centre = centreOfMass(circles); // (2 · 4, 6 · −8) / 8
+    COMPARE_NEAR(centre.x, 1.0, 1e-14);
+    COMPARE_NEAR(centre.y, -6.0, 1e-14);
+    QCOMPARE(centreOfMass({}), Vec2{});
 }
 
 void TestMeasurements::deviationByHand()

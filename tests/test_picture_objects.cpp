@@ -42,6 +42,14 @@ void TestPictureObjects::initTestCase()
     write(m_lab + QLatin1String("/reads.svg"),
           open + "<image href='/etc/logo.png' width='9' height='9'/></svg>");
     write(m_lab + QLatin1String("/broken.png"), "no picture");
+    write(m_lab + QLatin1String("/wide.svg"),
+          "<svg xmlns='http://www.w3.org/2000/svg' width='1e9' height='9'></svg>");
+    write(m_lab + QLatin1String("/tall.svg"),
+          "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='1e9'></svg>");
+    // A few hundred bytes that ask for gigabytes, and that a program must not unpack to know it.
+    write(m_lab + QLatin1String("/bomb.gif"),
+          QByteArray::fromHex(
+              "474946383961ffffffff800000000000ffffff2c00000000ffffffff0002024401003b"));
     QVERIFY(QFile::link(outside, m_lab + QLatin1String("/link.svg")));
 }
 
@@ -81,6 +89,8 @@ void TestPictureObjects::refusesPictures_data()
                              << "no picture";
     QTest::newRow("no picture") << "broken.png"
                                 << "cannot be read";
+    for (const char *name : {"wide.svg", "tall.svg", "bomb.gif"})
+        QTest::newRow(name) << name << "too large";
     QTest::newRow("reads others") << "reads.svg"
                                   << "another file";
 }

@@ -2,6 +2,542 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ChartExport</name>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Diagramm sichern</translation>
+    </message>
+    <message>
+        <source>Save the numbers of the chart</source>
+        <translation>Zahlen des Diagramms sichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Picture as PN&amp;G…</source>
+        <translation>Bild als PN&amp;G …</translation>
+    </message>
+    <message>
+        <source>Picture as &amp;SVG…</source>
+        <translation>Bild als &amp;SVG …</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers as CSV…</source>
+        <translation>&amp;Zahlen als CSV …</translation>
+    </message>
+</context>
+<context>
+    <name>CheckKinds</name>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>What is right; that of the scene if left out</source>
+        <translation>Was richtig ist; ohne Angabe der Wert der Szene</translation>
+    </message>
+    <message>
+        <source>Circles collide</source>
+        <translation>Kreise stoßen zusammen</translation>
+    </message>
+    <message>
+        <source>Leave out the moments at which circles may touch</source>
+        <translation>Augenblicke auslassen, in denen Kreise sich berühren können</translation>
+    </message>
+    <message>
+        <source>Restitution e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>Hits at least</source>
+        <translation>Stöße mindestens</translation>
+    </message>
+    <message>
+        <source>How many hits there must be</source>
+        <translation>Wie viele Stöße es geben muss</translation>
+    </message>
+    <message>
+        <source>Integrators</source>
+        <translation>Integratoren</translation>
+    </message>
+    <message>
+        <source>Any of these is right</source>
+        <translation>Jeder von diesen ist richtig</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>Any of these is right: both stop; they swap their velocities; they swap the parts along the line of centres; the impulse of masses and e</source>
+        <translation>Jedes von diesen ist richtig: beide bleiben stehen; sie tauschen die Geschwindigkeiten; sie tauschen die Anteile längs der Verbindungslinie; der Kraftstoß aus Massen und e</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far off is still right</source>
+        <translation>Welche Abweichung noch richtig ist</translation>
+    </message>
+    <message>
+        <source>One for each of the circles; not looked at if left out</source>
+        <translation>Einer für jeden der Kreise; ohne Angabe nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Not looked at if left out</source>
+        <translation>Ohne Angabe nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Starts with these values</source>
+        <translation>Beginnt mit diesen Werten</translation>
+    </message>
+    <message>
+        <source>The values that a circle starts with</source>
+        <translation>Die Werte, mit denen ein Kreis beginnt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>How many circles there are</source>
+        <translation>Wie viele Kreise es gibt</translation>
+    </message>
+    <message>
+        <source>Moves by an integrator</source>
+        <translation>Bewegt sich nach einem Integrator</translation>
+    </message>
+    <message>
+        <source>Every step far from walls is one of the named integrators under the named gravity</source>
+        <translation>Jeder Schritt fern der Wände ist einer der genannten Integratoren unter der genannten Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Follows x₀ + v₀t + ½gt²</source>
+        <translation>Folgt x₀ + v₀t + ½gt²</translation>
+    </message>
+    <message>
+        <source>Up to the first bounce it is where the formula says</source>
+        <translation>Bis zum ersten Abprall ist er, wo die Formel sagt</translation>
+    </message>
+    <message>
+        <source>Stay together</source>
+        <translation>Bleiben zusammen</translation>
+    </message>
+    <message>
+        <source>Two circles are in the same place with the same velocity at every step</source>
+        <translation>Zwei Kreise sind in jedem Schritt am selben Ort mit derselben Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Use the same integrator</source>
+        <translation>Benutzen denselben Integrator</translation>
+    </message>
+    <message>
+        <source>Two circles follow one and the same integrator, whichever it is</source>
+        <translation>Zwei Kreise folgen ein und demselben Integrator, gleich welchem</translation>
+    </message>
+    <message>
+        <source>Is there at a moment</source>
+        <translation>Ist zu einem Zeitpunkt dort</translation>
+    </message>
+    <message>
+        <source>Positions and velocities at a moment; between two steps, on the straight line between them</source>
+        <translation>Orte und Geschwindigkeiten zu einem Zeitpunkt; zwischen zwei Schritten auf der Geraden dazwischen</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Seconds from the start; the end if left out</source>
+        <translation>Sekunden ab dem Start; ohne Angabe das Ende</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Walls reflect with e</source>
+        <translation>Wände reflektieren mit e</translation>
+    </message>
+    <message>
+        <source>At a wall v_n&apos; = −e v_n; the part along the wall stays; at the rim and in time</source>
+        <translation>An einer Wand v_n&apos; = −e v_n; der Anteil längs der Wand bleibt; am Rand und rechtzeitig</translation>
+    </message>
+    <message>
+        <source>Stays inside</source>
+        <translation>Bleibt drinnen</translation>
+    </message>
+    <message>
+        <source>Never further beyond a wall than the way of one step and the tolerance</source>
+        <translation>Nie weiter hinter einer Wand als der Weg eines Schritts und die Toleranz</translation>
+    </message>
+    <message>
+        <source>Bounces to the heights e²ⁿ h₀</source>
+        <translation>Springt auf die Höhen e²ⁿ h₀</translation>
+    </message>
+    <message>
+        <source>After the n-th bounce it rises to e²ⁿ times the height it came from</source>
+        <translation>Nach dem n-ten Aufprall steigt er auf das e²ⁿ-fache der Ausgangshöhe</translation>
+    </message>
+    <message>
+        <source>Bounces</source>
+        <translation>Aufpralle</translation>
+    </message>
+    <message>
+        <source>How many are looked at; those lower than the tolerance are not</source>
+        <translation>Wie viele geprüft werden; solche unter der Toleranz nicht</translation>
+    </message>
+    <message>
+        <source>How far off is still right, as a share of the first height</source>
+        <translation>Welche Abweichung noch richtig ist, als Anteil der ersten Höhe</translation>
+    </message>
+    <message>
+        <source>Comes to rest</source>
+        <translation>Kommt zur Ruhe</translation>
+    </message>
+    <message>
+        <source>At the end it lies on the floor as still as its integrator allows</source>
+        <translation>Am Ende liegt er so still auf dem Boden, wie sein Integrator es zulässt</translation>
+    </message>
+    <message>
+        <source>Collide by a law</source>
+        <translation>Stoßen nach einem Gesetz</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 answer every contact, in time, by one of the named laws: stop, exchange velocities, exchange normal parts, impulse with e</source>
+        <translation>Kreise 1 und 2 beantworten jede Berührung rechtzeitig nach einem der genannten Gesetze: stehen bleiben, Geschwindigkeiten tauschen, Normalanteile tauschen, Kraftstoß mit e</translation>
+    </message>
+    <message>
+        <source>Hit when the gap closes</source>
+        <translation>Stoßen, wenn sich die Lücke schließt</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 answer every contact when their rims meet, neither earlier nor later, in whatever way</source>
+        <translation>Kreise 1 und 2 beantworten jede Berührung, wenn ihre Ränder sich treffen, nicht früher und nicht später, gleich wie</translation>
+    </message>
+    <message>
+        <source>Part with e times the speed</source>
+        <translation>Trennen sich mit e-facher Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>In every hit of circles 1 and 2 their relative speed along the line of centres becomes e times what it was</source>
+        <translation>Bei jedem Stoß der Kreise 1 und 2 wird ihre relative Geschwindigkeit längs der Verbindungslinie das e-fache</translation>
+    </message>
+    <message>
+        <source>Keep momentum and energy</source>
+        <translation>Erhalten Impuls und Energie</translation>
+    </message>
+    <message>
+        <source>Every hit of circles 1 and 2 keeps the momentum and, if asked, the kinetic energy</source>
+        <translation>Jeder Stoß der Kreise 1 und 2 erhält den Impuls und, wenn verlangt, die Bewegungsenergie</translation>
+    </message>
+    <message>
+        <source>Kinetic energy, too</source>
+        <translation>Auch die Bewegungsenergie</translation>
+    </message>
+    <message>
+        <source>Else only the momentum is looked at</source>
+        <translation>Sonst wird nur der Impuls geprüft</translation>
+    </message>
+    <message>
+        <source>What share may be missing</source>
+        <translation>Welcher Anteil fehlen darf</translation>
+    </message>
+    <message>
+        <source>Leave the first hit with</source>
+        <translation>Verlassen den ersten Stoß mit</translation>
+    </message>
+    <message>
+        <source>The velocities of circles 1 and 2 after their first hit</source>
+        <translation>Die Geschwindigkeiten der Kreise 1 und 2 nach ihrem ersten Stoß</translation>
+    </message>
+    <message>
+        <source>One for each of the two circles</source>
+        <translation>Eine für jeden der beiden Kreise</translation>
+    </message>
+    <message>
+        <source>Lose energy</source>
+        <translation>Verlieren Energie</translation>
+    </message>
+    <message>
+        <source>The first hit of circles 1 and 2 takes kinetic energy</source>
+        <translation>Der erste Stoß der Kreise 1 und 2 nimmt Bewegungsenergie</translation>
+    </message>
+    <message>
+        <source>Pass through each other</source>
+        <translation>Gehen durcheinander hindurch</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 cross without changing</source>
+        <translation>Kreise 1 und 2 durchqueren einander unverändert</translation>
+    </message>
+    <message>
+        <source>Your own, in Lua</source>
+        <translation>Eigene Prüfung in Lua</translation>
+    </message>
+    <message>
+        <source>The function check(run) of a file looks at the whole run and says what is wrong with it</source>
+        <translation>Die Funktion check(run) einer Datei sieht sich den ganzen Lauf an und sagt, was daran falsch ist</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>In the folder checks of the step, such as heights.lua</source>
+        <translation>Im Ordner checks des Schritts, etwa heights.lua</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source> from %1 to %2</source>
+        <translation> von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>a list out of %1</source>
+        <translation>eine Liste aus %1</translation>
+    </message>
+    <message>
+        <source>a list [x, y], each %1</source>
+        <translation>eine Liste [x, y], jeweils %1</translation>
+    </message>
+    <message>
+        <source>a list of lists [x, y], each %1</source>
+        <translation>eine Liste von Listen [x, y], jeweils %1</translation>
+    </message>
+    <message>
+        <source>a list [least, most], each %1</source>
+        <translation>eine Liste [kleinster, größter], jeweils %1</translation>
+    </message>
+    <message>
+        <source>a list, each %1</source>
+        <translation>eine Liste, jeweils %1</translation>
+    </message>
+    <message>
+        <source>the name of a file in the folder checks, such as heights.lua</source>
+        <translation>der Name einer Datei im Ordner checks, etwa heights.lua</translation>
+    </message>
+    <message>
+        <source>the moment %1 s is after the end of the scene; at most its duration of %2 s is right</source>
+        <translation>der Zeitpunkt %1 s liegt nach dem Ende der Szene; richtig ist höchstens ihre Dauer von %2 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>there is no circle %1; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>es gibt keinen Kreis %1; die Szene des Schritts hat %n Kreis</numerusform>
+            <numerusform>es gibt keinen Kreis %1; die Szene des Schritts hat %n Kreise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not right here; right would be one of %2</source>
+        <translation>%1 ist hier nicht richtig; richtig wäre eines von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 needs %2 circles; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>%1 braucht %2 Kreise; die Szene des Schritts hat %n Kreis</numerusform>
+            <numerusform>%1 braucht %2 Kreise; die Szene des Schritts hat %n Kreise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing; right would be %2</source>
+        <translation>„%1“ fehlt; richtig wäre %2</translation>
+    </message>
+    <message>
+        <source>%1 has no parameters</source>
+        <translation>%1 hat keine Parameter</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter &quot;%2&quot;; it has %3</source>
+        <translation>%1 hat keinen Parameter „%2“; vorhanden sind %3</translation>
+    </message>
+    <message>
+        <source>%1 is not right here; right would be %2</source>
+        <translation>%1 ist hier nicht richtig; richtig wäre %2</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>How long every scene runs</source>
+        <translation>Wie lange jede Szene läuft</translation>
+    </message>
+    <message>
+        <source>Timesteps</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
+        <source>The scenes take turns with these; 1/60 s if left out, in the student&apos;s own scene its own</source>
+        <translation>Die Szenen wechseln sich damit ab; ohne Angabe 1/60 s, in der eigenen Szene deren Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Drawn between the least and the most</source>
+        <translation>Gezogen zwischen dem kleinsten und dem größten Wert</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Geschwindigkeitsbeträge</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>How many scenes are drawn</source>
+        <translation>Wie viele Szenen gezogen werden</translation>
+    </message>
+    <message>
+        <source>Radii</source>
+        <translation>Radien</translation>
+    </message>
+    <message>
+        <source>Densities</source>
+        <translation>Dichten</translation>
+    </message>
+    <message>
+        <source>None if left out</source>
+        <translation>Ohne Angabe keine</translation>
+    </message>
+    <message>
+        <source>Restitutions e</source>
+        <translation>Stoßzahlen e</translation>
+    </message>
+    <message>
+        <source>The scenes take turns with these</source>
+        <translation>Die Szenen wechseln sich damit ab</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>The same scenes in every check; drawn anew with the seed of the check if left out</source>
+        <translation>Bei jeder Prüfung dieselben Szenen; ohne Angabe mit dem Startwert der Prüfung neu gezogen</translation>
+    </message>
+    <message>
+        <source>The student&apos;s own scene</source>
+        <translation>Die eigene Szene</translation>
+    </message>
+    <message>
+        <source>With each of the timesteps</source>
+        <translation>Mit jedem der Zeitschritte</translation>
+    </message>
+    <message>
+        <source>Throws</source>
+        <translation>Würfe</translation>
+    </message>
+    <message>
+        <source>The circles thrown together from the middle, in any direction</source>
+        <translation>Die Kreise gemeinsam aus der Mitte geworfen, in beliebiger Richtung</translation>
+    </message>
+    <message>
+        <source>Shots in all directions</source>
+        <translation>Schüsse in alle Richtungen</translation>
+    </message>
+    <message>
+        <source>Each of the circles alone from the middle, all round</source>
+        <translation>Jeder der Kreise allein aus der Mitte, ringsum</translation>
+    </message>
+    <message>
+        <source>Shots at the corners</source>
+        <translation>Schüsse in die Ecken</translation>
+    </message>
+    <message>
+        <source>Each of the circles alone from the middle, straight at the corners and just beside them</source>
+        <translation>Jeder der Kreise allein aus der Mitte, genau in die Ecken und knapp daneben</translation>
+    </message>
+    <message>
+        <source>Encounters</source>
+        <translation>Begegnungen</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 thrown so that they meet, from all angles</source>
+        <translation>Kreise 1 und 2 so geworfen, dass sie sich treffen, aus allen Winkeln</translation>
+    </message>
+    <message>
+        <source>Off centre</source>
+        <translation>Außermittig</translation>
+    </message>
+    <message>
+        <source>How far off centre they meet at most, in r₁ + r₂</source>
+        <translation>Wie weit außermittig sie sich höchstens treffen, in r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>Both move</source>
+        <translation>Beide bewegen sich</translation>
+    </message>
+    <message>
+        <source>Else circle 2 rests before the hit</source>
+        <translation>Sonst ruht Kreis 2 vor dem Stoß</translation>
+    </message>
+    <message>
+        <source>Circles that part</source>
+        <translation>Kreise, die sich trennen</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 overlap, as after a hit that was told late, and move apart already; ask for 0 hits</source>
+        <translation>Kreise 1 und 2 überlappen wie nach einem spät bemerkten Stoß und entfernen sich schon; verlange 0 Stöße</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>The circles fall from rest, at about the middle of the square</source>
+        <translation>Die Kreise fallen aus der Ruhe, etwa aus der Mitte des Quadrats</translation>
+    </message>
+</context>
+<context>
     <name>Checks</name>
     <message>
         <source>There is no circle %1; add one</source>
@@ -203,12 +739,55 @@
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
         <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m</translation>
     </message>
+    <message>
+        <source>After bounce %1 circle %2 rises to %3 m above the floor; e to the power of %4 times the first height, with e = %5, is %6 m</source>
+        <translation>Nach Aufprall %1 steigt Kreis %2 auf %3 m über dem Boden; e hoch %4 mal die erste Höhe ist mit e = %5 %6 m</translation>
+    </message>
+    <message>
+        <source>Circle %1 comes off the floor and down again %2 times; at least %3 is right</source>
+        <translation>Kreis %1 springt %2-mal vom Boden auf und fällt wieder; richtig ist mindestens %3</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
+        <translation>In Schritt %1 trafen sich die Kreise längs der Verbindungslinie mit %2 m/s und trennten sich mit %3 m/s; das e-fache ist mit e = %4 %5 m/s</translation>
+    </message>
+    <message>
+        <source>At %1 s circle %2 is at %3 m; %4 m is right</source>
+        <translation>Bei %1 s ist Kreis %2 bei %3 m; richtig ist %4 m</translation>
+    </message>
+    <message>
+        <source>At %1 s circle %2 moves with %3 m/s; %4 m/s is right</source>
+        <translation>Bei %1 s bewegt sich Kreis %2 mit %3 m/s; richtig ist %4 m/s</translation>
+    </message>
+    <message>
+        <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
+        <translation>%1: Die Prüfung selbst brach ab und sagt nichts über deine Arbeit: %2</translation>
+    </message>
 </context>
 <context>
-    <name>CircleEdits</name>
+    <name>CircleClipboard</name>
+    <message>
+        <source>The clipboard is empty: copy circles first</source>
+        <translation>Die Zwischenablage ist leer: Kopiere zuerst Kreise</translation>
+    </message>
+    <message>
+        <source>The clipboard holds too much text to be circles</source>
+        <translation>Die Zwischenablage enthält zu viel Text, das sind keine Kreise</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no circles: %1</source>
+        <translation>Die Zwischenablage enthält keine Kreise: %1</translation>
+    </message>
+    <message>
+        <source>The scene on the clipboard has no circles</source>
+        <translation>Die Szene in der Zwischenablage hat keine Kreise</translation>
+    </message>
+</context>
+<context>
+    <name>CircleName</name>
     <message>
         <source>circle %1</source>
-        <translation>circle %1</translation>
+        <translation>Kreis %1</translation>
     </message>
 </context>
 <context>
@@ -216,10 +795,6 @@
     <message>
         <source>the step, like L42T5</source>
         <translation>der Schritt, etwa L42T5</translation>
-    </message>
-    <message>
-        <source>the lab&apos;s folder; without it the shipped lab</source>
-        <translation>der Ordner des Labs; ohne ihn das mitgelieferte Lab</translation>
     </message>
     <message>
         <source>of the scenes; 1 without it</source>
@@ -371,6 +946,30 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>the lab has no step %1</source>
         <translation>das Lab hat keinen Schritt %1</translation>
     </message>
+    <message>
+        <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab</source>
+        <translation>der Ordner des Labs oder NAME.cradle; ohne dies das mitgelieferte Lab</translation>
+    </message>
+    <message>
+        <source>      passes every check
+</source>
+        <translation>      besteht jede Prüfung
+</translation>
+    </message>
+    <message>
+        <source>      fails %1 without a diagnosis: %2
+</source>
+        <translation>      scheitert an %1 ohne Diagnose: %2
+</translation>
+    </message>
+    <message>
+        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
+        <translation>Macht aus den Lösungen eines Labors Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
+    </message>
+    <message>
+        <source>the lab&apos;s folder, or NAME.cradle</source>
+        <translation>der Ordner des Labs oder NAME.cradle</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -491,9 +1090,52 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message numerus="yes">
+        <source>Move %n circles</source>
+        <translation>
+            <numerusform>%n Kreis verschieben</numerusform>
+            <numerusform>%n Kreise verschieben</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
+        <source>%1 m/s, speed %2 m/s</source>
+        <translation>%1 m/s, Tempo %2 m/s</translation>
+    </message>
+    <message>
+        <source>moved by %1 m</source>
+        <translation>um %1 m verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>HitNote</name>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>%1 before %2, after %3, change %4 %5</source>
+        <comment>who, three numbers, unit</comment>
+        <translation>%1 vorher %2, nachher %3, Änderung %4 %5</translation>
+    </message>
+    <message>
+        <source>Hit %1 · %2 s</source>
+        <translation>Stoß %1 · %2 s</translation>
+    </message>
+    <message>
+        <source> · first of %1</source>
+        <translation> · erster von %1</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
     </message>
 </context>
 <context>
@@ -521,6 +1163,190 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>LabArchive</name>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the lab cannot be put there</source>
+        <translation>das Lab lässt sich dort nicht ablegen</translation>
+    </message>
+    <message>
+        <source>the lab cannot be packed: %1</source>
+        <translation>das Lab lässt sich nicht packen: %1</translation>
+    </message>
+    <message>
+        <source>there is no lab.json</source>
+        <translation>es gibt keine lab.json</translation>
+    </message>
+    <message>
+        <source>there are %1 files in it; at most %2 are right</source>
+        <translation>darin sind %1 Dateien; richtig sind höchstens %2</translation>
+    </message>
+    <message>
+        <source>the name is not in UTF-8, which would be right</source>
+        <translation>der Name ist nicht in UTF-8, was richtig wäre</translation>
+    </message>
+    <message>
+        <source>this is a link or a special file; a plain file is right</source>
+        <translation>das ist eine Verknüpfung oder besondere Datei; richtig ist eine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>this is encrypted; a file without a password is right</source>
+        <translation>das ist verschlüsselt; richtig ist eine Datei ohne Passwort</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>die Datei ist zu groß; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>this unpacks to more than %1 times its size, as no file of a lab does</source>
+        <translation>das entpackt sich auf mehr als das %1-Fache, wie es keine Datei eines Labs tut</translation>
+    </message>
+    <message>
+        <source>the lab is too large; at most %1 are right</source>
+        <translation>das Lab ist zu groß; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>the name is there twice (but for capital letters); a name of its own is right</source>
+        <translation>den Namen gibt es (bis auf Großbuchstaben) zweimal; richtig ist ein eigener Name</translation>
+    </message>
+    <message>
+        <source>this unpacks to another size than it says</source>
+        <translation>das entpackt sich auf eine andere Größe, als es angibt</translation>
+    </message>
+    <message>
+        <source>this is broken or packed in an unknown way</source>
+        <translation>das ist beschädigt oder auf unbekannte Art gepackt</translation>
+    </message>
+    <message>
+        <source>this is no lab: there is no lab.json in it</source>
+        <translation>das ist kein Lab: es enthält keine lab.json</translation>
+    </message>
+    <message>
+        <source>this is no archive of a lab: %1</source>
+        <translation>das ist kein Archiv eines Labs: %1</translation>
+    </message>
+</context>
+<context>
+    <name>LabEdits</name>
+    <message>
+        <source>&quot;%1&quot; cannot be the name of a step; letters, digits, dashes and underscores are right</source>
+        <translation>„%1“ kann nicht der Name eines Schritts sein; richtig sind Buchstaben, Ziffern, Binde- und Unterstriche</translation>
+    </message>
+    <message>
+        <source>the lab has a folder %1 already</source>
+        <translation>das Lab hat schon einen Ordner %1</translation>
+    </message>
+    <message>
+        <source>the lab has no step in the folder %1</source>
+        <translation>das Lab hat im Ordner %1 keinen Schritt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the name of a program; letters, digits, dots, dashes and underscores are right</source>
+        <translation>„%1“ kann nicht der Name eines Programms sein; richtig sind Buchstaben, Ziffern, Punkte, Binde- und Unterstriche</translation>
+    </message>
+    <message>
+        <source>the step has a program of this name already</source>
+        <translation>der Schritt hat schon ein Programm dieses Namens</translation>
+    </message>
+    <message>
+        <source>there is no such program</source>
+        <translation>dieses Programm gibt es nicht</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>LabFiles</name>
+    <message>
+        <source>this is a link that leads to no file of the lab; a file of its own is right</source>
+        <translation>das ist eine Verknüpfung, die zu keiner Datei des Labs führt; richtig ist eine eigene Datei</translation>
+    </message>
+    <message>
+        <source>this is a folder; a file is right</source>
+        <translation>das ist ein Ordner; richtig ist eine Datei</translation>
+    </message>
+    <message>
+        <source>folders are nested too deeply; at most %1 are right</source>
+        <translation>die Ordner sind zu tief verschachtelt; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>this is neither a file nor a folder</source>
+        <translation>das ist weder eine Datei noch ein Ordner</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>die Datei ist zu groß; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>the lab is too large from here on; at most %1 files and %2 are right</source>
+        <translation>das Lab ist ab hier zu groß; richtig sind höchstens %1 Dateien und %2</translation>
+    </message>
+    <message>
+        <source>a path that stays in the lab is right, of names that do not begin with a dot</source>
+        <translation>richtig ist ein Pfad, der im Lab bleibt, aus Namen, die nicht mit einem Punkt beginnen</translation>
+    </message>
+    <message>
+        <source>the name is too long; at most %1 characters are right</source>
+        <translation>der Name ist zu lang; richtig sind höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>a name without \ : * ? &quot; &lt; &gt; | and without control characters is right</source>
+        <translation>richtig ist ein Name ohne \ : * ? &quot; &lt; &gt; | und ohne Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>%1 names a device on some systems; another name is right</source>
+        <translation>%1 bezeichnet auf manchen Systemen ein Gerät; richtig ist ein anderer Name</translation>
+    </message>
+    <message>
+        <source>a name that ends with a letter or a digit is right</source>
+        <translation>richtig ist ein Name, der mit einem Buchstaben oder einer Ziffer endet</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such folder</source>
+        <translation>nicht lesbar: diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>cannot be read: the folder may not be opened</source>
+        <translation>nicht lesbar: der Ordner darf nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>a link here leads out of the lab; a file or folder of its own is right</source>
+        <translation>eine Verknüpfung führt hier aus dem Lab hinaus; richtig ist eine eigene Datei oder ein eigener Ordner</translation>
+    </message>
+    <message>
+        <source>another file has this name but for capital letters; a name of its own is right</source>
+        <translation>eine andere Datei heißt bis auf Großbuchstaben ebenso; richtig ist ein eigener Name</translation>
+    </message>
+    <message>
+        <source>another program changed %1 since the lab was read</source>
+        <translation>ein anderes Programm hat %1 geändert, seit das Lab gelesen wurde</translation>
+    </message>
+    <message>
+        <source>the picture has %1 × %2 pixels; at most %3 million are right</source>
+        <translation>das Bild hat %1 × %2 Pixel; richtig sind höchstens %3 Millionen</translation>
+    </message>
+</context>
+<context>
+    <name>LabMenu</name>
+    <message>
+        <source>&amp;Labs</source>
+        <translation>&amp;Labs</translation>
+    </message>
+</context>
+<context>
     <name>LabReader</name>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
@@ -533,6 +1359,26 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>the program begins without a comment; what the student should read of it stands there</source>
         <translation>das Programm beginnt ohne Kommentar; dort steht, was die Lernenden dazu lesen sollen</translation>
+    </message>
+    <message>
+        <source>the step %1 is listed already; each step once is right</source>
+        <translation>der Schritt %1 steht schon in der Liste; richtig ist jeder Schritt einmal</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>die Datei ist zu groß; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the text has characters that are none (NUL); a text in UTF-8 is right</source>
+        <translation>der Text hat Zeichen, die keine sind (NUL); richtig ist ein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1, for there are so many answers, is right</source>
+        <translation>eine Zahl von 1 bis %1 ist richtig, denn so viele Antworten gibt es</translation>
     </message>
 </context>
 <context>
@@ -572,6 +1418,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>no mistake fails the check %1</source>
         <translation>kein Fehler scheitert an der Prüfung %1</translation>
+    </message>
+    <message>
+        <source>the check %1 allows %2, and the solution itself is off by %3 (%4): other right programs may fail; at least %5 is right</source>
+        <translation>die Prüfung %1 erlaubt %2, und die Lösung selbst weicht um %3 ab (%4): Andere richtige Programme können scheitern; richtig ist mindestens %5</translation>
     </message>
 </context>
 <context>
@@ -1047,14 +1897,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Kreis &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;Duplicate circle</source>
-        <translation>Kreis &amp;duplizieren</translation>
-    </message>
-    <message>
-        <source>Re&amp;move circle</source>
-        <translation>Kreis &amp;entfernen</translation>
-    </message>
-    <message>
         <source>Reset to the &amp;step&apos;s scene</source>
         <translation>Auf die &amp;Szene des Schritts zurücksetzen</translation>
     </message>
@@ -1194,16 +2036,321 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>&amp;Example scenes</source>
         <translation>&amp;Beispielszenen</translation>
     </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>&amp;States of the run as CSV…</source>
+        <translation>&amp;Zustände des Laufs als CSV …</translation>
+    </message>
+    <message>
+        <source>&amp;Totals of the run as CSV…</source>
+        <translation>&amp;Summen des Laufs als CSV …</translation>
+    </message>
+    <message>
+        <source>&amp;Hits of the run as CSV…</source>
+        <translation>S&amp;töße des Laufs als CSV …</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>Diesen Lauf an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Keeps its curves, pale, beneath those of later runs</source>
+        <translation>Behält seine Kurven, blass, unter denen späterer Läufe</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve pinned runs</source>
+        <translation>Angeheftete Läufe &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Start a &amp;new run from here</source>
+        <translation>Neuer Lauf ab &amp;hier</translation>
+    </message>
+    <message>
+        <source>The moment shown becomes the start of the scene; the run so far stays in the charts</source>
+        <translation>Der gezeigte Augenblick wird zum Anfang der Szene; der bisherige Lauf bleibt in den Diagrammen</translation>
+    </message>
+    <message>
+        <source>Pause at &amp;hits</source>
+        <translation>Bei &amp;Stößen anhalten</translation>
+    </message>
+    <message>
+        <source>A run stops at the step of every collision; Run goes on</source>
+        <translation>Ein Lauf hält beim Schritt jedes Stoßes an; Starten setzt ihn fort</translation>
+    </message>
+    <message>
+        <source>&amp;Momenta tip to tail</source>
+        <translation>&amp;Impulse aneinandergesetzt</translation>
+    </message>
+    <message>
+        <source>&amp;Centre of mass and its way</source>
+        <translation>&amp;Schwerpunkt und seinen Weg</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the centre of mass</source>
+        <translation>Dem Schwerpunkt &amp;folgen</translation>
+    </message>
+    <message>
+        <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
+        <translation>Die Ansicht bewegt sich mit ihm: in seinem Bezugssystem heben sich die Impulse aller Kreise auf</translation>
+    </message>
+    <message>
+        <source>C&amp;harts</source>
+        <translation>&amp;Diagramme</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>Zoom &amp;zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>MomentumInset</name>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>%1 kg m/s</source>
+        <translation>%1 kg m/s</translation>
+    </message>
+</context>
+<context>
+    <name>Mutations</name>
+    <message>
+        <source>A term has the wrong sign</source>
+        <translation>Ein Term hat das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Which way should this term act? Try it with a circle that moves to the right.</source>
+        <translation>In welche Richtung soll dieser Term wirken? Probiere es mit einem Kreis, der sich nach rechts bewegt.</translation>
+    </message>
+    <message>
+        <source>The factor `%1` is missing</source>
+        <translation>Der Faktor `%1` fehlt</translation>
+    </message>
+    <message>
+        <source>Do both sides have the same unit? What changes if this factor is twice as large?</source>
+        <translation>Haben beide Seiten dieselbe Einheit? Was ändert sich, wenn dieser Faktor doppelt so groß ist?</translation>
+    </message>
+    <message>
+        <source>Something stands in the wrong place</source>
+        <translation>Etwas steht am falschen Platz</translation>
+    </message>
+    <message>
+        <source>A product comes before a sum: what belongs together here?</source>
+        <translation>Punkt vor Strich: Was gehört hier zusammen?</translation>
+    </message>
+    <message>
+        <source>The normal does not have the length 1</source>
+        <translation>Die Normale hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>How long is this vector? A part along it is right only if its length is 1.</source>
+        <translation>Wie lang ist dieser Vektor? Ein Anteil längs von ihm stimmt nur, wenn seine Länge 1 ist.</translation>
+    </message>
+    <message>
+        <source>A comparison is the wrong way round</source>
+        <translation>Ein Vergleich ist verkehrt herum</translation>
+    </message>
+    <message>
+        <source>When should this happen: above or below?</source>
+        <translation>Wann soll das geschehen: darüber oder darunter?</translation>
+    </message>
+    <message>
+        <source>A part of a condition is missing</source>
+        <translation>Ein Teil einer Bedingung fehlt</translation>
+    </message>
+    <message>
+        <source>When should this happen, and when not? Think of circles that already move apart, and of every wall.</source>
+        <translation>Wann soll das geschehen und wann nicht? Denke an Kreise, die sich schon entfernen, und an jede Wand.</translation>
+    </message>
+    <message>
+        <source>One case is missing</source>
+        <translation>Ein Fall fehlt</translation>
+    </message>
+    <message>
+        <source>Go through the cases one by one: which of them does nothing?</source>
+        <translation>Geh die Fälle einzeln durch: Welcher tut nichts?</translation>
+    </message>
+    <message>
+        <source>It happens always</source>
+        <translation>Es geschieht immer</translation>
+    </message>
+    <message>
+        <source>When should this happen, and when not?</source>
+        <translation>Wann soll das geschehen und wann nicht?</translation>
+    </message>
+    <message>
+        <source>`%1` stands where `%2` belongs</source>
+        <translation>`%1` steht, wo `%2` hingehört</translation>
+    </message>
+    <message>
+        <source>Which circle, and which coordinate, is meant here?</source>
+        <translation>Welcher Kreis und welche Koordinate ist hier gemeint?</translation>
+    </message>
+    <message>
+        <source>The hit takes nothing</source>
+        <translation>Der Stoß nimmt nichts</translation>
+    </message>
+    <message>
+        <source>Which part of the velocity should become e times what it was?</source>
+        <translation>Welcher Anteil der Geschwindigkeit soll das e-fache werden?</translation>
+    </message>
+    <message>
+        <source>e counts twice</source>
+        <translation>e zählt doppelt</translation>
+    </message>
+    <message>
+        <source>How fast does it leave, compared with how fast it came?</source>
+        <translation>Wie schnell geht er, verglichen damit, wie schnell er kam?</translation>
+    </message>
+    <message>
+        <source>Something is left out</source>
+        <translation>Etwas ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>Compare with the instructions what has to be done for every circle in every step.</source>
+        <translation>Vergleiche mit der Anleitung, was in jedem Schritt für jeden Kreis zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Something happens twice</source>
+        <translation>Etwas geschieht zweimal</translation>
+    </message>
+    <message>
+        <source>How often does this run in one step?</source>
+        <translation>Wie oft läuft das in einem Schritt?</translation>
+    </message>
+    <message>
+        <source>Two lines stand in the other order</source>
+        <translation>Zwei Zeilen stehen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Which value does the second line need: the one from before or the one from after the first?</source>
+        <translation>Welchen Wert braucht die zweite Zeile: den von vor oder den von nach der ersten?</translation>
+    </message>
+</context>
+<context>
+    <name>Phase</name>
+    <message>
+        <source>kinetic</source>
+        <translation>kinetisch</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentiell</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>distance 1–2</source>
+        <translation>Abstand 1–2</translation>
+    </message>
+    <message>
+        <source>off exact</source>
+        <translation>neben exakt</translation>
+    </message>
+    <message>
+        <source>more than exact</source>
+        <translation>mehr als exakt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Position x</source>
+        <translation>Ort x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>Ort y</translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation>Geschwindigkeit nach rechts</translation>
+    </message>
+    <message>
+        <source>Velocity upwards</source>
+        <translation>Geschwindigkeit nach oben</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Betrag der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation>Impuls nach rechts</translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation>Impuls nach oben</translation>
+    </message>
+    <message>
+        <source>Size of the momentum</source>
+        <translation>Betrag des Impulses</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Kinetische Energie</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>Potentielle Energie</translation>
+    </message>
+    <message>
+        <source>Total energy</source>
+        <translation>Gesamtenergie</translation>
+    </message>
+    <message>
+        <source>Distance of circles 1 and 2</source>
+        <translation>Abstand der Kreise 1 und 2</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Abstand von der exakten Bewegung</translation>
+    </message>
+    <message>
+        <source>Energy more than the exact motion</source>
+        <translation>Mehr Energie als die exakte Bewegung</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <comment>metres</comment>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation>kg m/s</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <comment>joules</comment>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>%1 all</source>
+        <comment>quantity, of all circles</comment>
+        <translation>%1 alle</translation>
+    </message>
 </context>
 <context>
     <name>Preset</name>
     <message>
         <source>%1 circles of radius %2 m do not fit into the square; at most %3 are right</source>
         <translation>%1 Kreise mit Radius %2 m passen nicht in das Quadrat; richtig sind höchstens %3</translation>
-    </message>
-    <message>
-        <source>circle %1</source>
-        <translation>circle %1</translation>
     </message>
     <message>
         <source>the name is too long; at most %1 characters are right</source>
@@ -1316,6 +2463,85 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>RunDifference</name>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>reflect</source>
+        <translation>reflektieren</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>anhalten</translation>
+    </message>
+    <message>
+        <source>swap velocities</source>
+        <translation>Geschwindigkeiten tauschen</translation>
+    </message>
+    <message>
+        <source>swap normal parts</source>
+        <translation>Normalanteile tauschen</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>discrete</source>
+        <translation>diskret</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>kontinuierlich</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation>symplektischer Euler</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>laws → program</source>
+        <translation>Gesetze → Programm</translation>
+    </message>
+    <message>
+        <source>program → laws</source>
+        <translation>Programm → Gesetze</translation>
+    </message>
+    <message>
+        <source>program changed</source>
+        <translation>Programm geändert</translation>
+    </message>
+    <message>
+        <source>half width</source>
+        <translation>halbe Breite</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>Zeitführung</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>%1 → %2 circles</source>
+        <translation>%1 → %2 Kreise</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>%1 m/s</source>
@@ -1396,32 +2622,8 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>eine Liste von Ordnernamen, der Reihe nach</translation>
     </message>
     <message>
-        <source>a list of numbers</source>
-        <translation>eine Liste von Zahlen</translation>
-    </message>
-    <message>
         <source>a list of texts</source>
         <translation>eine Liste von Texten</translation>
-    </message>
-    <message>
-        <source>a list of timesteps in s</source>
-        <translation>eine Liste von Zeitschritten in s</translation>
-    </message>
-    <message>
-        <source>a list of velocities [x, y] in m/s, one per circle</source>
-        <translation>eine Liste von Geschwindigkeiten [x, y] in m/s, eine je Kreis</translation>
-    </message>
-    <message>
-        <source>a list out of euler, symplectic_euler, verlet, rk4</source>
-        <translation>eine Liste aus euler, symplectic_euler, verlet, rk4</translation>
-    </message>
-    <message>
-        <source>a list out of stop, swap_velocities, swap_normal, impulse</source>
-        <translation>eine Liste aus stop, swap_velocities, swap_normal, impulse</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
     </message>
     <message>
         <source>a number in m from -10000 to 10000</source>
@@ -1472,10 +2674,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>ein Objekt mit half_width</translation>
     </message>
     <message>
-        <source>an object with id, kind, title, parameters and scene</source>
-        <translation>ein Objekt mit id, kind, title, parameters und scene</translation>
-    </message>
-    <message>
         <source>an object with position, and if wanted name, velocity, radius, density, colour, integrator</source>
         <translation>ein Objekt mit position und nach Wunsch name, velocity, radius, density, colour, integrator</translation>
     </message>
@@ -1496,24 +2694,8 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>die halbe Seite des Quadrats in m, eine Zahl von 1e-6 bis 10000</translation>
     </message>
     <message>
-        <source>how far off centre the circles meet at most, in r1 + r2, a number from 0 to 0.95</source>
-        <translation>wie weit außermittig sich die Kreise höchstens treffen, in r1 + r2, eine Zahl von 0 bis 0.95</translation>
-    </message>
-    <message>
-        <source>how long each runs in s, a number above 0 and at most 600</source>
-        <translation>wie lange jede läuft in s, eine Zahl über 0 und höchstens 600</translation>
-    </message>
-    <message>
         <source>how many circles, a whole number from 1 to 100000</source>
         <translation>wie viele Kreise, eine ganze Zahl von 1 bis 100000</translation>
-    </message>
-    <message>
-        <source>how many hits there must be at least, a whole number</source>
-        <translation>wie viele Stöße es mindestens sein müssen, eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>how many scenes, a whole number from 1 to 200</source>
-        <translation>wie viele Szenen, eine ganze Zahl von 1 bis 200</translation>
     </message>
     <message>
         <source>one of discrete, continuous, exact</source>
@@ -1530,14 +2712,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>one of none, stop, swap_velocities, swap_normal, impulse</source>
         <translation>eines von none, stop, swap_velocities, swap_normal, impulse</translation>
-    </message>
-    <message>
-        <source>one of own, flight, directions, corners, encounters, drop</source>
-        <translation>eines von own, flight, directions, corners, encounters, drop</translation>
-    </message>
-    <message>
-        <source>one of stop, swap_velocities, swap_normal, impulse</source>
-        <translation>eines von stop, swap_velocities, swap_normal, impulse</translation>
     </message>
     <message>
         <source>the coefficient of restitution e, a number from 0 to 1</source>
@@ -1576,10 +2750,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>two numbers [x, y]</source>
-        <translation>zwei Zahlen [x, y]</translation>
-    </message>
-    <message>
         <source>two numbers [x, y] in m, each from -10000 to 10000</source>
         <translation>zwei Zahlen [x, y] in m, jede von -10000 bis 10000</translation>
     </message>
@@ -1592,16 +2762,8 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>zwei Zahlen [x, y] in m/s², jede von -10000 bis 10000</translation>
     </message>
     <message>
-        <source>two numbers, the least and the most</source>
-        <translation>zwei Zahlen, die kleinste und die größte</translation>
-    </message>
-    <message>
         <source>a list of remarks</source>
         <translation>eine Liste von Anmerkungen</translation>
-    </message>
-    <message>
-        <source>an object with format, id, title, commit, preset, hints, code_hints, remarks, checks and extra</source>
-        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, remarks, checks und extra</translation>
     </message>
     <message>
         <source>an object with id, compare and scene</source>
@@ -1616,12 +2778,56 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>ein Objekt mit den Texten der Anmerkungen nach ihrem Namen</translation>
     </message>
     <message>
-        <source>an object with title, hints, code_hints, checks, mistakes and remarks</source>
-        <translation>ein Objekt mit title, hints, code_hints, checks, mistakes und remarks</translation>
-    </message>
-    <message>
         <source>one of velocities, positions, fields</source>
         <translation>eines von velocities, positions, fields</translation>
+    </message>
+    <message>
+        <source>needs a newer Cradle: format %1, this one reads %2</source>
+        <translation>braucht ein neueres Cradle: Format %1, dieses liest %2</translation>
+    </message>
+    <message>
+        <source>a list of two to four answers</source>
+        <translation>eine Liste von zwei bis vier Antworten</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 100 characters</source>
+        <translation>ein Text von 1 bis 100 Zeichen</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 400 characters</source>
+        <translation>ein Text von 1 bis 400 Zeichen</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 1000 characters</source>
+        <translation>ein Text von 1 bis 1000 Zeichen</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks and extra</source>
+        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks und extra</translation>
+    </message>
+    <message>
+        <source>an object with id, kind, title, points, parameters and scene</source>
+        <translation>ein Objekt mit id, kind, title, points, parameters und scene</translation>
+    </message>
+    <message>
+        <source>an object with question, answers, right and outcome</source>
+        <translation>ein Objekt mit question, answers, right und outcome</translation>
+    </message>
+    <message>
+        <source>an object with question, answers and outcome</source>
+        <translation>ein Objekt mit question, answers und outcome</translation>
+    </message>
+    <message>
+        <source>an object with title, hints, code_hints, prediction, checks, mistakes and remarks</source>
+        <translation>ein Objekt mit title, hints, code_hints, prediction, checks, mistakes und remarks</translation>
+    </message>
+    <message>
+        <source>the number of the answer that comes true, from 1</source>
+        <translation>die Nummer der Antwort, die zutrifft, ab 1</translation>
+    </message>
+    <message>
+        <source>what passing the check is worth, a number from 0 to 1000</source>
+        <translation>was das Bestehen der Prüfung wert ist, eine Zahl von 0 bis 1000</translation>
     </message>
 </context>
 <context>
@@ -1974,6 +3180,45 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>`%1` is given by the lab and cannot be replaced; choose another name for a variable of your own</source>
         <translation>`%1` ist vom Lab gegeben und lässt sich nicht ersetzen; wähle für eine eigene Variable einen anderen Namen</translation>
     </message>
+    <message>
+        <source>there is no function check(run) … end</source>
+        <translation>es gibt keine function check(run) … end</translation>
+    </message>
+    <message>
+        <source>check(run) returned %1; true, or false and a message, is right</source>
+        <translation>check(run) gab %1 zurück; richtig ist true, oder false und eine Meldung</translation>
+    </message>
+    <message>
+        <source>check(run) returned false without a message for the student; return false, &quot;what is wrong&quot; is right</source>
+        <translation>check(run) gab false ohne eine Meldung zurück; richtig ist return false, &quot;was falsch ist&quot;</translation>
+    </message>
+    <message>
+        <source>there is no field `%1` here; there are %2</source>
+        <translation>hier gibt es kein Feld `%1`; vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>there is no field `%1` here: did you mean `%2`?</source>
+        <translation>hier gibt es kein Feld `%1`: Meintest du `%2`?</translation>
+    </message>
+    <message>
+        <source>write %1, with a colon</source>
+        <translation>schreibe %1, mit Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>the moment must be a number of seconds from 0 to %1, not %2</source>
+        <translation>der Zeitpunkt muss eine Zahl von Sekunden von 0 bis %1 sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>this must be a whole number from %1 to %2, not %3</source>
+        <translation>dies muss eine ganze Zahl von %1 bis %2 sein, nicht %3</translation>
+    </message>
+</context>
+<context>
+    <name>Trails</name>
+    <message>
+        <source>centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
 </context>
 <context>
     <name>Variant</name>
@@ -1996,6 +3241,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>circle %1 towards %2°</source>
         <translation>Kreis %1 in Richtung %2°</translation>
+    </message>
+    <message>
+        <source>parting at %1°</source>
+        <translation>Trennung bei %1°</translation>
     </message>
 </context>
 <context>
@@ -2064,12 +3313,47 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Den ganzen Lauf zeigen</translation>
     </message>
     <message>
-        <source>circle %1</source>
-        <translation>Kreis %1</translation>
-    </message>
-    <message>
         <source>%1 over time</source>
         <translation>%1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>Zoom, pin and export</source>
+        <translation>Zoomen, anheften und exportieren</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept run: curve</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>&amp;Zoom zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>Diesen Lauf an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <comment>a kept run</comment>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
     </message>
 </context>
 <context>
@@ -2611,6 +3895,39 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>by the program</source>
         <translation>vom Programm</translation>
     </message>
+    <message>
+        <source>More than the e&amp;xact motion</source>
+        <translation>Mehr als die e&amp;xakte Bewegung</translation>
+    </message>
+    <message>
+        <source>Total energy of the run minus that of the exact motion beside it: the error of integrator and timestep</source>
+        <translation>Gesamtenergie des Laufs minus die der exakten Bewegung daneben: der Fehler von Integrator und Zeitschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Stacked areas</source>
+        <translation>Ge&amp;stapelte Flächen</translation>
+    </message>
+    <message>
+        <source>Kinetic, potential and dissipated energy on top of each other</source>
+        <translation>Kinetische, potentielle und verlorene Energie übereinander</translation>
+    </message>
+    <message>
+        <source>more than exact</source>
+        <translation>mehr als exakt</translation>
+    </message>
+    <message>
+        <source>kinetic %1</source>
+        <comment>unit</comment>
+        <translation>kinetisch %1</translation>
+    </message>
+    <message>
+        <source>+ potential</source>
+        <translation>+ potentiell</translation>
+    </message>
+    <message>
+        <source>+ dissipated</source>
+        <translation>+ verloren</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ErrorLine</name>
@@ -3072,6 +4389,29 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Lerne, wie eine Physik-Engine arbeitet, indem du eine schreibst.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Gebaut mit Qt, Lua, QScintilla, MathJax und valijson.&lt;/p&gt;</translation>
     </message>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n Lauf ist angeheftet; entferne ihn zuerst.</numerusform>
+            <numerusform>%n Läufe sind angeheftet; entferne zuerst einen davon.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no run yet: press Run, then pin it.</source>
+        <translation>Es gibt noch keinen Lauf: Drücke Starten, dann hefte ihn an.</translation>
+    </message>
+    <message>
+        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
+        <translation>Dein Programm setzt beim Laden Werte von Kreisen: Mit denen beginnt der neue Lauf.</translation>
+    </message>
+    <message>
+        <source>Save the data of the run</source>
+        <translation>Daten des Laufs sichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -3120,6 +4460,59 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::PhaseChart</name>
+    <message>
+        <source>Vertical axis: %1</source>
+        <translation>Senkrechte Achse: %1</translation>
+    </message>
+    <message>
+        <source>Horizontal axis: %1</source>
+        <translation>Waagrechte Achse: %1</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>quantity, unit</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Alle zusammen</translation>
+    </message>
+    <message>
+        <source>Press Run to see one quantity against another</source>
+        <translation>Drücke Starten, um eine Größe über einer anderen zu sehen</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw: choose other quantities</source>
+        <translation>Hier gibt es nichts zu zeichnen: Wähle andere Größen</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>quantity, unit</comment>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Copy and export</source>
+        <translation>Kopieren und exportieren</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PictureObjects</name>
     <message>
         <source>pictures from elsewhere are not loaded</source>
@@ -3141,6 +4534,34 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>the picture cannot be read</source>
         <translation>das Bild kann nicht gelesen werden</translation>
     </message>
+    <message>
+        <source>the picture is too large; at most %1 × %1 pixels are right</source>
+        <translation>das Bild ist zu groß; richtig sind höchstens %1 × %1 Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PinnedRuns</name>
+    <message>
+        <source>pinned %1</source>
+        <comment>a run</comment>
+        <translation>angeheftet %1</translation>
+    </message>
+    <message>
+        <source>%1: how it went on after %2 s</source>
+        <comment>kept run, moment</comment>
+        <translation>%1: wie es nach %2 s weiterging</translation>
+    </message>
+    <message>
+        <source>%1: the same scene and program</source>
+        <translation>%1: dieselbe Szene, dasselbe Programm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weiteres</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cradle::PlotsChart</name>
@@ -3154,6 +4575,65 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::PredictionCard</name>
+    <message>
+        <source>Not sure</source>
+        <translation>Nicht sicher</translation>
+    </message>
+    <message>
+        <source>The scene has run already. What did you expect?</source>
+        <translation>Die Szene ist schon gelaufen. Was hattest du erwartet?</translation>
+    </message>
+    <message>
+        <source>Choose before you run the scene. The check does not count it.</source>
+        <translation>Wähle, bevor du die Szene startest. Für die Prüfung zählt es nicht.</translation>
+    </message>
+    <message>
+        <source>Kept. Did it come so?</source>
+        <translation>Gemerkt. Kam es so?</translation>
+    </message>
+    <message>
+        <source>Kept. Now run the scene and watch.</source>
+        <translation>Gemerkt. Starte nun die Szene und sieh zu.</translation>
+    </message>
+    <message>
+        <source>You were not sure.</source>
+        <translation>Du warst nicht sicher.</translation>
+    </message>
+    <message>
+        <source>You predicted: %1</source>
+        <translation>Deine Vorhersage: %1</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Sag voraus</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>What happens: %1.</source>
+        <translation>Was geschieht: %1.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
+    </message>
+    <message>
+        <source>Show what happens ▸</source>
+        <translation>Zeigen, was geschieht ▸</translation>
+    </message>
+    <message>
+        <source>Show what happens</source>
+        <translation>Zeigen, was geschieht</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PresetDocument</name>
     <message>
         <source>This is a scene of the check; go back to your own scene to change it</source>
@@ -3162,6 +4642,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Reset to the step&apos;s own scene</source>
         <translation>Auf die Szene des Schritts zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Start from %1 s</source>
+        <translation>Anfang bei %1 s</translation>
     </message>
 </context>
 <context>
@@ -3250,6 +4734,45 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>✓ You have passed this step</source>
         <translation>✓ Diesen Schritt hast du geschafft</translation>
     </message>
+    <message>
+        <source>Nothing to check: this scene belongs to no step.</source>
+        <translation>Nichts zu prüfen: Diese Szene gehört zu keinem Schritt.</translation>
+    </message>
+    <message>
+        <source>on %1 at %2</source>
+        <translation>am %1 um %2</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneActions</name>
+    <message>
+        <source>C&amp;ut circles</source>
+        <translation>Kreise &amp;ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy circles</source>
+        <translation>Kreise &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste circles</source>
+        <translation>Kreise &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate circles</source>
+        <translation>Kreise &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Re&amp;move circles</source>
+        <translation>Kreise ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Set velocities to &amp;zero</source>
+        <translation>Geschwindigkeiten auf &amp;null setzen</translation>
+    </message>
+    <message>
+        <source>Select a&amp;ll circles</source>
+        <translation>A&amp;lle Kreise auswählen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneEditor</name>
@@ -3280,6 +4803,24 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Your program sets this circle in on_load; change it there</source>
         <translation>Dein Programm setzt diesen Kreis in on_load; ändere ihn dort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n Kreis</numerusform>
+            <numerusform>%n Kreise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paste a circle</source>
+        <translation>Einen Kreis einfügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n circles</source>
+        <translation>
+            <numerusform>%n Kreis einfügen</numerusform>
+            <numerusform>%n Kreise einfügen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3324,18 +4865,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Hier Kreis hinzufügen</translation>
     </message>
     <message>
-        <source>Duplicate</source>
-        <translation>Duplizieren</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Set velocity to zero</source>
-        <translation>Geschwindigkeit auf null setzen</translation>
-    </message>
-    <message>
         <source>Fit view</source>
         <translation>Ansicht einpassen</translation>
     </message>
@@ -3354,6 +4883,13 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Exact motion; the run is %1 m off</source>
         <translation>Exakte Bewegung; der Lauf liegt %1 m daneben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n ausgewählt</numerusform>
+            <numerusform>%n ausgewählt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3503,6 +5039,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Drag to any moment</source>
         <translation>Zieh zu einem beliebigen Moment</translation>
     </message>
+    <message>
+        <source>program stopped in line %1</source>
+        <translation>Programm hielt in Zeile %1 an</translation>
+    </message>
+    <message>
+        <source>program stopped</source>
+        <translation>Programm hielt an</translation>
+    </message>
 </context>
 <context>
     <name>cradle::TransportBar</name>
@@ -3606,6 +5150,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Progress of the check</source>
         <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>Previous hit</source>
+        <translation>Voriger Stoß</translation>
+    </message>
+    <message>
+        <source>Back to the collision before, or to the start</source>
+        <translation>Zurück zum vorigen Stoß oder zum Anfang</translation>
     </message>
 </context>
 <context>

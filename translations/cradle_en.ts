@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>CheckKinds</name>
+    <message numerus="yes">
+        <source>there is no circle %1; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>there is no circle %1; the scene of the step has %n circle</numerusform>
+            <numerusform>there is no circle %1; the scene of the step has %n circles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 needs %2 circles; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>%1 needs %2 circles; the scene of the step has %n circle</numerusform>
+            <numerusform>%1 needs %2 circles; the scene of the step has %n circles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HandleDrag</name>
+    <message numerus="yes">
+        <source>Move %n circles</source>
+        <translation>
+            <numerusform>Move %n circle</numerusform>
+            <numerusform>Move %n circles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Schema</name>
     <message numerus="yes">
         <source>a list of %n value(s)</source>
@@ -29,12 +56,56 @@
     </message>
 </context>
 <context>
+    <name>cradle::MainWindow</name>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n run is pinned; remove it first.</numerusform>
+            <numerusform>%n runs are pinned; remove one of them first.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PinnedRuns</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneEditor</name>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n circle</numerusform>
+            <numerusform>%n circles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n circles</source>
+        <translation>
+            <numerusform>Paste %n circle</numerusform>
+            <numerusform>Paste %n circles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cradle::SceneView</name>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n selected</numerusform>
+            <numerusform>%n selected</numerusform>
         </translation>
     </message>
 </context>

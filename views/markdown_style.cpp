@@ -114,6 +114,12 @@ void frameCode(QTextDocument *document, const QColor &text)
         frame.setLeftMargin(block.blockFormat().indent() * document->indentWidth());
         frame.setBottomMargin(paragraphGap * size);
         const QTextFrame *framed = lines.insertFrame(frame);
+        // The frame stands where the list has its text; its lines must not be moved once more.
+        QTextBlockFormat inside;
+        inside.setIndent(0);
+        lines.setPosition(framed->firstPosition());
+        lines.setPosition(framed->lastPosition(), QTextCursor::KeepAnchor);
+        lines.mergeBlockFormat(inside);
         for (const int beside : {framed->firstPosition() - 1, framed->lastPosition() + 1}) {
             lines.setPosition(beside);
             if (lines.block().length() == 1)

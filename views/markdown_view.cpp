@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/markdown_view.h"
 
+#include "views/bound_units.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_style.h"
 #include "views/picture_objects.h"
@@ -70,6 +71,7 @@ void MarkdownView::rebuild()
 
     document()->setDefaultFont(font());
     document()->setMarkdown(text.markdown, QTextDocument::MarkdownNoHTML);
+    bindUnits(document());
     styleMarkdown(document(), palette().color(QPalette::Text));
     if (m_embedded)
         document()->setDocumentMargin(0);

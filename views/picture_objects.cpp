@@ -20,6 +20,20 @@
 
 namespace cradle {
 
+namespace {
+
+/// Pixels of one side. A picture that is longer would push all text out of sight, if it could be
+/// held at all.
+constexpr int longestSide = 8192;
+constexpr qint64 mostBytes = 32 * 1024 * 1024;
+
+bool isFit(QSizeF size)
+{
+    return size.width() <= longestSide && size.height() <= longestSide;
+}
+
+} // namespace
+
 double Picture::advance(const QString &text) const
 {
     return text.isEmpty() ? 0.0 : QFontMetricsF(font).horizontalAdvance(text);
@@ -68,16 +82,24 @@ QString PictureObjects::read(const QString &folder, const QString &name, Picture
     QFile content(file.filePath());
     if (folder.isEmpty() || !file.isFile() || !content.open(QIODevice::ReadOnly))
         return tr("there is no picture %1").arg(path);
+    if (file.size() > mostBytes)
+        return tr("the picture cannot be read");
     if (file.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
         picture.svg = content.readAll();
         if (QString::fromUtf8(picture.svg).contains(reference))
             return tr("the picture refers to another file");
         picture.size = QSvgRenderer(picture.svg).defaultSize();
     } else {
-        picture.image = QImageReader(&content).read();
-        picture.size = picture.image.size();
+        QImageReader reader(&content);
+        picture.size = reader.size();
+        if (isFit(picture.size))
+            picture.size = (picture.image = reader.read()).size();
     }
-    return picture.size.isEmpty() ? tr("the picture cannot be read") : QString();
+    if (picture.size.isEmpty())
+        return tr("the picture cannot be read");
+    return isFit(picture.size)
+               ? QString()
+               : tr("the picture is too large; at most %1 × %1 pixels are right").arg(longestSide);
 }
 
 void PictureObjects::insert(QTextCursor &cursor, QTextCharFormat format, const Picture &picture)

@@ -99,6 +99,16 @@ std::optional<Error> PresetDocument::faultOf(const Preset &changed) const
     return findFault(changed);
 }
 
+bool PresetDocument::startFromMoment()
+{
+    const auto circles = m_simulation.recording().circles(m_simulation.current());
+    Preset changed = preset();
+    for (std::size_t i = 0; i < changed.circles.size(); ++i)
+        changed.circles[i].body = circles[i];
+    changed.fill.reset(); // no longer the crowd that was drawn
+    return edit(tr("Start from %1 s").arg(m_simulation.time(), 0, 'f', 3), changed);
+}
+
 void PresetDocument::visit(const Preset &preset)
 {
     if (!m_own)

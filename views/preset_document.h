@@ -44,6 +44,10 @@ public:
     /// \return false (and refused() is emitted) if \p changed cannot be
     bool edit(const QString &text, const Preset &changed, const QString &mergeKey = {});
 
+    /// Makes the moment that the simulation shows the start of the scene, as one undoable edit.
+    /// \return false (and refused() is emitted) if that cannot be: circles overlap, say
+    bool startFromMoment();
+
     /// Shows \p preset, a scene that is not the student's to edit; leave() goes back.
     void visit(const Preset &preset);
 

@@ -123,7 +123,7 @@ QTabWidget::pane { border: none; border-top: 1px solid @border; background: @pan
 QTabBar { background: @window; }
 QTabBar::tab { background: transparent; color: @mutedText; padding: 8px 14px 7px 14px;
     border: none; border-top: 2px solid transparent; }
-QTabBar[kind="narrow"]::tab { padding: 8px 9px 7px 9px; }
+QTabBar[kind="narrow"]::tab { padding: 8px 5px 7px 5px; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { background: @panel; color: @text; border-top-color: @square; }
 QTabBar::tab:focus { color: @accent; border: 2px solid @accent; }

@@ -28,6 +28,7 @@ Timeline::Timeline(Simulation &simulation, QWidget *parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&simulation, &Simulation::frameReady, this, &Timeline::showFrame);
+    connect(&simulation, &Simulation::programFailed, this, &Timeline::showFrame);
     connect(this, &QAbstractSlider::valueChanged, this, [this](int value) {
         if (!m_following)
             m_simulation.seek(value);
@@ -64,6 +65,12 @@ std::vector<Timeline::Mark> Timeline::recordedMarks() const
 {
     const Recording &recording = m_simulation.recording();
     std::vector<Mark> recorded;
+    if (const auto &error = m_simulation.programError())
+        recorded.push_back({.time = recording.time(recording.last()),
+                            .kind = Mark::Kind::Error,
+                            .label = error->line > 0
+                                         ? tr("program stopped in line %1").arg(error->line)
+                                         : tr("program stopped")});
     std::copy_if(m_marks.begin(), m_marks.end(), std::back_inserter(recorded),
                  [&](const Mark &mark) { return mark.time <= recording.time(recording.last()); });
     return recorded;

@@ -17,7 +17,10 @@ class Timeline final : public QAbstractSlider
 public:
     /// A moment that somebody else points at.
     struct Mark {
-        enum class Kind { Failure };
+        enum class Kind {
+            Failure, ///< of a check
+            Error    ///< of the program, which stopped there
+        };
 
         double time = 0.0; ///< s
         Kind kind = Kind::Failure;
@@ -36,6 +39,8 @@ public:
 
     void setMarks(std::vector<Mark> marks);
     [[nodiscard]] const std::vector<Mark> &marks() const { return m_marks; }
+    /// Those of them that the run has reached, and where its program stopped.
+    [[nodiscard]] std::vector<Mark> recordedMarks() const;
 
     [[nodiscard]] double xOf(double time) const;     ///< px
     [[nodiscard]] double timeAt(double x) const;     ///< s, within the recording
@@ -70,7 +75,6 @@ private:
     void addHitLabel(std::vector<Label> &labels, const HitColumn &column) const;
     void drawHits(QPainter &painter, const std::vector<HitColumn> &columns) const;
     void drawMarks(QPainter &painter) const;
-    [[nodiscard]] std::vector<Mark> recordedMarks() const; ///< the run has come so far
     [[nodiscard]] std::vector<Label> labelsAt(const std::vector<HitColumn> &columns) const;
     /// Whether more than \p part of the columns of the bar have hits.
     [[nodiscard]] bool isFuller(const std::vector<HitColumn> &columns, double part) const;

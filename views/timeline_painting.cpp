@@ -30,6 +30,15 @@ constexpr double leastReach = 3.0;   ///< px of a mark of one hit where they cro
 constexpr int totalHeight = 56;      ///< px
 constexpr int textPixels = 11;
 
+/// A program that stopped, told from a check that failed by its shape.
+void drawCross(QPainter &painter, QPointF middle)
+{
+    constexpr double arm = 4.5; // px
+    painter.setPen(QPen(theme().warning, 2.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle - QPointF(arm, arm), middle + QPointF(arm, arm));
+    painter.drawLine(middle - QPointF(arm, -arm), middle + QPointF(arm, -arm));
+}
+
 } // namespace
 
 QSize Timeline::sizeHint() const
@@ -180,10 +189,14 @@ void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns
 
 void Timeline::drawMarks(QPainter &painter) const
 {
-    painter.setPen(QPen(theme().panel, 1.0));
     painter.setBrush(theme().warning);
     for (const Mark &mark : recordedMarks()) {
         const QPointF tip(xOf(mark.time), bar().top() - 3.0);
+        if (mark.kind == Mark::Kind::Error) {
+            drawCross(painter, tip - QPointF(0.0, 6.0));
+            continue;
+        }
+        painter.setPen(QPen(theme().panel, 1.0));
         painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6.0, -10.0), tip + QPointF(6.0, -10.0)});
     }
 }

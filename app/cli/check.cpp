@@ -7,7 +7,7 @@
 #include "model/preset_json.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/checker.h"
-#include "tasks/lab_reader.h"
+#include "tasks/lab_list.h"
 #include "tasks/report_formats.h"
 #include "tasks/report_text.h"
 
@@ -122,13 +122,13 @@ ExitCode check(const QStringList &arguments)
     if (!isNumber)
         return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
 
+    const QString id = parser.positionalArguments().first();
     const Result<Lab> lab =
-        readLabOrArchive(parser.isSet(labDir) ? parser.value(labDir) : QLatin1String(shippedLab));
+        readLabOrArchive(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id));
     if (!lab)
         return complain(lab.error());
     for (const Error &finding : lab->findings)
         QTextStream(stderr) << finding.toString() << Qt::endl;
-    const QString id = parser.positionalArguments().first();
     const int index = lab->indexOf(id);
     if (index < 0)
         return complain(CheckText::tr("the lab has no step %1; it has %2")

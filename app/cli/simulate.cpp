@@ -3,16 +3,19 @@
 #include "app/cli/subcommand.h"
 
 #include "app/cli/simulate_request.h"
-#include "app/cli/simulate_tables.h"
 #include "model/inferred_hits.h"
+#include "model/measurements.h"
+#include "model/shortest_number.h"
 #include "model/stepper.h"
 #include "tasks/plain_text.h"
 #include "tasks/report_text.h"
+#include "tasks/run_tables.h"
 #include "tasks/script/student_script.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -24,6 +27,18 @@ struct SimulateText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
+/// What became of a run, in two lines, for those who asked for no table.
+QByteArray summaryOf(const Preset &scene, const World &world, std::size_t hits)
+{
+    const Totals t = measure(world.circles, scene.gravity, scene.halfWidth);
+    return SimulateText::tr("%1: %2 circles, %3 steps, %4 s, %5 hits\n"
+                            "momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J\n")
+        .arg(scene.name, QString::number(world.circles.size()), QString::number(world.step),
+             shortestNumber(world.time), QString::number(hits), shortestNumber(t.momentum.x),
+             shortestNumber(t.momentum.y), shortestNumber(t.kinetic), shortestNumber(t.potential))
+        .toUtf8();
+}
+
 /// One run of a scene, by its laws or by a program.
 class SimulateRun
 {
@@ -32,14 +47,16 @@ public:
         : m_request(request)
         , m_scene(request.preset)
         , m_stepper(request.preset)
+        , m_tables{{{RunTable::States, request.states, {}},
+                    {RunTable::Totals, request.totals, {}},
+                    {RunTable::Events, request.events, {}}}}
     {
-        m_tables.wantStates = !request.states.isEmpty();
-        m_tables.wantTotals = !request.totals.isEmpty();
-        m_tables.wantEvents = !request.events.isEmpty();
+        for (Table &table : m_tables)
+            table.text = headerOf(table.kind);
         if (request.program)
             begin(*request.program);
         m_world = initialWorld(m_scene);
-        m_tables.addState(m_world, m_scene);
+        addState();
     }
 
     /// Runs to the end, or to where the program stops.
@@ -54,9 +71,9 @@ public:
             if (m_error)
                 return;
             m_hitCount += m_hits.size();
-            m_tables.addHits(m_hits);
+            addHits();
             if (m_world.step % m_request.every == 0)
-                m_tables.addState(m_world, m_scene);
+                addState();
         }
     }
 
@@ -68,18 +85,40 @@ public:
     {
         if (!m_request.wantsTables())
             return writeText({}, summaryOf(m_scene, m_world, m_hitCount));
-        for (const auto &[path, text] : {std::pair(m_request.states, m_tables.states),
-                                         std::pair(m_request.totals, m_tables.totals),
-                                         std::pair(m_request.events, m_tables.events)}) {
-            if (path.isEmpty())
+        for (const Table &table : m_tables) {
+            if (table.path.isEmpty())
                 continue;
-            if (const auto error = writeText(path, text))
+            if (const auto error = writeText(table.path, table.text))
                 return error;
         }
         return std::nullopt;
     }
 
 private:
+    /// A table of the run, which nobody wants if it has no path.
+    struct Table {
+        RunTable kind;
+        QString path;
+        QByteArray text;
+    };
+
+    void addState()
+    {
+        for (Table &table : m_tables) {
+            if (!table.path.isEmpty())
+                table.text += rowsOf(table.kind, m_world, m_scene);
+        }
+    }
+
+    void addHits()
+    {
+        Table &events = m_tables.back();
+        if (events.path.isEmpty())
+            return;
+        for (const Hit &hit : m_hits)
+            events.text += rowOf(hit);
+    }
+
     void begin(const QString &source)
     {
         m_program.emplace(source);
@@ -116,7 +155,7 @@ private:
     World m_world{};
     std::vector<Hit> m_hits{}; ///< of the step
     std::size_t m_hitCount = 0;
-    SimulateTables m_tables{};
+    std::array<Table, 3> m_tables;
 };
 
 } // namespace

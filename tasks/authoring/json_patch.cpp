@@ -156,9 +156,4 @@ QByteArray patchJson(const QByteArray &text, const QJsonObject &before, const QJ
            + text.mid(to);
 }
 
-QByteArray writeJson(const QJsonObject &object)
-{
-    return printJson(object, levelsOfAFile, {}) + '\n';
-}
-
 } // namespace cradle

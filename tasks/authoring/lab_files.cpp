@@ -19,7 +19,7 @@ struct LabFilesText {
     Q_DECLARE_TR_FUNCTIONS(LabFiles)
 };
 
-/// Goes through a lab's folder and takes its files.
+/// Goes through a lab's folder, which may be any folder of the disk, and takes its files.
 class FolderReader
 {
 public:
@@ -52,8 +52,11 @@ private:
                 .entryInfoList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot,
                                QDir::Name | QDir::DirsLast);
         for (const QFileInfo &entry : entries) {
-            if (m_full)
+            if (++m_seen > limits::labFiles) {
+                if (m_seen == limits::labFiles + 1)
+                    find(below + entry.fileName(), tooMuchText());
                 return;
+            }
             if (!entry.fileName().endsWith(QLatin1Char('~')))
                 readEntry(entry, below + entry.fileName(), depth);
         }
@@ -85,14 +88,8 @@ private:
         if (entry.size() > limits::labFileBytes)
             return find(path, LabFilesText::tr("the file is too large; at most %1 are right")
                                   .arg(QLocale::c().formattedDataSize(limits::labFileBytes)));
-        if (m_files.contents.size() == limits::labFiles
-            || m_bytes + entry.size() > limits::labBytes) {
-            m_full = m_files.contents.size() == limits::labFiles;
-            return find(path, LabFilesText::tr("the lab is too large from here on; at most %1 "
-                                               "files and %2 are right")
-                                  .arg(limits::labFiles)
-                                  .arg(QLocale::c().formattedDataSize(limits::labBytes)));
-        }
+        if (m_bytes + entry.size() > limits::labBytes)
+            return find(path, tooMuchText());
         Result<QByteArray> content = cradle::readFile(entry.filePath(), limits::labFileBytes);
         if (!content)
             return find(path, content.error().message);
@@ -100,6 +97,14 @@ private:
             find(path, fault);
         m_bytes += content->size();
         m_files.contents.insert(path, std::move(*content));
+    }
+
+    static QString tooMuchText()
+    {
+        return LabFilesText::tr("the lab is too large from here on; at most %1 files and %2 are "
+                                "right")
+            .arg(limits::labFiles)
+            .arg(QLocale::c().formattedDataSize(limits::labBytes));
     }
 
     /// Links to folders are refused: they may go round in circles.
@@ -119,7 +124,7 @@ private:
     std::vector<Error> *m_findings;
     LabFiles m_files{};
     qint64 m_bytes = 0;
-    bool m_full = false;
+    int m_seen = 0; ///< files and folders, of the lab or not
 };
 
 } // namespace

@@ -14,6 +14,7 @@ class TestCliCheckProgram : public QObject
 private slots:
     void programIsJudged_data();
     void programIsJudged();
+    void stepOfTheOtherLabNeedsNoFolder();
     void programThatStopsIsAnError_data();
     void programThatStopsIsAnError();
     void unreadableProgramIsRefused_data();
@@ -75,6 +76,18 @@ void TestCliCheckProgram::programIsJudged()
     QVERIFY(report.value(text("error")).isNull());
     if (!mistake.isEmpty())
         QCOMPARE(report.value(text("diagnosis"))[u"mistake"].toString(), mistake);
+}
+
+/// Its id says which of the shipped labs is meant.
+void TestCliCheckProgram::stepOfTheOtherLabNeedsNoFolder()
+{
+    const QString solution =
+        QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball/BALL2/solution.lua");
+    const Outcome outcome =
+        runCli({text("check"), text("BALL2"), solution, text("--format"), text("json")});
+    VERIFY_CODE(outcome, 0);
+    QCOMPARE(reportOf(outcome).value(text("lab")).toString(), text("bouncing-ball"));
+    VERIFY_CODE(runCli({text("check"), text("BALL9"), solution}), 2);
 }
 
 void TestCliCheckProgram::programThatStopsIsAnError_data()

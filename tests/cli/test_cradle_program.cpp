@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
 
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/authoring/lab_edits.h"
+
 #include <QDirIterator>
 #include <QSize>
 #include <QtEndian>
@@ -22,6 +25,7 @@ private slots:
     void drawsAPictureWithoutADisplay();
     void pictureShowsTheMoment();
     void pictureShowsAFile();
+    void pictureShowsAnArchive();
     void pictureLeavesNoProgress();
     void wrongUsageIsSaid_data();
     void wrongUsageIsSaid();
@@ -162,6 +166,24 @@ void TestCradleProgram::pictureShowsAFile()
     QCOMPARE(sizeOf(picture(text("--step S2 --size 1280x800 ") + lab)), QSize(1280, 800));
 }
 
+/// As the folder that it was made of, and the archive is not left unpacked.
+void TestCradleProgram::pictureShowsAnArchive()
+{
+    const cradle::LabFiles lab = cradle::newLab(text("my-lab"), text("My lab"), text("en"));
+    QVERIFY(!cradle::saveLabFiles(lab, {}, path("my-lab")));
+    QVERIFY(!cradle::exportLab(lab, path("my-lab.cradle")));
+    const QString options = text("--at 0.5 --size 1280x800 --theme light ");
+    const QByteArray ofFolder = picture(options + path("my-lab"));
+    const QByteArray ofArchive = picture(options + path("my-lab.cradle"));
+    QCOMPARE(sizeOf(ofArchive), QSize(1280, 800));
+    QCOMPARE(ofArchive, ofFolder);
+    QVERIFY(ofArchive != picture(options));
+    QDirIterator files(m_home->path(), {text("lab.json")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    QCOMPARE(files.next(), path("my-lab/lab.json"));
+    QVERIFY(!files.hasNext());
+}
+
 void TestCradleProgram::pictureLeavesNoProgress()
 {
     QVERIFY(!picture(text("--at 1 --step L42T5 --size 1280x800")).isEmpty());
@@ -186,6 +208,7 @@ void TestCradleProgram::wrongUsageIsSaid_data()
         "radius_negative.json: /circles/1/radius: ");
     row("broken lab", draw + QStringLiteral(CRADLE_FIXTURES "/labs/wrong_format"),
         "lab.json: /format: ");
+    row("archive that is none", draw + bad + text("../../labs/good/lab.cradle"), "lab.cradle: ");
     row("two files", draw + text("a.json b.json"), "b.json");
     row("time is a word", draw + text("--at soon"), "--at soon");
     row("time before the start", draw + text("--at -1"), "--at -1");

@@ -131,7 +131,9 @@ public:
     static void answerDialog(const QString &text)
     {
         inDialog<QDialog>([text](QDialog *dialog) {
-            auto *line = dialog->findChild<QLineEdit *>();
+            auto *line = dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+            if (!line)
+                line = dialog->findChild<QLineEdit *>();
             if (line) {
                 line->selectAll();
                 QTest::keyClicks(line, text);

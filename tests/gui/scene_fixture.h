@@ -56,8 +56,11 @@ struct Scene {
     [[nodiscard]] QStringList chips()
     {
         QStringList texts;
-        for (const Chip &chip : view.picture().chips)
+        for (const Chip &chip : view.picture().chips) {
             texts << chip.text;
+            if (!chip.detail.isEmpty())
+                texts << chip.detail;
+        }
         return texts;
     }
 };

@@ -379,7 +379,7 @@ void TestCharts::pastIsShownBeforeTheMoment()
     Simulation simulation(falling(2));
     RunCurves curves(simulation);
     EnergyChart chart(simulation, curves);
-    chart.setWindow(ChartPane::Window::LastSeconds);
+    chart.window().show(TimeWindow::Kind::LastSeconds);
     chart.resize(420, 260);
     chart.show();
     run(simulation, 1800);
@@ -389,7 +389,7 @@ void TestCharts::pastIsShownBeforeTheMoment()
         QTest::qWait(60); // longer than the views hold back
         const QRectF area = chart.plot().plotArea();
         const double from = chart.plot().timeAt(area.left());
-        const double part = (simulation.time() - from) / ChartPane::lastSeconds;
+        const double part = (simulation.time() - from) / TimeWindow::lastSeconds;
         QVERIFY2(part > 0.3 && part < 0.81, qPrintable(QString::number(part)));
     }
 }

@@ -122,10 +122,10 @@ void TestMainWindowPrediction::outcomeIsShownOnRequest()
     QVERIFY(!m_open->button(QStringLiteral("Show what happens")));
     m_open->click(QStringLiteral("both go on to the right"));
     m_open->click(QStringLiteral("Show what happens"));
-    QVERIFY(m_open->says(QStringLiteral("You predicted: both go on to the right with 1 m/s")));
+    QVERIFY(m_open->says(QStringLiteral("You predicted: both go on to the right with 1")));
     QVERIFY(!answer(QStringLiteral("both go on to the right")));
     reopen();
-    QVERIFY(m_open->says(QStringLiteral("You predicted: both go on to the right with 1 m/s")));
+    QVERIFY(m_open->says(QStringLiteral("You predicted: both go on to the right with 1")));
 }
 
 void TestMainWindowPrediction::passingTheCheckShowsTheOutcome()

@@ -72,6 +72,8 @@ private slots:
     void brokenShadersFallBackToRaster();
     void rendererCanBeChanged();
     void wheelAndDragMoveTheCamera();
+    void cameraFollowsTheCentreOfMass();
+    void momentaStandInAnInset();
     void emptySceneTellsWhatToDo();
     void pictureHasTheSizeAskedFor();
     void descriptionTellsPositions();
@@ -173,6 +175,57 @@ void TestSceneView::wheelAndDragMoveTheCamera()
     scene.view.fit();
     QCOMPARE(scene.view.camera(), fitted);
     QCOMPARE(scene.document.preset(), twoCircles());
+}
+
+void TestSceneView::cameraFollowsTheCentreOfMass()
+{
+    Scene scene;
+    const Camera fitted = scene.view.camera();
+    scene.view.followCentreOfMass(true);
+    QVERIFY(near(scene.view.camera().centre(), {0.0, 2.15})); // of equal masses
+    scene.simulation.goTo(60);
+    QVERIFY(near(scene.view.camera().centre(), {1.0, 2.15}));
+    // Moved aside by hand it stays as far aside.
+    scene.drag({1.0, 0.0}, {2.0, 0.0});
+    const Vec2 aside = scene.view.camera().centre() - Vec2{1.0, 2.15};
+    QVERIFY(aside.x < -0.4);
+    scene.simulation.goTo(90);
+    QVERIFY(near(scene.view.camera().centre(), Vec2{1.5, 2.15} + aside));
+    scene.view.fit();
+    QVERIFY(near(scene.view.camera().centre(), {1.5, 2.15}));
+    QCOMPARE(scene.view.camera().extent(), fitted.extent());
+    scene.view.followCentreOfMass(false);
+    scene.simulation.goTo(100);
+    QVERIFY(near(scene.view.camera().centre(), {1.5, 2.15}));
+    // What is dragged stays under the pointer.
+    scene.simulation.restart();
+    scene.view.fit();
+    scene.view.followCentreOfMass(true);
+    const Vec2 centre = scene.view.camera().centre();
+    scene.press({-2.0, 2.3});
+    scene.moveTo(Vec2{-1.5, 2.0});
+    scene.moveTo(Vec2{-1.0, 1.3});
+    QCOMPARE(scene.circle(0).position, (Vec2{-1.0, 1.3}));
+    QCOMPARE(scene.view.camera().centre(), centre);
+    scene.release({-1.0, 1.3});
+    QVERIFY(near(scene.view.camera().centre(), {0.5, 1.65}));
+}
+
+void TestSceneView::momentaStandInAnInset()
+{
+    Scene scene;
+    scene.simulation.seekNextHit();
+    const ScenePicture &shown = scene.view.picture();
+    QVERIFY(shown.inset);
+    for (const DrawList::Label &label : shown.list.labels)
+        QVERIFY(!labelRect(label, shown.camera, QFontMetricsF(labelFont(shown.font)))
+                     .intersects(shown.inset->frame));
+    const QImage with = scene.view.renderToImage({700, 700});
+    SceneOptions options = scene.view.options();
+    options.momenta = false;
+    scene.view.setOptions(options);
+    QVERIFY(!scene.view.picture().inset);
+    QVERIFY(with != scene.view.renderToImage({700, 700}));
 }
 
 void TestSceneView::emptySceneTellsWhatToDo()

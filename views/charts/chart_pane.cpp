@@ -3,6 +3,7 @@
 #include "views/charts/chart_pane.h"
 
 #include "views/charts/frame_throttle.h"
+#include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
 #include "views/circle_name.h"
 #include "views/theme.h"
@@ -10,22 +11,26 @@
 #include <QButtonGroup>
 #include <QEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cradle {
 
 namespace {
 
-/// The end of the time axis goes ahead by this part of the run, so that it need not move with
-/// every frame.
-constexpr double aheadPart = 1.0 / 16.0;
+constexpr double paleness = 0.5; ///< of a kept run's curve: the part of the background in it
 
-/// These parts of the last seconds are kept to the left and to the right of the moment shown.
-constexpr double leastPast = 0.4;
-constexpr double leastFuture = 0.2;
+QColor pale(const QColor &colour)
+{
+    const QColor &panel = theme().panel;
+    const auto mix = [](float a, float b) {
+        return static_cast<float>((1.0 - paleness) * a + paleness * b);
+    };
+    return QColor::fromRgbF(mix(colour.redF(), panel.redF()), mix(colour.greenF(), panel.greenF()),
+                            mix(colour.blueF(), panel.blueF()));
+}
 
 QuietButton *addChoice(QButtonGroup *group, QHBoxLayout *line)
 {
@@ -44,8 +49,10 @@ ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *p
     , m_curves(curves)
     , m_heading(new QLabel)
     , m_header(new QHBoxLayout)
+    , m_legend(new PinLegend)
     , m_plot(new ChartPlot)
     , m_throttle(new FrameThrottle(simulation, this))
+    , m_window(new TimeWindow(this))
 {
     auto *group = new QButtonGroup(this);
     m_heading->setTextFormat(Qt::PlainText);
@@ -57,34 +64,67 @@ ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *p
     m_lastButton = addChoice(group, m_header);
     m_allButton = addChoice(group, m_header);
     m_allButton->setChecked(true);
+    m_moreButton = new QuietButton;
+    m_moreButton->setText(QStringLiteral("⋯"));
+    auto *menu = new QMenu(m_moreButton);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        fillMenu(*menu);
+    });
+    m_moreButton->setMenu(menu, false);
+    m_header->addWidget(m_moreButton);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(4);
     column->addLayout(m_header);
+    column->addWidget(m_legend);
     column->addWidget(m_plot, 1);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
 
-    connect(m_lastButton, &QuietButton::clicked, this, [this] { setWindow(Window::LastSeconds); });
-    connect(m_allButton, &QuietButton::clicked, this, [this] { setWindow(Window::All); });
-    connect(m_plot, &ChartPlot::timePicked, this, &ChartPane::seekRequested);
-    connect(m_plot, &ChartPlot::pickingEnded, m_throttle, &FrameThrottle::request);
+    connect(m_lastButton, &QuietButton::clicked, this, [this] {
+        m_valueZoom.reset();
+        m_window->show(TimeWindow::Kind::LastSeconds);
+    });
+    connect(m_allButton, &QuietButton::clicked, this, [this] {
+        m_valueZoom.reset();
+        m_window->show(TimeWindow::Kind::All);
+    });
+    connect(m_window, &TimeWindow::changed, this, &ChartPane::followWindow);
     connect(m_throttle, &FrameThrottle::due, this, &ChartPane::redraw);
     connect(&simulation, &Simulation::restarted, this, [this] { m_range.reset(); });
+    wirePlot();
     setHeadingFont();
     setKind(m_heading, "heading");
 }
 
-void ChartPane::setWindow(Window window)
+void ChartPane::share(TimeWindow &window, PinnedRuns &pins)
 {
-    m_window = window;
-    (window == Window::All ? m_allButton : m_lastButton)->setChecked(true);
+    delete m_window;
+    m_window = &window;
+    m_pins = &pins;
+    connect(m_window, &TimeWindow::changed, this, &ChartPane::followWindow);
+    connect(m_pins, &PinnedRuns::changed, this, [this] {
+        showLegend();
+        selectionChanged();
+    });
+}
+
+void ChartPane::followWindow()
+{
+    // With none checked the group is not exclusive for a moment: a zoom is neither.
+    auto *group = m_allButton->group();
+    group->setExclusive(false);
+    m_allButton->setChecked(m_window->kind() == TimeWindow::Kind::All);
+    m_lastButton->setChecked(m_window->kind() == TimeWindow::Kind::LastSeconds);
+    group->setExclusive(true);
     m_throttle->request();
 }
 
 void ChartPane::setTexts(const QString &heading, const QString &unit, const QString &empty)
 {
     const QString capitals = heading.toUpper();
+    m_unit = unit;
     m_heading->setText(unit.isEmpty() ? capitals
                                       : tr("%1 · %2", "heading · unit").arg(capitals, unit));
     m_plot->setAccessibleName(unit.isEmpty() ? tr("%1 over time").arg(heading)
@@ -94,18 +134,21 @@ void ChartPane::setTexts(const QString &heading, const QString &unit, const QStr
 
 void ChartPane::retranslate()
 {
-    m_lastButton->setText(tr("%1 s").arg(lastSeconds));
-    m_lastButton->setToolTip(tr("Show the last %1 seconds").arg(lastSeconds));
+    m_lastButton->setText(tr("%1 s").arg(TimeWindow::lastSeconds));
+    m_lastButton->setToolTip(tr("Show the last %1 seconds").arg(TimeWindow::lastSeconds));
     m_lastButton->setAccessibleName(m_lastButton->toolTip());
     m_allButton->setText(tr("all", "the whole run"));
     m_allButton->setToolTip(tr("Show the whole run"));
     m_allButton->setAccessibleName(m_allButton->toolTip());
+    m_moreButton->setToolTip(tr("Zoom, pin and export"));
+    m_moreButton->setAccessibleName(m_moreButton->toolTip());
+    showLegend();
 }
 
 void ChartPane::addSelector(QWidget *selector)
 {
-    m_header->insertWidget(m_header->count() - 2, selector);
-    m_header->insertSpacing(m_header->count() - 2, 8);
+    m_header->insertWidget(m_header->count() - 3, selector);
+    m_header->insertSpacing(m_header->count() - 3, 8);
     setTabOrder(selector, m_lastButton);
 }
 
@@ -136,40 +179,116 @@ void ChartPane::setHeadingFont()
 
 QColor ChartPane::colourOf(std::size_t circle) const
 {
-    return circleColour(m_simulation.preset().circles[circle].colour);
+    const auto &circles = m_simulation.preset().circles;
+    return circle < circles.size() ? circleColour(circles[circle].colour) : theme().mutedText;
 }
 
 QString ChartPane::nameOf(std::size_t circle) const
 {
-    const QString &name = m_simulation.preset().circles[circle].name;
+    const auto &circles = m_simulation.preset().circles;
+    const QString name = circle < circles.size() ? circles[circle].name : QString();
     return shownCircleName(name.isEmpty() ? plainCircleName(circle + 1) : name);
+}
+
+QString ChartPane::title() const
+{
+    return m_heading->text();
 }
 
 bool ChartPane::readRun()
 {
     m_curves.update();
-    return m_simulation.recording().last() > 0;
+    return m_simulation.recording().last() > 0 || (m_pins && !m_pins->runs().empty());
+}
+
+std::vector<ChartCurve> ChartPane::curvesOf(const PinnedRun &) const
+{
+    return {};
 }
 
 void ChartPane::redraw()
 {
-    const Recording &recording = m_simulation.recording();
     if (!readRun()) {
         m_plot->showEmpty(m_emptyText);
         return;
     }
-    const std::vector<ChartCurve> shown = curves();
+    std::vector<ChartCurve> shown = curves();
+    addPinned(shown);
     ChartMoment moment{.shown = m_simulation.time(), .scale = scale()};
-    const MinMaxPyramid &whole = m_curves.total();
-    chooseWindow(whole.firstTime(), whole.lastTime(), moment);
+    const MinMaxPyramid &run = m_curves.total();
+    const TimeWindow::Span span =
+        m_window->choose({run.firstTime(), run.lastTime()}, end(), moment.shown);
+    moment.from = span.from;
+    moment.to = span.to;
+    moment.zoom = m_valueZoom;
+    if (!m_simulation.isRunning())
+        moment.note = hitNote();
     fitRange(shown, moment);
-    m_plot->showMoment(moment, shown, recording.hits());
-    if (!m_simulation.isRunning()) {
-        QStringList values;
-        for (const auto &[text, place] : m_plot->labels())
-            values.append(text);
-        m_plot->setAccessibleDescription(values.join(QStringLiteral(", ")));
+    m_plot->showMoment(moment, shown, m_simulation.recording().hits());
+    if (!m_simulation.isRunning())
+        describe(moment);
+}
+
+void ChartPane::describe(const ChartMoment &moment)
+{
+    QStringList values;
+    for (const auto &[text, place] : m_plot->labels())
+        values.append(text);
+    if (moment.note)
+        values.append(moment.note->sentence());
+    m_plot->setAccessibleDescription(values.join(QStringLiteral(", ")));
+}
+
+/// Beneath the others, pale, each run with a dash of its own.
+void ChartPane::addPinned(std::vector<ChartCurve> &shown) const
+{
+    if (!m_pins)
+        return;
+    std::vector<ChartCurve> all;
+    for (const PinnedRun &run : m_pins->runs()) {
+        for (ChartCurve curve : curvesOf(run)) {
+            curve.label = tr("%1: %2", "kept run: curve").arg(run.name(), curve.label);
+            curve.isLabelled = false;
+            curve.showsValue = false;
+            curve.isFilled = false;
+            curve.colour = pale(curve.colour);
+            curve.dash = pinDash(run.number);
+            curve.width = 1.5;
+            curve.shift = run.branch;
+            all.push_back(curve);
+        }
     }
+    shown.insert(shown.begin(), all.begin(), all.end());
+}
+
+void ChartPane::showLegend()
+{
+    std::vector<PinLegend::Line> lines;
+    if (m_pins) {
+        for (const PinnedRun &run : m_pins->runs()) {
+            if (!curvesOf(run).empty())
+                lines.push_back(
+                    {run.text(m_pins->now()), run.details(m_pins->now()), pinDash(run.number)});
+        }
+    }
+    m_legend->setLines(lines);
+}
+
+std::optional<HitNote> ChartPane::hitNote() const
+{
+    const HitMeasure measure = hitMeasure();
+    const Recording &recording = m_simulation.recording();
+    auto note = measure ? noteOn(recording, m_simulation.current(), measure) : std::nullopt;
+    if (!note)
+        return std::nullopt;
+    const auto shown = hitsShownAt(recording, m_simulation.current());
+    const std::vector<std::size_t> circles = circlesOf(recording.hits()[shown->first]);
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        note->rows[i].name = nameOf(circles[i]);
+        note->rows[i].colour = colourOf(circles[i]);
+    }
+    note->unit = hitQuantity();
+    return note;
 }
 
 void ChartPane::fitRange(const std::vector<ChartCurve> &shown, ChartMoment &moment)
@@ -177,34 +296,25 @@ void ChartPane::fitRange(const std::vector<ChartCurve> &shown, ChartMoment &mome
     double low = 0.0;
     double high = shown.empty() ? moment.scale : 0.0;
     for (const ChartCurve &curve : shown) {
-        const auto [least, greatest] = curve.samples->bounds(moment.from, moment.to);
-        low = std::min(low, least);
-        high = std::max(high, greatest);
+        if (curve.samples->isEmpty())
+            continue;
+        const auto [least, greatest] =
+            curve.samples->bounds(moment.from + curve.shift, moment.to + curve.shift);
+        low = std::min(low, least + curve.lift);
+        high = std::max(high, greatest + curve.lift);
     }
     m_range.fit(low, high, moment.scale);
     moment.range = m_range;
 }
 
-void ChartPane::chooseWindow(double first, double last, ChartMoment &moment)
+double ChartPane::end() const
 {
-    if (m_window == Window::All || last - first <= lastSeconds) {
-        const double grain = niceStep(aheadPart * (last - first));
-        moment.from = first;
-        moment.to = std::max(std::ceil(last / grain - 1e-9) * grain, first + 1e-3);
-        m_windowStart = last - lastSeconds;
-        return;
-    }
-    // Moves no further than needed to hold the moment shown with what was before it and comes
-    // after it, and not so far under a drag in the chart: that would run away.
-    if (moment.shown == last)
-        m_windowStart = last - lastSeconds;
-    const double past = m_plot->isPicking() ? 0.0 : leastPast * lastSeconds;
-    const double future = m_plot->isPicking() ? 0.0 : leastFuture * lastSeconds;
-    m_windowStart =
-        std::clamp(m_windowStart, moment.shown - lastSeconds + future, moment.shown - past);
-    m_windowStart = std::clamp(m_windowStart, first, last - lastSeconds);
-    moment.from = m_windowStart;
-    moment.to = m_windowStart + lastSeconds;
+    return std::max(m_curves.total().lastTime(), m_pins ? m_pins->end() : 0.0);
+}
+
+TimeWindow::Span ChartPane::whole() const
+{
+    return TimeWindow::whole(m_curves.total().firstTime(), end());
 }
 
 } // namespace cradle

@@ -9,7 +9,6 @@
 
 #include <QFontMetricsF>
 #include <QLineSeries>
-#include <QMouseEvent>
 #include <QValueAxis>
 
 #include <algorithm>
@@ -26,6 +25,7 @@ constexpr double rightRoom = 14.0;   ///< px
 constexpr double topRoom = 4.0;      ///< px
 constexpr double axisRoom = 22.0;    ///< px for the times below the plot
 constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
+constexpr int leastTicks = 3;        ///< however low the plot is
 constexpr double margin = 0.08;      ///< of the height, above and below the range
 
 /// Leaves out the points within level stretches: rounding would make beads of a thick line, and
@@ -139,7 +139,10 @@ void ChartPlot::layOut()
 {
     const QSizeF size = viewport()->size();
     const double height = size.height() - topRoom - axisRoom;
-    m_scale = m_moment.range.scale(static_cast<int>(height / tickHeight), margin);
+    const int ticks = std::max(leastTicks, static_cast<int>(height / tickHeight));
+    m_scale = m_moment.range.scale(ticks, margin);
+    if (const auto &zoom = m_moment.zoom)
+        m_scale = {zoom->low, zoom->high, niceStep((zoom->high - zoom->low) / ticks)};
     const QFontMetricsF metrics(smallFont());
     double gutter = leastGutter;
     for (const double tick : m_scale.ticks()) {
@@ -158,9 +161,16 @@ void ChartPlot::layOut()
 void ChartPlot::fillSeries()
 {
     m_profiles.clear();
+    m_lines.clear();
+    m_areas.clear();
+    QList<QPointF> floor{{m_area.left(), yOf(0.0)}, {m_area.right(), yOf(0.0)}};
     const int columns = std::max(1, static_cast<int>(m_area.width()));
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        QList<QPointF> points = m_curves[i].samples->decimate(m_moment.from, m_moment.to, columns);
+        const ChartCurve &curve = m_curves[i];
+        QList<QPointF> points = curve.samples->decimate(m_moment.from + curve.shift,
+                                                        m_moment.to + curve.shift, columns);
+        for (QPointF &point : points)
+            point += QPointF(-curve.shift, curve.lift);
         dropLevel(points, flat * (m_scale.high - m_scale.low) / m_area.height());
         QList<QPointF> pixels;
         pixels.reserve(points.size());
@@ -170,10 +180,17 @@ void ChartPlot::fillSeries()
             point.rx() -= m_moment.from;
         }
         m_series[i]->replace(points);
-        const QPen pen = penOf(m_curves[i], lengthOf(pixels) > denseLength * m_area.width());
+        const QPen pen = penOf(curve, lengthOf(pixels) > denseLength * m_area.width());
         if (pen != m_series[i]->pen())
             m_series[i]->setPen(pen);
         m_profiles.emplace_back(pixels, m_area);
+        m_lines.push_back(pixels);
+        if (curve.isFilled && !pixels.isEmpty()) {
+            QPolygonF area(pixels);
+            std::copy(floor.rbegin(), floor.rend(), std::back_inserter(area));
+            m_areas.push_back(area);
+            floor = pixels;
+        }
     }
 }
 
@@ -186,12 +203,15 @@ void ChartPlot::placeLabels()
     for (const ChartCurve &curve : m_curves) {
         QString text = curve.label;
         if (curve.showsValue)
-            text += QLatin1Char(' ')
-                    + shortNumber(curve.samples->valueAt(m_moment.shown), m_moment.scale);
+            text +=
+                QLatin1Char(' ')
+                + shortNumber(curve.samples->valueAt(m_moment.shown + curve.shift), m_moment.scale);
         m_labelTexts.push_back(text);
         sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
+        if (!curve.isLabelled)
+            sizes.back() = {};
     }
-    m_labelRects = m_layout.place(m_area, m_profiles, sizes);
+    m_labelRects = m_layout.place(m_area, m_profiles, sizes, noteRect());
 }
 
 void ChartPlot::markHits(const std::deque<Hit> &hits)
@@ -200,7 +220,7 @@ void ChartPlot::markHits(const std::deque<Hit> &hits)
     m_nearestHit.reset();
     const int width = static_cast<int>(m_area.width());
     for (const HitColumn &column : hitColumns(hits, m_moment.from, m_moment.to, width))
-        m_hitMarks.push_back(xOf(hits[column.first].time));
+        m_hitMarks.push_back({xOf(hits[column.first].time), hits[column.first].step});
     if (const auto nearest = nearestHit(hits, m_moment.shown)) {
         const double time = hits[*nearest].time;
         if (time >= m_moment.from && time <= m_moment.to)
@@ -212,6 +232,23 @@ double ChartPlot::timeAt(double x) const
 {
     const double part = m_area.width() > 0.0 ? (x - m_area.left()) / m_area.width() : 0.0;
     return m_moment.from + std::clamp(part, 0.0, 1.0) * (m_moment.to - m_moment.from);
+}
+
+double ChartPlot::valueAt(double y) const
+{
+    const double part = m_area.height() > 0.0 ? (m_area.bottom() - y) / m_area.height() : 0.0;
+    return m_scale.low + std::clamp(part, 0.0, 1.0) * (m_scale.high - m_scale.low);
+}
+
+/// In the corner that is farther from the cursor.
+QRectF ChartPlot::noteRect() const
+{
+    if (!m_moment.note)
+        return {};
+    const QSizeF size = sizeOf(*m_moment.note, smallFont());
+    const bool left = xOf(m_moment.shown) > m_area.center().x();
+    const double x = left ? m_area.left() + 4.0 : m_area.right() - size.width() - 4.0;
+    return {QPointF(std::round(x), m_area.center().y() - std::round(0.5 * size.height())), size};
 }
 
 std::vector<std::pair<QString, QRectF>> ChartPlot::labels() const
@@ -241,39 +278,12 @@ QFont ChartPlot::smallFont() const
     return small;
 }
 
-void ChartPlot::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() != Qt::LeftButton || !m_showsRun)
-        return;
-    m_isPicking = true;
-    emit timePicked(timeAt(event->position().x()));
-}
-
-void ChartPlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if ((event->buttons() & Qt::LeftButton) != 0 && m_showsRun)
-        emit timePicked(timeAt(event->position().x()));
-}
-
-void ChartPlot::mouseReleaseEvent(QMouseEvent *event)
-{
-    event->accept();
-    if (event->button() != Qt::LeftButton || !m_isPicking)
-        return;
-    m_isPicking = false;
-    emit pickingEnded();
-}
-
 void ChartPlot::resizeEvent(QResizeEvent *event)
 {
     QChartView::resizeEvent(event);
-    if (!m_showsRun)
-        return;
-    layOut();
-    fillSeries();
-    placeLabels();
-    m_hitMarks.clear();
-    m_nearestHit.reset();
+    // The samples may be gone by now: whoever has them draws anew.
+    if (m_showsRun)
+        emit resized();
 }
 
 } // namespace cradle

@@ -6,9 +6,12 @@
 #include "views/theme.h"
 
 #include <QFontMetricsF>
+#include <QLineSeries>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace cradle {
 
@@ -16,11 +19,49 @@ namespace {
 
 constexpr double timeGap = 32.0;  ///< px between the texts of two times, at least
 constexpr double hitHeight = 5.0; ///< px
+constexpr float areaAlpha = 0.28F;
 
 /// The middle of the pixel, where a line of one pixel is sharp.
 double sharp(double x)
 {
     return std::floor(x) + 0.5;
+}
+
+/// The part of the way from \p a to \p b that is within \p rect, if any is. (Liang and Barsky)
+std::optional<QLineF> clipped(QPointF a, QPointF b, const QRectF &rect)
+{
+    double from = 0.0;
+    double to = 1.0;
+    const QPointF d = b - a;
+    const std::array<std::pair<double, double>, 4> sides{
+        std::pair{-d.x(), a.x() - rect.left()}, std::pair{d.x(), rect.right() - a.x()},
+        std::pair{-d.y(), a.y() - rect.top()}, std::pair{d.y(), rect.bottom() - a.y()}};
+    for (const auto &[p, q] : sides) {
+        if (p == 0.0 && q < 0.0)
+            return std::nullopt;
+        if (p < 0.0)
+            from = std::max(from, q / p);
+        else if (p > 0.0)
+            to = std::min(to, q / p);
+    }
+    if (from > to)
+        return std::nullopt;
+    return QLineF(a + from * d, a + to * d);
+}
+
+/// The parts of a curve that are within \p rect.
+QList<QPolygonF> clippedLines(const QList<QPointF> &points, const QRectF &rect)
+{
+    QList<QPolygonF> parts;
+    for (qsizetype i = 1; i < points.size(); ++i) {
+        const auto line = clipped(points[i - 1], points[i], rect);
+        if (!line)
+            continue;
+        if (parts.isEmpty() || parts.last().last() != line->p1())
+            parts.append(QPolygonF{line->p1()});
+        parts.last().append(line->p2());
+    }
+    return parts;
 }
 
 } // namespace
@@ -33,6 +74,26 @@ void ChartPlot::drawBackground(QPainter *painter, const QRectF &rect)
     painter->setRenderHint(QPainter::Antialiasing, false);
     drawTicks(*painter);
     painter->setRenderHint(QPainter::Antialiasing, true);
+    drawAreas(*painter);
+}
+
+void ChartPlot::drawAreas(QPainter &painter) const
+{
+    if (m_areas.empty())
+        return;
+    painter.save();
+    painter.setClipRect(m_area);
+    painter.setPen(Qt::NoPen);
+    auto area = m_areas.begin();
+    for (const ChartCurve &curve : m_curves) {
+        if (!curve.isFilled || area == m_areas.end())
+            continue;
+        QColor fill = curve.colour;
+        fill.setAlphaF(areaAlpha);
+        painter.setBrush(fill);
+        painter.drawPolygon(*area++);
+    }
+    painter.restore();
 }
 
 void ChartPlot::drawTicks(QPainter &painter) const
@@ -76,30 +137,75 @@ void ChartPlot::drawTicks(QPainter &painter) const
 
 void ChartPlot::drawForeground(QPainter *painter, const QRectF &)
 {
-    const Theme &colours = theme();
-    painter->setFont(smallFont());
-    if (!m_showsRun) {
+    if (m_showsRun) {
+        drawOver(*painter);
+    } else {
         painter->setFont(font());
-        painter->setPen(colours.mutedText);
+        painter->setPen(theme().mutedText);
         painter->drawText(QRectF(viewport()->rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                           Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
-        return;
     }
-    painter->setRenderHint(QPainter::Antialiasing, false);
-    drawHits(*painter);
-    painter->setPen(colours.accent);
+}
+
+void ChartPlot::paint(QPainter &painter) const
+{
+    drawTicks(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    auto area = m_areas.begin();
+    for (const ChartCurve &curve : m_curves) {
+        if (!curve.isFilled || area == m_areas.end())
+            continue;
+        QColor fill = curve.colour;
+        fill.setAlphaF(areaAlpha);
+        painter.setBrush(fill);
+        painter.drawPolygon(area->intersected(QPolygonF(m_area)));
+        ++area;
+    }
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        painter.setPen(m_series[i]->pen());
+        for (const QPolygonF &line : clippedLines(m_lines[i], m_area))
+            painter.drawPolyline(line);
+    }
+    drawOver(painter);
+}
+
+/// All that lies over the curves.
+void ChartPlot::drawOver(QPainter &painter) const
+{
+    painter.setFont(smallFont());
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    drawHits(painter);
+    painter.setPen(theme().accent);
     const double x = sharp(std::clamp(xOf(m_moment.shown), m_area.left(), m_area.right()));
-    painter->drawLine(QPointF(x, m_area.top()), QPointF(x, m_area.bottom()));
-    painter->setRenderHint(QPainter::Antialiasing, true);
-    drawLabels(*painter);
+    const bool inside = m_moment.shown >= m_moment.from && m_moment.shown <= m_moment.to;
+    if (inside)
+        painter.drawLine(QPointF(x, m_area.top()), QPointF(x, m_area.bottom()));
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    drawLabels(painter);
+    if (m_moment.note)
+        drawNote(painter, *m_moment.note, noteRect());
+    if (m_drag == Drag::Box)
+        drawBox(painter);
+}
+
+void ChartPlot::drawBox(QPainter &painter) const
+{
+    QColor fill = theme().accent;
+    fill.setAlphaF(0.15F);
+    painter.setPen(QPen(theme().accent, 1.0));
+    painter.setBrush(fill);
+    painter.drawRect(box());
+    painter.setBrush(Qt::NoBrush);
 }
 
 void ChartPlot::drawHits(QPainter &painter) const
 {
     const Theme &colours = theme();
     painter.setPen(colours.along);
-    for (const double mark : m_hitMarks) {
-        const double x = sharp(mark);
+    for (const HitMark &mark : m_hitMarks) {
+        const double x = sharp(mark.x);
         painter.drawLine(QPointF(x, m_area.bottom() - hitHeight), QPointF(x, m_area.bottom()));
     }
     if (m_nearestHit) {

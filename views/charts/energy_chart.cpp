@@ -54,7 +54,9 @@ EnergyChart::EnergyChart(const Simulation &simulation, RunCurves &curves, QWidge
         m_actions[index] = action;
     }
     menu->setToolTipsVisible(true);
+    menu->insertSeparator(m_actions[Stacked]);
     connect(&simulation, &Simulation::restarted, this, &EnergyChart::showDefaults);
+    connect(&simulation, &Simulation::shadowChanged, this, &EnergyChart::showDefaults);
     showDefaults();
     m_button->setMenu(menu);
     addSelector(m_button);
@@ -80,6 +82,9 @@ void EnergyChart::showDefaults()
         suggest(choice, compares);
     suggest(KineticOfEach, !compares);
     suggest(Kinetic, false);
+    suggest(Stacked, false);
+    suggest(OffExact, true);
+    m_actions[OffExact]->setVisible(simulation().shadow() != nullptr);
     nameMade();
 }
 
@@ -117,6 +122,12 @@ void EnergyChart::retranslate()
     m_actions[Kinetic]->setText(tr("&Kinetic, all circles"));
     m_actions[Potential]->setText(tr("&Potential"));
     m_actions[Dissipated]->setText(tr("&Dissipated in hits"));
+    m_actions[OffExact]->setText(tr("More than the e&xact motion"));
+    m_actions[OffExact]->setToolTip(tr("Total energy of the run minus that of the exact motion "
+                                       "beside it: the error of integrator and timestep"));
+    m_actions[Stacked]->setText(tr("&Stacked areas"));
+    m_actions[Stacked]->setToolTip(
+        tr("Kinetic, potential and dissipated energy on top of each other"));
     nameMade();
     m_button->updateGeometry();
 }
@@ -130,22 +141,85 @@ double EnergyChart::scale() const
 
 std::vector<ChartCurve> EnergyChart::curves() const
 {
+    std::vector<ChartCurve> all = isShown(Stacked) ? areas() : lines(runCurves().set());
+    if (isShown(OffExact) && simulation().shadow())
+        all.push_back({.label = tr("more than exact"),
+                       .showsValue = true,
+                       .colour = theme().across,
+                       .dash = Qt::DashLine,
+                       .width = 2.0,
+                       .samples = &runCurves().exact().energy()});
+    return all;
+}
+
+std::vector<ChartCurve> EnergyChart::curvesOf(const PinnedRun &run) const
+{
+    return lines(run.curves);
+}
+
+QString EnergyChart::hitQuantity() const
+{
+    return tr("kinetic %1", "unit").arg(unit());
+}
+
+HitMeasure EnergyChart::hitMeasure() const
+{
+    return [](std::span<const std::pair<double, Vec2>> bodies) {
+        double kinetic = 0.0;
+        for (const auto &[mass, velocity] : bodies)
+            kinetic += 0.5 * mass * dot(velocity, velocity);
+        return kinetic;
+    };
+}
+
+/// Whether hits have taken, or given, more than rounding.
+bool EnergyChart::hasLost(const CurveSet &run) const
+{
+    const double lost =
+        std::max(std::abs(run.dissipated().maximum()), std::abs(run.dissipated().minimum()));
+    return lost > leastLoss * scale();
+}
+
+/// From the floor upwards; the top is what the run began with and what was made since.
+std::vector<ChartCurve> EnergyChart::areas() const
+{
+    const CurveSet &run = runCurves().set();
     std::vector<ChartCurve> all;
-    addTotals(all);
-    addKinetics(all);
+    const auto add = [&all](const QString &label, const QColor &colour,
+                            const MinMaxPyramid &samples) {
+        all.push_back({.label = label, .colour = colour, .samples = &samples, .isFilled = true});
+    };
+    if (isShown(KineticOfEach) && run.circleCount() > 0) {
+        for (std::size_t i = 0; i < run.circleCount(); ++i)
+            add(tr("kinetic %1").arg(i + 1), colourOf(i), run.circle(i).kineticUpTo);
+    } else {
+        add(tr("kinetic"), theme().kinetic, run.sum().kinetic);
+    }
+    add(tr("+ potential"), theme().potential, run.total());
+    if (hasLost(run)) {
+        add(tr("+ dissipated"), theme().dissipated, run.made());
+        all.back().lift = run.startTotal();
+    }
+    return all;
+}
+
+std::vector<ChartCurve> EnergyChart::lines(const CurveSet &run) const
+{
+    std::vector<ChartCurve> all;
+    addTotals(all, run);
+    addKinetics(all, run);
     if (isShown(Potential))
         all.push_back({.label = tr("potential"),
                        .colour = theme().potential,
                        .dash = Qt::DotLine,
                        .width = 2.0,
-                       .samples = &runCurves().potential()});
-    addLosses(all);
+                       .samples = &run.potential()});
+    addLosses(all, run);
     return all;
 }
 
-void EnergyChart::addTotals(std::vector<ChartCurve> &all) const
+void EnergyChart::addTotals(std::vector<ChartCurve> &all, const CurveSet &run) const
 {
-    const RunCurves &run = runCurves();
     if (isShown(Total))
         all.push_back({.label = tr("total"),
                        .showsValue = true,
@@ -161,9 +235,8 @@ void EnergyChart::addTotals(std::vector<ChartCurve> &all) const
                        .samples = &run.circle(i).total});
 }
 
-void EnergyChart::addKinetics(std::vector<ChartCurve> &all) const
+void EnergyChart::addKinetics(std::vector<ChartCurve> &all, const CurveSet &run) const
 {
-    const RunCurves &run = runCurves();
     const std::size_t count = run.circleCount();
     if (isShown(Kinetic) || (isShown(KineticOfEach) && count == 0))
         all.push_back({.label = tr("kinetic"),
@@ -177,12 +250,9 @@ void EnergyChart::addKinetics(std::vector<ChartCurve> &all) const
                        .samples = &run.circle(i).kinetic});
 }
 
-void EnergyChart::addLosses(std::vector<ChartCurve> &all) const
+void EnergyChart::addLosses(std::vector<ChartCurve> &all, const CurveSet &run) const
 {
-    const RunCurves &run = runCurves();
-    const double lost =
-        std::max(std::abs(run.dissipated().maximum()), std::abs(run.dissipated().minimum()));
-    if (isShown(Dissipated) && lost > leastLoss * scale())
+    if (isShown(Dissipated) && hasLost(run))
         all.push_back({.label = tr("dissipated"),
                        .showsValue = true,
                        .colour = theme().dissipated,

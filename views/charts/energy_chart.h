@@ -12,7 +12,8 @@ namespace cradle {
 
 /// The energies of a run over time: kinetic, potential, total, what hits dissipated, and what the
 /// integrator or the program made. Where a few circles fall by different integrators, or by a
-/// program, each has a total of its own.
+/// program, each has a total of its own. As stacked areas: kinetic (of each circle, if that is
+/// chosen), potential and dissipated on top of each other.
 class EnergyChart final : public ChartPane
 {
     Q_OBJECT
@@ -28,6 +29,8 @@ public:
         Potential,
         Dissipated,
         ByIntegrator,
+        OffExact, ///< more than the exact motion beside the run
+        Stacked,  ///< areas instead of lines
         ChoiceCount
     };
     /// As the student's own choice: no preset changes it any more.
@@ -36,13 +39,19 @@ public:
 
 protected:
     [[nodiscard]] std::vector<ChartCurve> curves() const override;
+    [[nodiscard]] std::vector<ChartCurve> curvesOf(const PinnedRun &run) const override;
+    [[nodiscard]] HitMeasure hitMeasure() const override;
+    [[nodiscard]] QString hitQuantity() const override;
     [[nodiscard]] double scale() const override;
     void retranslate() override;
 
 private:
-    void addTotals(std::vector<ChartCurve> &all) const;
-    void addKinetics(std::vector<ChartCurve> &all) const;
-    void addLosses(std::vector<ChartCurve> &all) const;
+    [[nodiscard]] std::vector<ChartCurve> lines(const CurveSet &run) const;
+    [[nodiscard]] std::vector<ChartCurve> areas() const;
+    [[nodiscard]] bool hasLost(const CurveSet &run) const;
+    void addTotals(std::vector<ChartCurve> &all, const CurveSet &run) const;
+    void addKinetics(std::vector<ChartCurve> &all, const CurveSet &run) const;
+    void addLosses(std::vector<ChartCurve> &all, const CurveSet &run) const;
     void showDefaults();
     void nameMade();
 

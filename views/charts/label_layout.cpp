@@ -98,19 +98,21 @@ void CurveProfile::cover(int x, double y)
 }
 
 std::vector<QRectF> LabelLayout::place(const QRectF &plot, const std::vector<CurveProfile> &curves,
-                                       const std::vector<QSizeF> &sizes)
+                                       const std::vector<QSizeF> &sizes, const QRectF &taken)
 {
     m_lastSlots.resize(sizes.size(), -1);
     std::vector<QRectF> placed(sizes.size());
     for (std::size_t c = 0; c < sizes.size(); ++c) {
+        if (sizes[c].isEmpty())
+            continue;
         double best = infinity;
         int bestSlot = -1;
         for (int slot = 0; slot < 2 * places; ++slot) {
             const QRectF rect = candidate(plot, curves[c], sizes[c], slot);
-            const bool taken = std::any_of(placed.begin(), placed.end(), [&](const QRectF &other) {
+            const bool meets = std::any_of(placed.begin(), placed.end(), [&](const QRectF &other) {
                 return other.intersects(rect.adjusted(-4.0, 0.0, 4.0, 0.0));
             });
-            if (rect.isEmpty() || taken)
+            if (rect.isEmpty() || meets || taken.intersects(rect))
                 continue;
             const double bonus = slot == m_lastSlots[c] ? stayBonus : 0.0;
             const double price = cost(plot, rect, curves[c], curves) + leftBonus * slot - bonus;

@@ -35,11 +35,14 @@ private:
 class LabelLayout
 {
 public:
-    /// \param sizes  of the labels in px, one to a curve, the most important first
+    /// \param sizes  of the labels in px, one to a curve, the most important first; an empty one
+    ///               is for a curve without a label
+    /// \param taken  where no label may be, px
     /// \return where they go; an empty rectangle for one that finds no room
     [[nodiscard]] std::vector<QRectF> place(const QRectF &plot,
                                             const std::vector<CurveProfile> &curves,
-                                            const std::vector<QSizeF> &sizes);
+                                            const std::vector<QSizeF> &sizes,
+                                            const QRectF &taken = {});
     void forget() { m_lastSlots.clear(); }
 
 private:

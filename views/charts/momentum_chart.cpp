@@ -83,8 +83,17 @@ double MomentumChart::scale() const
 
 std::vector<ChartCurve> MomentumChart::curves() const
 {
+    return curvesOf(runCurves().set());
+}
+
+std::vector<ChartCurve> MomentumChart::curvesOf(const PinnedRun &run) const
+{
+    return curvesOf(run.curves);
+}
+
+std::vector<ChartCurve> MomentumChart::curvesOf(const CurveSet &run) const
+{
     std::vector<ChartCurve> all;
-    const RunCurves &run = runCurves();
     // Of a single circle the sum is the same again.
     if (run.circleCount() != 1)
         all.push_back({.label = tr("sum %1").arg(symbolOf(m_part)),
@@ -99,6 +108,23 @@ std::vector<ChartCurve> MomentumChart::curves() const
                        .dash = circleDash(static_cast<int>(i)),
                        .samples = &run.circle(i).momentum[indexOf(m_part)]});
     return all;
+}
+
+QString MomentumChart::hitQuantity() const
+{
+    return QStringLiteral("%1 %2").arg(symbolOf(m_part), unit());
+}
+
+HitMeasure MomentumChart::hitMeasure() const
+{
+    return [part = m_part](std::span<const std::pair<double, Vec2>> bodies) {
+        Vec2 momentum;
+        for (const auto &[mass, velocity] : bodies)
+            momentum += mass * velocity;
+        return part == MomentumPart::X   ? momentum.x
+               : part == MomentumPart::Y ? momentum.y
+                                         : length(momentum);
+    };
 }
 
 } // namespace cradle

@@ -18,10 +18,15 @@ public:
 
 protected:
     [[nodiscard]] std::vector<ChartCurve> curves() const override;
+    [[nodiscard]] std::vector<ChartCurve> curvesOf(const PinnedRun &run) const override;
+    [[nodiscard]] HitMeasure hitMeasure() const override;
+    [[nodiscard]] QString hitQuantity() const override;
     [[nodiscard]] double scale() const override;
     void retranslate() override;
 
 private:
+    [[nodiscard]] std::vector<ChartCurve> curvesOf(const CurveSet &run) const;
+
     QWidget *m_selector;
     std::array<QuietButton *, 3> m_buttons{};
     MomentumPart m_part = MomentumPart::X;

@@ -38,9 +38,10 @@ QuietButton::QuietButton(QWidget *parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-void QuietButton::setMenu(QMenu *menu)
+void QuietButton::setMenu(QMenu *menu, bool arrow)
 {
     m_menu = menu;
+    m_hasArrow = arrow;
     connect(this, &QuietButton::clicked, menu,
             [this, menu] { menu->popup(mapToGlobal(rect().bottomLeft())); });
     updateGeometry();
@@ -49,7 +50,7 @@ void QuietButton::setMenu(QMenu *menu)
 QSize QuietButton::sizeHint() const
 {
     const double text = std::ceil(subscriptWidth(smallFont(*this), this->text()));
-    return {static_cast<int>(text) + 2 * pad + (m_menu ? arrow : 0), buttonHeight};
+    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrow : 0), buttonHeight};
 }
 
 void QuietButton::paintEvent(QPaintEvent *)
@@ -70,7 +71,7 @@ void QuietButton::paintEvent(QPaintEvent *)
     const QFontMetricsF metrics(painter.font());
     const double baseline = 0.5 * (this->height() + metrics.capHeight());
     drawSubscripted(painter, {double(pad), baseline}, text());
-    if (m_menu) {
+    if (m_hasArrow) {
         const double x = width() - pad - 3.5;
         const double y = 0.5 * this->height() + 0.5;
         painter.setPen(QPen(painter.pen().color(), 1.2, Qt::SolidLine, Qt::RoundCap));

@@ -19,7 +19,8 @@ public:
     explicit QuietButton(QWidget *parent = nullptr);
 
     /// Opens \p menu, a child of this, when it is clicked.
-    void setMenu(QMenu *menu);
+    /// \param arrow  whether the button has one, to say so
+    void setMenu(QMenu *menu, bool arrow = true);
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -29,6 +30,7 @@ protected:
 
 private:
     QMenu *m_menu = nullptr;
+    bool m_hasArrow = false;
 };
 
 } // namespace cradle

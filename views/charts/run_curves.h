@@ -3,72 +3,48 @@
 #pragma once
 
 #include "model/simulation.h"
-#include "views/charts/min_max_pyramid.h"
-
-#include <array>
+#include "views/charts/curve_set.h"
+#include "views/charts/exact_curves.h"
 
 namespace cradle {
 
-/// What is shown of a momentum.
-enum class MomentumPart { X, Y, Length };
-
-/// Momentum and energy of one circle, or of all, over the run.
-struct MotionCurves {
-    std::array<MinMaxPyramid, 3> momentum{}; ///< by MomentumPart, kg m/s
-    MinMaxPyramid kinetic{};                 ///< J
-    MinMaxPyramid total{};                   ///< kinetic and potential energy, J
-};
-
-/// The curves of a run that the charts share. Reads each recorded frame once, keeps what the
-/// recording keeps within a bound of memory of its own, and begins anew with the recording.
-/// A step with a hit is drawn upright at the time of the (first) hit.
+/// The curves of the run that goes on, which the charts share. Reads each recorded frame once,
+/// keeps what the recording keeps within a bound of memory of its own, and begins anew with the
+/// recording.
 class RunCurves final : public QObject
 {
     Q_OBJECT
 public:
-    /// With more circles there are only the curves of all together.
-    static constexpr std::size_t maxCircles = 8;
-
     explicit RunCurves(const Simulation &simulation, QObject *parent = nullptr,
                        qint64 maxBytes = Recording::defaultBytes);
 
     /// Reads the frames that are new; does nothing if there are none.
     void update();
 
-    /// How many circles have curves of their own.
-    [[nodiscard]] std::size_t circleCount() const { return m_circles.size(); }
-    [[nodiscard]] const MotionCurves &circle(std::size_t index) const { return m_circles[index]; }
-    [[nodiscard]] const MotionCurves &sum() const { return m_sum; }
-    [[nodiscard]] const MinMaxPyramid &potential() const { return m_potential; }
-    [[nodiscard]] const MinMaxPyramid &total() const { return m_sum.total; }
-    /// Kinetic energy that hits have taken since the start, J.
-    [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_dissipated; }
-    /// Energy that the integrator or the program has made since the start, J; negative if it lost
-    /// some: total + dissipated in hits − total at the start.
-    [[nodiscard]] const MinMaxPyramid &made() const { return m_made; }
-    /// The greatest |p| of any circle or of all, kg m/s: the scale of the run.
-    [[nodiscard]] double momentumScale() const;
+    [[nodiscard]] const CurveSet &set() const { return m_set; }
+    [[nodiscard]] const ExactCurves &exact() const { return m_exact; }
 
-    [[nodiscard]] qint64 bytes() const; ///< memory held
+    [[nodiscard]] std::size_t circleCount() const { return m_set.circleCount(); }
+    [[nodiscard]] const MotionCurves &circle(std::size_t index) const
+    {
+        return m_set.circle(index);
+    }
+    [[nodiscard]] const MotionCurves &sum() const { return m_set.sum(); }
+    [[nodiscard]] const MinMaxPyramid &potential() const { return m_set.potential(); }
+    [[nodiscard]] const MinMaxPyramid &total() const { return m_set.total(); }
+    [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_set.dissipated(); }
+    [[nodiscard]] const MinMaxPyramid &made() const { return m_set.made(); }
+    [[nodiscard]] double momentumScale() const { return m_set.momentumScale(); }
+    [[nodiscard]] qint64 bytes() const { return m_set.bytes(); } ///< memory held
 
 private:
     void reset();
-    void read(qint64 index);
-    void dropBefore(double time);
-    template <typename Visit>
-    void forEach(Visit visit);
 
     const Simulation &m_simulation;
     qint64 m_maxBytes;
-    std::vector<MotionCurves> m_circles;
-    MotionCurves m_sum;
-    MinMaxPyramid m_potential;
-    MinMaxPyramid m_dissipated;
-    MinMaxPyramid m_made;
+    CurveSet m_set;
+    ExactCurves m_exact;
     qint64 m_nextFrame = 0;
-    qint64 m_nextHit = 0; ///< of all hits ever
-    double m_lost = 0.0;  ///< J, up to the last frame read
-    double m_start = 0.0; ///< total of the first frame read, J
 };
 
 } // namespace cradle

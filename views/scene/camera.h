@@ -25,6 +25,8 @@ public:
     void zoomAbout(QPointF pixel, double factor);
     /// Moves the scene by \p pixels, as far as the square stays within reach.
     void panBy(QPointF pixels);
+    /// Looks \p metres farther, however far that is.
+    void moveBy(Vec2 metres) { m_centre += metres; }
 
     [[nodiscard]] QPointF toPixels(Vec2 metres) const;
     [[nodiscard]] Vec2 toMetres(QPointF pixel) const;

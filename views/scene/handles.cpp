@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/handles.h"
 
+#include "views/circle_edits.h"
 #include "views/circle_name.h"
 
 #include <algorithm>
@@ -109,33 +110,68 @@ Vec2 withinWalls(const Preset &preset, int index)
     return {std::clamp(circle.position.x, -room, room), std::clamp(circle.position.y, -room, room)};
 }
 
-HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed)
+HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together)
     : m_handle(handle)
     , m_start(start)
     , m_pressed(pressed)
 {
     static int serial = 0;
     m_serial = ++serial;
+    if (handle.kind != Handle::Kind::Circle)
+        return;
+    m_moved = std::move(together);
+    if (std::find(m_moved.begin(), m_moved.end(), handle.index) == m_moved.end())
+        m_moved = {handle.index};
 }
 
 Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
 {
     Preset changed = m_start;
     changed.fill.reset();
-    Circle &body = changed.circles[static_cast<std::size_t>(m_handle.index)].body;
-    const Vec2 moved = pointer - m_pressed;
-    Vec2 &value = m_handle.kind == Handle::Kind::Circle ? body.position : body.velocity;
-    value += m_handle.kind == Handle::Kind::Circle ? moved : moved / arrowScale(m_start.halfWidth);
+    const Circle &body = m_start.circles[static_cast<std::size_t>(m_handle.index)].body;
+    const bool moves = m_handle.kind == Handle::Kind::Circle;
+    const Vec2 way = pointer - m_pressed;
+    Vec2 value = moves ? body.position + way : body.velocity + way / arrowScale(m_start.halfWidth);
     if (snap)
         value = {snapped(value.x), snapped(value.y)};
-    if (m_handle.kind == Handle::Kind::Circle)
-        body.position = withinWalls(changed, m_handle.index);
+    if (moves)
+        moveTo(changed, value);
+    else
+        changed.circles[static_cast<std::size_t>(m_handle.index)].body.velocity = value;
     return changed;
+}
+
+/// Brings the circle that is held to \p target (m) and the others as far.
+void HandleDrag::moveTo(Preset &changed, Vec2 target) const
+{
+    const Vec2 from = m_start.circles[static_cast<std::size_t>(m_handle.index)].body.position;
+    const Vec2 way = withinReach(m_start, m_moved, target - from);
+    for (const int index : m_moved) {
+        Vec2 &position = changed.circles[static_cast<std::size_t>(index)].body.position;
+        // Sums of tenths stay tenths.
+        const auto tidy = [](double value) { return std::round(value * 1e9) / 1e9; };
+        position = {tidy(position.x + way.x), tidy(position.y + way.y)};
+        if (index == m_handle.index && m_moved.size() == 1)
+            position = target;
+        position = withinWalls(changed, index);
+    }
+}
+
+std::vector<Circle> HandleDrag::dragged(const Preset &candidate) const
+{
+    std::vector<Circle> circles;
+    if (m_moved.empty())
+        circles.push_back(candidate.circles[static_cast<std::size_t>(m_handle.index)].body);
+    for (const int index : m_moved)
+        circles.push_back(candidate.circles[static_cast<std::size_t>(index)].body);
+    return circles;
 }
 
 QString HandleDrag::editText() const
 {
     const QString name = circleName(m_start, m_handle.index);
+    if (m_moved.size() > 1)
+        return tr("Move %n circles", nullptr, static_cast<int>(m_moved.size()));
     return m_handle.kind == Handle::Kind::Circle ? tr("Move %1").arg(name)
                                                  : tr("Change velocity of %1").arg(name);
 }
@@ -147,9 +183,15 @@ QString HandleDrag::mergeKey() const
 
 QString HandleDrag::valueText(const Preset &candidate) const
 {
-    const Circle &body = candidate.circles[static_cast<std::size_t>(m_handle.index)].body;
-    return m_handle.kind == Handle::Kind::Circle ? tr("%1 m").arg(pairText(body.position))
-                                                 : tr("%1 m/s").arg(pairText(body.velocity));
+    const auto index = static_cast<std::size_t>(m_handle.index);
+    const Circle &body = candidate.circles[index].body;
+    if (m_handle.kind == Handle::Kind::Velocity)
+        return tr("%1 m/s, speed %2 m/s")
+            .arg(pairText(body.velocity), QString::number(length(body.velocity), 'f', 2));
+    if (m_moved.size() > 1)
+        return tr("moved by %1 m")
+            .arg(pairText(body.position - m_start.circles[index].body.position));
+    return tr("%1 m").arg(pairText(body.position));
 }
 
 } // namespace cradle

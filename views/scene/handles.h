@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <span>
+#include <vector>
 
 namespace cradle {
 
@@ -61,9 +62,11 @@ public:
     static constexpr double snapStep = 0.1; ///< m or m/s
 
     /// \param pressed  where the pointer took hold, m
-    HandleDrag(Handle handle, const Preset &start, Vec2 pressed);
+    /// \param together  circles that move along with the one that is taken hold of
+    HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together = {});
 
     [[nodiscard]] Handle handle() const { return m_handle; }
+    [[nodiscard]] const Preset &start() const { return m_start; }
     /// The preset with the pointer at \p pointer (m); \p snap rounds to snapStep.
     [[nodiscard]] Preset candidate(Vec2 pointer, bool snap) const;
     /// Name of the edit for the undo menu.
@@ -72,9 +75,14 @@ public:
     [[nodiscard]] QString mergeKey() const;
     /// The quantity that is dragged, with its unit.
     [[nodiscard]] QString valueText(const Preset &candidate) const;
+    /// The circles that are dragged, as they are in \p candidate.
+    [[nodiscard]] std::vector<Circle> dragged(const Preset &candidate) const;
 
 private:
+    void moveTo(Preset &changed, Vec2 target) const;
+
     Handle m_handle;
+    std::vector<int> m_moved; ///< circles that move; none where a velocity is dragged
     Preset m_start;
     Vec2 m_pressed;
     int m_serial;

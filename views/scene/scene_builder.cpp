@@ -9,6 +9,7 @@
 #include "views/scene/hit_parts.h"
 #include "views/scene/program_drawings.h"
 #include "views/scene/scene_labels.h"
+#include "views/scene/trails.h"
 #include "views/theme.h"
 
 #include <QCoreApplication>
@@ -26,11 +27,8 @@ struct SceneText {
     Q_DECLARE_TR_FUNCTIONS(Scene)
 };
 
-constexpr double wallWidth = 2.0;       ///< px
-constexpr double closestGridLines = 14; ///< px; closer ones are thinned out
-constexpr double trailOpacity = 0.5;
-constexpr std::size_t trailSegments = 1000;  ///< of all circles together: QPainter draws 80 a ms
-constexpr std::size_t longestTrail = 90;     ///< segments
+constexpr double wallWidth = 2.0;            ///< px
+constexpr double closestGridLines = 14;      ///< px; closer ones are thinned out
 constexpr double smallestNumberedDisc = 8.0; ///< px of radius that a number fits into
 
 bool isCrowd(const SceneMoment &moment)
@@ -58,51 +56,6 @@ void addSquare(DrawList &list, const SceneMoment &moment, const Camera &camera)
     for (const double side : {-h, h}) {
         list.lines.push_back({{-corner, side}, {corner, side}, theme().square, wallWidth, {}});
         list.lines.push_back({{side, -corner}, {side, corner}, theme().square, wallWidth, {}});
-    }
-}
-
-/// Frames of the trail, oldest first. Their steps are multiples of a stride, so that a trail
-/// keeps its shape while it grows.
-std::vector<qint64> trailFrames(const SceneMoment &moment, std::size_t trails)
-{
-    const Recording &recording = moment.recording;
-    if (trails == 0)
-        return {};
-    const auto most = static_cast<qint64>(std::min(longestTrail, trailSegments / trails));
-    const qint64 begin = recording.indexAt(recording.time(moment.current) - trailSeconds);
-    const qint64 count = moment.current - begin;
-    if (count <= 0)
-        return {};
-    const qint64 stride = (count + most - 1) / most;
-    std::vector<qint64> frames;
-    for (qint64 i = (begin + stride - 1) / stride * stride; i < moment.current; i += stride)
-        frames.push_back(i);
-    frames.push_back(moment.current);
-    return frames;
-}
-
-void addTrails(DrawList &list, const SceneMoment &moment, const std::vector<QColor> &colours,
-               const SceneLook &look)
-{
-    std::vector<int> drawn;
-    for (int i = 0; i < static_cast<int>(colours.size()); ++i) {
-        if (!isCrowd(moment) || i == look.selected || i == look.hovered)
-            drawn.push_back(i);
-    }
-    const std::vector<qint64> frames = trailFrames(moment, drawn.size());
-    const double now = moment.recording.time(moment.current);
-    for (std::size_t k = 1; k < frames.size(); ++k) {
-        const auto from = moment.recording.circles(frames[k - 1]);
-        const auto to = moment.recording.circles(frames[k]);
-        const double age = (now - moment.recording.time(frames[k])) / trailSeconds;
-        const double opacity = trailOpacity * std::clamp(1.0 - age, 0.0, 1.0);
-        for (const int index : drawn) {
-            const auto i = static_cast<std::size_t>(index);
-            if (from[i].position == to[i].position)
-                continue;
-            list.lines.push_back(
-                {from[i].position, to[i].position, faded(colours[i], opacity), 2.0, {}});
-        }
     }
 }
 
@@ -179,12 +132,18 @@ void addVelocity(SceneDraft &draft, const SceneMoment &moment, const Circle &cir
                             .clearance = 11.0});
 }
 
+void addRing(DrawList &list, const Circle &circle, const Camera &camera, const QColor &colour)
+{
+    const double radius = circle.radius + 4.0 / camera.pixelsPerMetre();
+    list.discs.push_back({circle.position, radius, {}, colour, 2.0});
+}
+
 void addMarks(DrawList &list, const Circle &circle, const SceneMoment &moment,
               const SceneLook &look, bool selected)
 {
     const double scale = look.camera.pixelsPerMetre();
     const QColor ring = selected ? theme().accent : faded(theme().accent, 0.5);
-    list.discs.push_back({circle.position, circle.radius + 4.0 / scale, {}, ring, 2.0});
+    addRing(list, circle, look.camera, ring);
     if (look.grips) {
         const Vec2 grip = gripPosition(circle, moment.preset.halfWidth, scale);
         list.discs.push_back({grip, 6.0 / scale, theme().panel, ring, 1.5});
@@ -280,12 +239,24 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
         if (!hits.empty() && wish.rank == nameRank)
             wish.mostCost = crampedCost / 2;
     }
-    for (const int i : {look.hovered, look.selected}) {
-        if (i >= 0 && i < static_cast<int>(circles.size()))
-            addMarks(list, circles[static_cast<std::size_t>(i)], moment, look, i == look.selected);
+    const auto isSelected = [&](int i) {
+        return i == look.selected
+               || std::find(look.selection.begin(), look.selection.end(), i)
+                      != look.selection.end();
+    };
+    for (const int i : look.selection) {
+        if (i != look.selected && i != look.hovered)
+            addRing(list, circles[static_cast<std::size_t>(i)], look.camera, theme().accent);
     }
-    if (look.refused)
-        addRefused(list, *look.refused, moment);
+    const int hovered = look.hovered == look.selected ? -1 : look.hovered;
+    for (const int i : {hovered, look.selected}) {
+        if (i >= 0 && i < static_cast<int>(circles.size()))
+            addMarks(list, circles[static_cast<std::size_t>(i)], moment, look, isSelected(i));
+    }
+    for (const Circle &circle : look.refused)
+        addRefused(list, circle, moment);
+    if (options.centreOfMass)
+        addCentreOfMass(draft, moment, look.camera.pixelsPerMetre());
     addGhosts(draft, moment, colours, look.camera);
     const auto drawings = options.programDrawings ? moment.drawings : std::span<const Drawing>{};
     addDrawnTexts(draft, drawings, look.camera);

@@ -10,7 +10,6 @@
 #include <QFont>
 #include <QRectF>
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +25,8 @@ struct SceneOptions {
     bool names = true;           ///< a number or a name at each circle
     bool hitParts = true;        ///< at a hit: the normal, velocities before and after, the parts
     bool programDrawings = true; ///< what the program draws in the step
+    bool momenta = true;         ///< an inset with all momenta tip to tail; not in the DrawList
+    bool centreOfMass = false;   ///< of all circles, with its way
 
     friend bool operator==(const SceneOptions &, const SceneOptions &) = default;
 };
@@ -51,9 +52,10 @@ struct SceneLook {
     QFont font{};      ///< of the widget; labels are a little smaller
     int selected = -1; ///< index of a circle, -1: none
     int hovered = -1;
-    bool grips = false;              ///< velocities of selected and hovered can be dragged
-    std::optional<Circle> refused{}; ///< where a drag wants a circle that cannot be there
-    std::vector<QRectF> reserved{};  ///< px: covered by chips, so labels stay clear of them
+    bool grips = false;             ///< velocities of selected and hovered can be dragged
+    std::vector<Circle> refused{};  ///< where a drag wants circles that cannot be there
+    std::vector<QRectF> reserved{}; ///< px: covered by chips, so labels stay clear of them
+    std::vector<int> selection{};   ///< all circles that are marked as selected
 };
 
 /// With more circles than this, only the selected and the hovered one have labels, arrows and

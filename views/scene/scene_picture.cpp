@@ -20,9 +20,11 @@ constexpr double rowGap = 4.0;   ///< px between chips in one corner
 constexpr double rounding = 4.0; ///< px
 constexpr QSizeF padding{8.0, 4.0};
 constexpr double widestChip = 480.0;
+constexpr double widestDetail = 280.0;
 constexpr double fromPointer = 16.0;
 constexpr double lowPointer = 0.7; ///< of the height
 constexpr double chipOpacity = 0.92;
+constexpr double bandOpacity = 0.12;
 constexpr int textFlags = Qt::AlignCenter | Qt::TextWordWrap;
 
 /// Values are read as numbers, the rest as text.
@@ -52,8 +54,31 @@ void paintChip(QPainter &painter, const Chip &chip, const ScenePicture &picture)
     const QColor quiet = value ? colours.text : colours.mutedText;
     painter.setPen(chip.warning ? colours.warning : quiet);
     painter.setFont(chipFont(chip, picture.font));
-    painter.drawText(rect.adjusted(padding.width(), 0.0, -padding.width(), 0.0), textFlags,
-                     chip.text);
+    const QRectF inner =
+        rect.adjusted(padding.width(), padding.height(), -padding.width(), -padding.height());
+    if (chip.detail.isEmpty()) {
+        painter.drawText(inner, textFlags, chip.text);
+        return;
+    }
+    painter.drawText(inner, Qt::AlignTop | Qt::AlignLeft, chip.text);
+    painter.setFont(labelFont(picture.font));
+    painter.drawText(inner, Qt::AlignBottom | Qt::AlignLeft | Qt::TextWordWrap, chip.detail);
+}
+
+QSizeF textSize(const QString &text, const QFont &font, double room)
+{
+    if (text.isEmpty())
+        return {0.0, 0.0};
+    return QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, room, 1000.0), textFlags, text).size();
+}
+
+void paintBand(QPainter &painter, const QRectF &band)
+{
+    QColor ground = theme().accent;
+    ground.setAlphaF(static_cast<float>(bandOpacity));
+    painter.setPen(QPen(theme().accent, 1.0, Qt::DashLine));
+    painter.setBrush(ground);
+    painter.drawRect(QRectF(band.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
 } // namespace
@@ -62,11 +87,11 @@ QRectF chipRect(const Chip &chip, QSizeF viewport, const QFont &font)
 {
     const double room =
         std::max(std::min(widestChip, viewport.width() - 2 * (margin + padding.width())), 40.0);
-    const QRectF text = QFontMetricsF(chipFont(chip, font))
-                            .boundingRect(QRectF(0.0, 0.0, room, 1000.0), textFlags, chip.text);
+    const QSizeF text = textSize(chip.text, chipFont(chip, font), room);
+    const QSizeF detail = textSize(chip.detail, labelFont(font), std::min(room, widestDetail));
     // Half pixels at the corner make the frame sharp.
-    const QSizeF size(std::ceil(text.width()) + 2 * padding.width() + 2.0,
-                      std::ceil(text.height()) + 2 * padding.height());
+    const QSizeF size(std::ceil(std::max(text.width(), detail.width())) + 2 * padding.width() + 2.0,
+                      std::ceil(text.height()) + std::ceil(detail.height()) + 2 * padding.height());
     QPointF corner;
     switch (chip.place) {
     case Chip::Place::TopRight:
@@ -100,6 +125,10 @@ void paintOverlay(QPainter &painter, const ScenePicture &picture)
     paintLabels(painter, picture.list, picture.camera, picture.font);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    if (picture.inset)
+        paintInset(painter, *picture.inset, picture.font);
+    if (!picture.band.isNull())
+        paintBand(painter, picture.band);
     for (const Chip &chip : picture.chips)
         paintChip(painter, chip, picture);
     if (picture.focusFrame) {

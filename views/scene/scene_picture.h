@@ -4,6 +4,7 @@
 
 #include "views/scene/camera.h"
 #include "views/scene/draw_list.h"
+#include "views/scene/momentum_inset.h"
 
 #include <QFont>
 
@@ -19,11 +20,12 @@ struct Chip {
         TopRight, ///< what is so all the time
         Bottom,   ///< what was just refused, and why
         Centre,   ///< what to do in an empty scene
-        Pointer   ///< the value that is dragged
+        Pointer   ///< the value that is dragged, and why it is refused
     };
 
     Place place = Place::TopRight;
     QString text{};
+    QString detail{}; ///< below the text; Pointer only
     bool warning = false;
     int row = 0;       ///< at the top right, one below the other
     QPointF pointer{}; ///< px; Pointer stands beside it, Bottom goes to the top for a low one
@@ -37,6 +39,8 @@ struct ScenePicture {
     Camera camera{};
     QFont font{};
     std::vector<Chip> chips{};
+    std::optional<MomentumInset> inset{};
+    QRectF band{};           ///< px: what a rubber band is about to select; null if there is none
     bool focusFrame = false; ///< the keyboard acts here
 };
 

@@ -5,6 +5,7 @@
 #include "views/scene/ghost.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/raster_painter.h"
+#include "views/scene/scene_actions.h"
 
 #include <QGuiApplication>
 #include <QPainter>
@@ -18,7 +19,6 @@ namespace cradle {
 namespace {
 
 constexpr int noticeMilliseconds = 2000;
-constexpr double zoomStep = 1.25;
 
 bool hasNoScreen()
 {
@@ -32,6 +32,7 @@ SceneView::SceneView(PresetDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_editor(document)
+    , m_actions(new SceneActions(m_editor, this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -117,22 +118,24 @@ void SceneView::setGhost(std::shared_ptr<const Recording> ghost, const QString &
     refresh();
 }
 
+const QList<QAction *> &SceneView::circleActions() const
+{
+    return m_actions->all();
+}
+
+void SceneView::select(int index)
+{
+    if (index != m_editor.selected())
+        m_editor.select(index);
+}
+
 void SceneView::refresh()
 {
+    followCamera();
     m_stale = true;
     if (m_canvas)
         m_canvas->update();
     describe();
-}
-
-void SceneView::followPreset()
-{
-    const double halfWidth = m_document.preset().halfWidth;
-    if (halfWidth != m_camera.fittedTo())
-        m_camera.fit(halfWidth);
-    if (m_hovered.index >= m_editor.circleCount())
-        m_hovered = {};
-    refresh();
 }
 
 const ScenePicture &SceneView::picture()
@@ -142,17 +145,36 @@ const ScenePicture &SceneView::picture()
     m_stale = false;
     const Simulation &simulation = m_document.simulation();
     const bool grips = simulation.atStart() && m_options.velocities;
-    SceneLook look{m_camera, font(), m_editor.selected(), m_hovered.index, grips, m_refused, {}};
+    SceneLook look{.camera = m_camera,
+                   .font = font(),
+                   .selected = m_editor.selected(),
+                   .hovered = m_hovered.index,
+                   .grips = grips,
+                   .refused = m_refused,
+                   .selection = m_editor.selection()};
     const SceneMoment seen = moment();
     std::vector<Chip> shown = chips(seen);
     for (const Chip &chip : shown)
         look.reserved.push_back(chipRect(chip, m_camera.viewport(), font()));
+    const std::optional<MomentumInset> inset = insetFor(seen, look);
+    if (inset)
+        look.reserved.push_back(inset->frame);
     m_picture = {.list = buildScene(seen, m_options, look),
                  .camera = m_camera,
                  .font = font(),
                  .chips = std::move(shown),
+                 .inset = inset,
+                 .band = m_band,
                  .focusFrame = m_focusFrame};
     return m_picture;
+}
+
+std::optional<MomentumInset> SceneView::insetFor(const SceneMoment &seen,
+                                                 const SceneLook &look) const
+{
+    if (!m_options.momenta)
+        return std::nullopt;
+    return momentumInset(seen, look.camera, look.font, look.reserved);
 }
 
 SceneMoment SceneView::moment() const
@@ -180,7 +202,12 @@ ScenePicture SceneView::plainPicture(QSizeF size) const
 {
     ScenePicture picture{.camera = m_camera, .font = font()};
     picture.camera.resize(size);
-    picture.list = buildScene(moment(), m_options, {.camera = picture.camera, .font = font()});
+    SceneLook look{.camera = picture.camera, .font = font()};
+    const SceneMoment seen = moment();
+    picture.inset = insetFor(seen, look);
+    if (picture.inset)
+        look.reserved.push_back(picture.inset->frame);
+    picture.list = buildScene(seen, m_options, look);
     return picture;
 }
 
@@ -195,27 +222,10 @@ QImage SceneView::renderToImage(QSize size, qreal dpr) const
     return image;
 }
 
-void SceneView::fit()
-{
-    m_camera.fit(m_document.preset().halfWidth);
-    refresh();
-}
-
-void SceneView::zoomIn()
-{
-    m_camera.zoomAbout(m_camera.middle(), zoomStep);
-    refresh();
-}
-
-void SceneView::zoomOut()
-{
-    m_camera.zoomAbout(m_camera.middle(), 1.0 / zoomStep);
-    refresh();
-}
-
 void SceneView::retranslate()
 {
     setAccessibleName(tr("Scene"));
+    m_actions->retranslate();
 }
 
 void SceneView::changeEvent(QEvent *event)

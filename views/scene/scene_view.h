@@ -14,7 +14,11 @@
 
 #include <memory>
 
+class QAction;
+
 namespace cradle {
+
+class SceneActions;
 
 /// What draws the scene.
 enum class Renderer {
@@ -47,6 +51,10 @@ public:
     /// \param ghost  null: none
     void setGhost(std::shared_ptr<const Recording> ghost, const QString &label);
     [[nodiscard]] int selected() const { return m_editor.selected(); }
+    [[nodiscard]] const std::vector<int> &selection() const { return m_editor.selection(); }
+    [[nodiscard]] bool followsCentreOfMass() const { return m_follows; }
+    /// What can be done with the selected circles, for menus.
+    [[nodiscard]] const QList<QAction *> &circleActions() const;
     [[nodiscard]] const Camera &camera() const { return m_camera; }
     /// What is shown now.
     [[nodiscard]] const ScenePicture &picture();
@@ -60,12 +68,10 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 200}; }
 
 public slots:
-    void select(int index) { m_editor.select(index); } ///< -1: none
+    void select(int index); ///< -1: none; others stay selected if it was the last one already
     void addCircle(cradle::Vec2 at = {}) { m_editor.addCircle(at); }
-    void duplicateSelected() { m_editor.duplicateSelected(); }
-    void removeSelected() { m_editor.removeSelected(); }
-    void stopSelected() { m_editor.stopSelected(); }
-    void fit(); ///< shows the whole square
+    void fit();                       ///< shows the whole square
+    void followCentreOfMass(bool on); ///< keeps it where it is in the picture, first in the middle
     void zoomIn();
     void zoomOut();
 
@@ -96,7 +102,9 @@ private:
         QPointF start{};
         QPointF last{};
         Handle handle{};
-        bool moved = false; ///< further than a click may
+        bool moved = false;      ///< further than a click may
+        bool bands = false;      ///< a rubber band is drawn from here
+        bool singlesOut = false; ///< a mere click selects this one of the selected circles alone
     };
 
     void retranslate();
@@ -115,14 +123,23 @@ private:
     void beginMove();
     void drag(QPointF pixel, bool snap);
     void endPress();
+    void cancelMove();
+    void selectWithin(const QRectF &band); ///< px; as well as what is selected
     bool nudge(const QKeyEvent &event);
+    bool extendSelection(const QKeyEvent &event);
+    void followCamera();
+    [[nodiscard]] std::optional<MomentumInset> insetFor(const SceneMoment &seen,
+                                                        const SceneLook &look) const;
 
     PresetDocument &m_document;
     SceneEditor m_editor;
+    SceneActions *m_actions;
     SceneOptions m_options;
     std::shared_ptr<const Recording> m_ghost;
     QString m_ghostLabel;
     Camera m_camera;
+    bool m_follows = false;
+    Vec2 m_followed{}; ///< where the centre of mass was when the camera moved along last, m
     QPointer<QWidget> m_canvas; ///< child; none while it is being changed
     Renderer m_renderer = Renderer::Automatic;
     Renderer m_active = Renderer::Raster;
@@ -135,8 +152,9 @@ private:
     Press m_press;
     Handle m_hovered;
     std::optional<HandleDrag> m_drag;
-    std::optional<Circle> m_refused; ///< where the drag wants a circle that cannot be there
-    QString m_refusal;               ///< and why
+    QRectF m_band;                 ///< px; null if none is drawn
+    std::vector<Circle> m_refused; ///< where the drag wants circles that cannot be there
+    QString m_refusal;             ///< and why
     QString m_dragValue;
     QString m_notice;
     QTimer m_noticeTimer;

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pointer and keyboard of SceneView.
+// The pointer in SceneView.
 #include "views/scene/scene_view.h"
 
 #include <QApplication>
-#include <QContextMenuEvent>
-#include <QKeyEvent>
-#include <QMenu>
 #include <QMouseEvent>
 
 #include <cmath>
@@ -15,9 +12,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double nudgeStep = 0.1;      ///< m
-constexpr double fineNudgeStep = 0.01; ///< m, with Shift
-constexpr double wheelZoom = 1.0015;   ///< per eighth of a degree: a notch is about a fifth
+constexpr double wheelZoom = 1.0015; ///< per eighth of a degree: a notch is about a fifth
 
 } // namespace
 
@@ -52,8 +47,19 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     if (event->button() != Qt::LeftButton)
         return;
     m_press.handle = handleUnder(event->position());
-    if (m_press.handle.kind != Handle::Kind::None)
-        m_editor.select(m_press.handle.index);
+    const int index = m_press.handle.index;
+    const bool adds = event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
+    if (m_press.handle.kind == Handle::Kind::None) {
+        m_press.bands = adds;
+    } else if (adds && m_press.handle.kind == Handle::Kind::Circle) {
+        m_editor.toggle(index);
+    } else if (m_editor.isSelected(index)) {
+        // It may be the begin of a drag of all that are selected, so they stay so far.
+        m_press.singlesOut = m_press.handle.kind == Handle::Kind::Circle;
+        m_editor.addToSelection({index});
+    } else {
+        m_editor.select(index);
+    }
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event)
@@ -73,6 +79,9 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     }
     if (m_drag) {
         drag(pixel, !event->modifiers().testFlag(Qt::AltModifier));
+    } else if (m_press.bands) {
+        m_band = QRectF(m_press.start, pixel).normalized();
+        refresh();
     } else if (m_press.handle.kind == Handle::Kind::None) {
         m_camera.panBy(pixel - before);
         refresh();
@@ -82,16 +91,19 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
 void SceneView::beginMove()
 {
     if (m_press.handle.kind == Handle::Kind::None) {
-        setCursor(Qt::SizeAllCursor);
+        setCursor(m_press.bands ? Qt::CrossCursor : Qt::SizeAllCursor);
         return;
     }
+    if (!m_editor.isSelected(m_press.handle.index))
+        return; // this click took it out of the selection
     Simulation &simulation = m_document.simulation();
     if (!simulation.atStart()) {
         notice(SceneEditor::tr("Press Restart (R) to change the start"));
         return;
     }
     simulation.pause();
-    m_drag.emplace(m_press.handle, m_document.preset(), m_camera.toMetres(m_press.start));
+    m_drag.emplace(m_press.handle, m_document.preset(), m_camera.toMetres(m_press.start),
+                   m_editor.selection());
     setHovered(m_press.handle);
 }
 
@@ -100,10 +112,10 @@ void SceneView::drag(QPointF pixel, bool snap)
     const Preset candidate = m_drag->candidate(m_camera.toMetres(pixel), snap);
     m_dragValue = m_drag->valueText(candidate);
     if (const std::optional<Error> fault = m_document.faultOf(candidate)) {
-        m_refused = candidate.circles[static_cast<std::size_t>(m_drag->handle().index)].body;
+        m_refused = m_drag->dragged(candidate);
         m_refusal = fault->message;
     } else {
-        m_refused.reset();
+        m_refused.clear();
         m_refusal.clear();
         m_document.edit(m_drag->editText(), candidate, m_drag->mergeKey());
     }
@@ -114,19 +126,47 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
 {
     if (event->button() != m_press.button)
         return;
-    const bool clickedNothing = m_press.button == Qt::LeftButton && !m_press.moved
-                                && m_press.handle.kind == Handle::Kind::None;
+    const Press press = m_press;
+    const QRectF band = m_band;
     endPress();
-    if (clickedNothing)
-        m_editor.select(-1);
+    if (press.button == Qt::LeftButton && !press.moved) {
+        if (press.singlesOut)
+            m_editor.select(press.handle.index);
+        else if (press.handle.kind == Handle::Kind::None && !press.bands)
+            m_editor.select(-1);
+    }
+    if (!band.isNull())
+        selectWithin(band);
     setHovered(handleUnder(event->position()));
+}
+
+void SceneView::selectWithin(const QRectF &band)
+{
+    const Simulation &simulation = m_document.simulation();
+    const auto circles = simulation.recording().circles(simulation.current());
+    std::vector<int> inside;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        if (band.contains(m_camera.toPixels(circles[i].position)))
+            inside.push_back(static_cast<int>(i));
+    }
+    m_editor.addToSelection(inside);
+}
+
+/// Ends a drag as if it had not begun.
+void SceneView::cancelMove()
+{
+    const bool changed = m_drag && !(m_drag->start() == m_document.preset());
+    endPress();
+    if (changed)
+        m_document.undoStack().undo();
 }
 
 void SceneView::endPress()
 {
     m_press = {};
+    m_band = {};
     m_drag.reset();
-    m_refused.reset();
+    m_refused.clear();
     m_refusal.clear();
     m_dragValue.clear();
     refresh();
@@ -151,122 +191,6 @@ void SceneView::wheelEvent(QWheelEvent *event)
     m_camera.zoomAbout(event->position(), std::pow(wheelZoom, event->angleDelta().y()));
     refresh();
     event->accept();
-}
-
-bool SceneView::event(QEvent *event)
-{
-    // Keys that act here must not be taken for the window's shortcuts.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool arrow = key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down;
-        if ((arrow && key->modifiers().testFlag(Qt::ControlModifier))
-            || (key->key() == Qt::Key_Escape && m_editor.selected() >= 0)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QWidget::event(event);
-}
-
-bool SceneView::nudge(const QKeyEvent &event)
-{
-    if (!event.modifiers().testFlag(Qt::ControlModifier) || m_editor.selected() < 0)
-        return false;
-    const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? fineNudgeStep : nudgeStep;
-    switch (event.key()) {
-    case Qt::Key_Left:
-        m_editor.nudgeSelected({-step, 0.0});
-        return true;
-    case Qt::Key_Right:
-        m_editor.nudgeSelected({step, 0.0});
-        return true;
-    case Qt::Key_Up:
-        m_editor.nudgeSelected({0.0, step});
-        return true;
-    case Qt::Key_Down:
-        m_editor.nudgeSelected({0.0, -step});
-        return true;
-    default:
-        return false;
-    }
-}
-
-void SceneView::keyPressEvent(QKeyEvent *event)
-{
-    if (nudge(*event))
-        return;
-    const bool control = event->modifiers() == Qt::ControlModifier;
-    if (event->key() == Qt::Key_Delete && m_editor.selected() >= 0)
-        m_editor.removeSelected();
-    else if (event->key() == Qt::Key_D && control)
-        m_editor.duplicateSelected();
-    else if (event->key() == Qt::Key_Escape && m_drag)
-        endPress();
-    else if (event->key() == Qt::Key_Escape && m_editor.selected() >= 0)
-        m_editor.select(-1);
-    else
-        QWidget::keyPressEvent(event);
-}
-
-void SceneView::contextMenuEvent(QContextMenuEvent *event)
-{
-    // By the keyboard it is about the selected circle, by the pointer about what is under it.
-    QPointF place = event->pos();
-    const bool byKeyboard = event->reason() == QContextMenuEvent::Keyboard;
-    if (byKeyboard) {
-        const Simulation &simulation = m_document.simulation();
-        const auto circles = simulation.recording().circles(simulation.current());
-        place = selected() >= 0
-                    ? m_camera.toPixels(circles[static_cast<std::size_t>(selected())].position)
-                    : m_camera.middle();
-    } else {
-        m_editor.select(handleUnder(place).index);
-    }
-    const Vec2 at = m_camera.toMetres(place);
-    QMenu menu(this);
-    menu.addAction(tr("Add circle here"), this, [this, at] { addCircle(at); });
-    menu.addSeparator();
-    QAction *const forCircle[] = {
-        menu.addAction(tr("Duplicate"), this, &SceneView::duplicateSelected),
-        menu.addAction(tr("Remove"), this, &SceneView::removeSelected),
-        menu.addAction(tr("Set velocity to zero"), this, &SceneView::stopSelected)};
-    for (QAction *action : forCircle)
-        action->setEnabled(selected() >= 0);
-    menu.addSeparator();
-    menu.addAction(tr("Fit view"), this, &SceneView::fit);
-    endPress();
-    menu.exec(byKeyboard ? mapToGlobal(place.toPoint()) : event->globalPos());
-}
-
-void SceneView::focusInEvent(QFocusEvent *event)
-{
-    QWidget::focusInEvent(event);
-    m_focusFrame = event->reason() == Qt::TabFocusReason
-                   || event->reason() == Qt::BacktabFocusReason
-                   || event->reason() == Qt::ShortcutFocusReason;
-    if (event->reason() == Qt::TabFocusReason)
-        m_editor.select(0);
-    else if (event->reason() == Qt::BacktabFocusReason)
-        m_editor.select(m_editor.circleCount() - 1);
-    refresh();
-}
-
-void SceneView::focusOutEvent(QFocusEvent *event)
-{
-    QWidget::focusOutEvent(event);
-    m_focusFrame = false;
-    refresh();
-}
-
-bool SceneView::focusNextPrevChild(bool next)
-{
-    // Tab goes from circle to circle and, after the last one, on to the next widget.
-    const int target =
-        selected() < 0 ? (next ? 0 : m_editor.circleCount() - 1) : selected() + (next ? 1 : -1);
-    if (target < 0 || target >= m_editor.circleCount())
-        return QWidget::focusNextPrevChild(next);
-    m_editor.select(target);
-    return true;
 }
 
 } // namespace cradle

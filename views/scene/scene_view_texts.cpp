@@ -65,11 +65,14 @@ std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
     if (!m_dragValue.isEmpty())
         chips.push_back({.place = Chip::Place::Pointer,
                          .text = m_dragValue,
-                         .warning = m_refused.has_value(),
+                         .detail = m_refusal,
+                         .warning = !m_refused.empty(),
                          .pointer = m_press.last});
-    if (const QString &text = m_refusal.isEmpty() ? m_notice : m_refusal; !text.isEmpty())
-        chips.push_back(
-            {.place = Chip::Place::Bottom, .text = text, .warning = true, .pointer = m_press.last});
+    if (!m_notice.isEmpty())
+        chips.push_back({.place = Chip::Place::Bottom,
+                         .text = m_notice,
+                         .warning = true,
+                         .pointer = m_press.last});
     return chips;
 }
 
@@ -86,7 +89,9 @@ void SceneView::describe()
                           pairText(circles[i].position));
     if (circles.size() > mostDescribed)
         parts << tr("and %n more", nullptr, static_cast<int>(circles.size() - mostDescribed));
-    if (m_editor.selected() >= 0)
+    if (m_editor.selection().size() > 1)
+        parts << tr("%n selected", nullptr, static_cast<int>(m_editor.selection().size()));
+    else if (m_editor.selected() >= 0)
         parts << tr("selected: %1").arg(circleName(m_document.preset(), m_editor.selected()));
     const SceneMoment seen = moment();
     for (const QString &ghost : {exactText(seen), ghostText(seen)}) {

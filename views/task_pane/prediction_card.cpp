@@ -4,6 +4,7 @@
 
 #include "views/markdown_view.h"
 #include "views/task_pane/growing_text.h"
+#include "views/task_pane/message_text.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
@@ -113,7 +114,7 @@ QRadioButton *PredictionCard::addAnswer(QVBoxLayout *column, int answer)
     auto *button = new QRadioButton;
     button->setAccessibleName(textOf(answer));
     QLabel *label = makeLabel("plain");
-    label->setText(textOf(answer));
+    label->setText(withUnits(textOf(answer)));
     label->setBuddy(button);
     label->installEventFilter(this);
     auto *row = new QHBoxLayout;
@@ -175,7 +176,7 @@ void PredictionCard::showGuess()
     m_status->setText(statusText());
     m_reveal->setVisible(open && (m_guess.answer || m_guess.watched));
     m_own->setVisible(!open && m_guess.answer);
-    m_own->setText(ownText());
+    m_own->setText(withUnits(ownText()));
     setKind(m_own, m_guess.answer == m_prediction->right ? "successTitle" : "cardTitle");
     m_outcome->setVisible(!open);
     if (open)

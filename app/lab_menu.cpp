@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab_menu.h"
+
+#include "app/language.h"
+#include "app/main_window.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/lab_list.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace cradle {
+
+namespace {
+
+struct LabMenuText {
+    Q_DECLARE_TR_FUNCTIONS(LabMenu)
+};
+
+void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const ListedLab &lab)
+{
+    // An ampersand in a title is no mnemonic.
+    QString title = lab.title;
+    QAction *action = menu->addAction(title.replace(QLatin1Char('&'), QLatin1String("&&")));
+    action->setCheckable(true);
+    action->setChecked(lab.folder == window.workbench().lab().folder);
+    group->addAction(action);
+    QObject::connect(action, &QAction::triggered, &window,
+                     [w = &window, folder = lab.folder] { w->openLab(folder); });
+}
+
+void fill(MainWindow &window, QMenu *menu)
+{
+    menu->clear();
+    // The group of the entries that were there before went with them.
+    for (auto *old : menu->findChildren<QActionGroup *>())
+        delete old;
+    auto *group = new QActionGroup(menu);
+    for (const ListedLab &lab : shippedLabs(currentLanguage()))
+        addEntry(window, menu, group, lab);
+    const std::vector<ListedLab> own = labsIn(userLabsFolder(), currentLanguage());
+    if (own.empty())
+        return;
+    menu->addSeparator();
+    for (const ListedLab &lab : own)
+        addEntry(window, menu, group, lab);
+}
+
+} // namespace
+
+void addLabs(MainWindow &window, QMenu *menu)
+{
+    QMenu *labs = menu->addMenu(LabMenuText::tr("&Labs"));
+    fill(window, labs);
+    QObject::connect(labs, &QMenu::aboutToShow, labs, [w = &window, labs] { fill(*w, labs); });
+}
+
+} // namespace cradle

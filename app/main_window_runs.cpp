@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include "app/notice_bar.h"
+#include "views/charts/chart_pane.h"
+#include "views/charts/phase_chart.h"
+
+#include <QFileDialog>
+
+namespace cradle {
+
+// Runs that are kept, compared and written.
+
+void MainWindow::wireCharts()
+{
+    Simulation *simulation = &m_workbench.simulation();
+    for (ChartPane *chart : findChildren<ChartPane *>()) {
+        chart->share(m_timeWindow, m_pins);
+        connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
+            simulation->seek(simulation->recording().indexAt(time));
+        });
+        connect(chart, &ChartPane::pinRequested, this, &MainWindow::pinRun);
+        connect(chart, &ChartPane::failed, this, &MainWindow::report);
+    }
+    m_phase->share(m_timeWindow, m_pins);
+    connect(m_phase, &PhaseChart::seekRequested, simulation,
+            [simulation](double time) { simulation->seek(simulation->recording().indexAt(time)); });
+    connect(m_phase, &PhaseChart::failed, this, &MainWindow::report);
+    connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });
+    connect(&m_workbench, &Workbench::taskChanged, this, [this] { m_pins.clear(); });
+    m_pins.setNow(runSource());
+}
+
+RunSource MainWindow::runSource()
+{
+    return {m_workbench.simulation().preset(), m_workbench.code().runningText()};
+}
+
+void MainWindow::pinRun()
+{
+    if (m_pins.isFull()) {
+        m_notice->showNotice(tr("%n runs are pinned; remove one of them first.", nullptr,
+                                static_cast<int>(PinnedRuns::most)));
+        return;
+    }
+    if (m_workbench.simulation().recording().last() == 0) {
+        m_notice->showNotice(tr("There is no run yet: press Run, then pin it."));
+        return;
+    }
+    m_pins.add(
+        PinnedRuns::keep(m_curves.set(), m_workbench.simulation().recording(), m_pins.now()));
+}
+
+/// The run so far is kept, so that the new one can be compared with what would have come.
+void MainWindow::startNewRunHere()
+{
+    const Simulation &simulation = m_workbench.simulation();
+    if (simulation.atStart())
+        return;
+    const std::vector<Circle> wanted = simulation.recording().world(simulation.current()).circles;
+    PinnedRun old =
+        PinnedRuns::keep(m_curves.set(), simulation.recording(), m_pins.now(), simulation.time());
+    if (!m_workbench.document().startFromMoment())
+        return;
+    m_pins.add(std::move(old));
+    const auto &circles = simulation.preset().circles;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        if (circles[i].body == wanted[i])
+            continue;
+        m_notice->showNotice(
+            tr("Your program sets values of circles when it is loaded: the new run "
+               "starts with those."));
+        return;
+    }
+}
+
+void MainWindow::exportRun(RunTable table)
+{
+    const QString names[] = {QStringLiteral("states.csv"), QStringLiteral("totals.csv"),
+                             QStringLiteral("events.csv")};
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the data of the run"), names[static_cast<int>(table)], tr("Tables (*.csv)"));
+    if (path.isEmpty())
+        return;
+    const Simulation &simulation = m_workbench.simulation();
+    if (const auto error = saveRunTable(table, simulation.recording(), simulation.preset(), path))
+        report(*error);
+}
+
+void MainWindow::resetCharts()
+{
+    for (ChartPane *chart : findChildren<ChartPane *>())
+        chart->resetZoom();
+}
+
+} // namespace cradle

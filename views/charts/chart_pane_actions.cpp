@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Zoom and menu of ChartPane.
+#include "views/charts/chart_pane.h"
+
+#include "views/charts/chart_export.h"
+#include "views/charts/frame_throttle.h"
+
+#include <QContextMenuEvent>
+#include <QMenu>
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double keyZoom = 1.5; ///< of a press of a key
+/// A zoom of the values reaches no deeper: the digits of a double end soon after.
+constexpr double deepest = 1e-9;
+
+} // namespace
+
+void ChartPane::wirePlot()
+{
+    connect(m_plot, &ChartPlot::timePicked, this, [this](double time) {
+        m_window->setHeld(true);
+        emit seekRequested(time);
+    });
+    connect(m_plot, &ChartPlot::hitPicked, this, [this](qint64 step) {
+        m_window->setHeld(true);
+        const Recording &recording = m_simulation.recording();
+        const qint64 frame = recording.first() + step - recording.step(recording.first());
+        if (frame >= recording.first() && frame <= recording.last())
+            emit seekRequested(recording.time(frame));
+    });
+    connect(m_plot, &ChartPlot::pickingEnded, this, [this] {
+        m_window->setHeld(false);
+        m_throttle->request();
+    });
+    connect(m_plot, &ChartPlot::timeZoomed, this, [this](double factor, double about) {
+        m_window->zoomBy(factor, about, m_plot->timeSpan(), whole());
+    });
+    connect(m_plot, &ChartPlot::valuesZoomed, this, &ChartPane::zoomValues);
+    connect(m_plot, &ChartPlot::boxChosen, this,
+            [this](const TimeWindow::Span &times, const std::optional<ValueSpan> &values) {
+                if (values)
+                    zoomTo(values);
+                m_window->zoomTo(times, whole());
+            });
+    connect(m_plot, &ChartPlot::panned, this, [this](double seconds, double values) {
+        if (m_valueZoom)
+            zoomTo(ValueSpan{m_valueZoom->low + values, m_valueZoom->high + values});
+        m_window->panBy(seconds, m_plot->timeSpan(), whole());
+    });
+    connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetZoom);
+    connect(m_plot, &ChartPlot::resized, this, &ChartPane::redraw);
+}
+
+void ChartPane::zoomTo(const std::optional<ValueSpan> &values)
+{
+    m_valueZoom = values;
+    m_throttle->request();
+}
+
+void ChartPane::zoomValues(double factor, double about)
+{
+    const ValueSpan shown = m_plot->valueSpan();
+    const ValueSpan zoomed{about + factor * (shown.low - about),
+                           about + factor * (shown.high - about)};
+    const double size = std::max(std::abs(zoomed.low), std::abs(zoomed.high));
+    if (zoomed.high - zoomed.low > deepest * size && std::isfinite(size))
+        zoomTo(zoomed);
+}
+
+void ChartPane::zoomIn()
+{
+    m_window->zoomBy(1.0 / keyZoom, m_simulation.time(), m_plot->timeSpan(), whole());
+}
+
+void ChartPane::zoomOut()
+{
+    m_window->zoomBy(keyZoom, m_simulation.time(), m_plot->timeSpan(), whole());
+}
+
+void ChartPane::resetZoom()
+{
+    zoomTo(std::nullopt);
+    m_window->reset();
+}
+
+void ChartPane::contextMenuEvent(QContextMenuEvent *event)
+{
+    QMenu menu(this);
+    fillMenu(menu);
+    menu.exec(event->globalPos());
+}
+
+void ChartPane::fillMenu(QMenu &menu)
+{
+    const bool isZoomed = m_window->kind() == TimeWindow::Kind::Zoomed || m_valueZoom;
+    menu.addAction(tr("Zoom &in"), this, &ChartPane::zoomIn)->setEnabled(m_plot->showsRun());
+    menu.addAction(tr("Zoom &out"), this, &ChartPane::zoomOut)->setEnabled(m_plot->showsRun());
+    menu.addAction(tr("&Reset zoom"), this, &ChartPane::resetZoom)->setEnabled(isZoomed);
+    if (m_pins) {
+        menu.addSeparator();
+        QAction *pin = menu.addAction(tr("&Pin this run"), this, &ChartPane::pinRequested);
+        pin->setEnabled(!m_pins->isFull() && m_simulation.recording().last() > 0);
+        for (const PinnedRun &run : m_pins->runs())
+            menu.addAction(tr("Remove %1", "a kept run").arg(run.name()), m_pins,
+                           [pins = m_pins, number = run.number] { pins->remove(number); });
+    }
+    menu.addSeparator();
+    addExports(menu);
+}
+
+void ChartPane::addExports(QMenu &menu)
+{
+    const ChartExports exports{this, [this] { return picture(); }, [this] { return table(); },
+                               [this](const Error &error) { emit failed(error); }};
+    addExportActions(menu, exports, m_plot->showsRun());
+}
+
+} // namespace cradle

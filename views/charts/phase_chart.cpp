@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/phase_chart.h"
+
+#include "model/shortest_number.h"
+#include "views/charts/frame_throttle.h"
+#include "views/charts/phase_plot.h"
+#include "views/charts/pinned_runs.h"
+#include "views/charts/quiet_button.h"
+#include "views/charts/time_window.h"
+#include "views/theme.h"
+
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+constexpr double reach = 12.0; ///< px from the curve that a click means it
+constexpr int mostListed = 20; ///< circles in a menu
+
+bool isPlace(Quantity quantity)
+{
+    return quantity == Quantity::X || quantity == Quantity::Y;
+}
+
+} // namespace
+
+PhaseChart::PhaseChart(const Simulation &simulation, QWidget *parent)
+    : QWidget(parent)
+    , m_simulation(simulation)
+    , m_window(new TimeWindow(this))
+    , m_heading(new QLabel)
+    , m_against(new QLabel)
+    , m_upButton(new QuietButton)
+    , m_acrossButton(new QuietButton)
+    , m_moreButton(new QuietButton)
+    , m_plot(new PhasePlot)
+    , m_throttle(new FrameThrottle(simulation, this))
+{
+    setKind(m_heading, "heading");
+    m_heading->setFont(headingFont());
+    m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setKind(m_against, "muted");
+    auto *header = new QHBoxLayout;
+    header->setContentsMargins(14, 8, 8, 0);
+    header->setSpacing(2);
+    header->addWidget(m_heading, 1);
+    header->addWidget(m_upButton);
+    header->addWidget(m_against);
+    header->addWidget(m_acrossButton);
+    header->addWidget(m_moreButton);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    column->addLayout(header);
+    column->addWidget(m_plot, 1);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+
+    const auto addMenu = [this](QuietButton *button, bool arrow, auto fill) {
+        auto *menu = new QMenu(button);
+        connect(menu, &QMenu::aboutToShow, this, [menu, fill] {
+            menu->clear();
+            fill(*menu);
+        });
+        button->setMenu(menu, arrow);
+    };
+    addMenu(m_upButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_up); });
+    addMenu(m_acrossButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_across); });
+    addMenu(m_moreButton, false, [this](QMenu &menu) { addExports(menu); });
+    m_moreButton->setText(QStringLiteral("⋯"));
+    connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
+    connect(m_plot, &PhasePlot::picked, this, &PhaseChart::seekNear);
+    connect(m_throttle, &FrameThrottle::due, this, &PhaseChart::redraw);
+    connect(&simulation, &Simulation::restarted, this, [this] {
+        suggest();
+        reset();
+    });
+    connect(&simulation, &Simulation::shadowChanged, this, &PhaseChart::reset);
+    suggest();
+    retranslate();
+}
+
+void PhaseChart::share(TimeWindow &window, PinnedRuns &pins)
+{
+    delete m_window;
+    m_window = &window;
+    m_pins = &pins;
+    connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
+    connect(m_pins, &PinnedRuns::changed, m_throttle, &FrameThrottle::request);
+}
+
+void PhaseChart::setAxes(const PhaseVariable &up, const PhaseVariable &across)
+{
+    m_up = up;
+    m_across = across;
+    m_isChosen = true;
+    changed();
+}
+
+/// Where something falls the vertical motion is the one to look at.
+void PhaseChart::suggest()
+{
+    if (m_isChosen)
+        return;
+    const bool falls = m_simulation.preset().gravity.y != 0.0;
+    m_up.quantity = falls ? Quantity::VelocityY : Quantity::VelocityX;
+    m_across.quantity = falls ? Quantity::Y : Quantity::X;
+    changed();
+}
+
+void PhaseChart::changed()
+{
+    m_upButton->setText(textOf(m_up));
+    m_acrossButton->setText(textOf(m_across));
+    m_upButton->setAccessibleName(tr("Vertical axis: %1").arg(nameOf(m_up.quantity)));
+    m_acrossButton->setAccessibleName(tr("Horizontal axis: %1").arg(nameOf(m_across.quantity)));
+    m_upButton->setToolTip(m_upButton->accessibleName());
+    m_acrossButton->setToolTip(m_acrossButton->accessibleName());
+    m_upButton->updateGeometry();
+    m_acrossButton->updateGeometry();
+    m_plot->setAccessibleName(
+        tr("%1 against %2").arg(nameOf(m_up.quantity), nameOf(m_across.quantity)));
+    m_plot->forgetRanges();
+    reset();
+}
+
+void PhaseChart::fillAxisMenu(QMenu &menu, PhaseVariable &axis)
+{
+    const auto addChoice = [this, &axis](QMenu &to, const PhaseVariable &variable) {
+        QAction *action =
+            to.addAction(tr("%1 (%2)", "quantity, unit")
+                             .arg(nameOf(variable.quantity), unitOf(variable.quantity)));
+        action->setCheckable(true);
+        action->setChecked(axis == variable);
+        connect(action, &QAction::triggered, this, [this, &axis, variable] {
+            axis = variable;
+            m_isChosen = true;
+            changed();
+        });
+    };
+    addChoice(menu, {Quantity::Time, PhaseVariable::together});
+    const auto addGroup = [&](const QString &title, int circle) {
+        QMenu *group = menu.addMenu(title);
+        for (const Quantity quantity : quantitiesOfCircles)
+            addChoice(*group, {quantity, circle});
+    };
+    const auto &circles = m_simulation.preset().circles;
+    for (int i = 0; i < std::min(static_cast<int>(circles.size()), mostListed); ++i)
+        addGroup(tr("Circle %1").arg(i + 1), i);
+    addGroup(tr("All together"), PhaseVariable::together);
+    if (circles.size() > 1)
+        addChoice(menu, {Quantity::Distance, PhaseVariable::together});
+    if (m_simulation.shadow()) {
+        addChoice(menu, {Quantity::OffExact, PhaseVariable::together});
+        addChoice(menu, {Quantity::EnergyExact, PhaseVariable::together});
+    }
+}
+
+void PhaseChart::reset()
+{
+    m_samples.clear();
+    m_overTime.clear();
+    m_nextFrame = 0;
+    m_throttle->request();
+}
+
+std::optional<QPointF> PhaseChart::pointAt(qint64 index) const
+{
+    const Recording &recording = m_simulation.recording();
+    PhaseMoment moment{recording.time(index), recording.circles(index), {}};
+    if (m_simulation.shadow())
+        moment.exact = m_simulation.shadow()->circles(index);
+    const auto x = valueOf(m_across, moment, m_simulation.preset());
+    const auto y = valueOf(m_up, moment, m_simulation.preset());
+    if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y))
+        return std::nullopt;
+    return QPointF(*x, *y);
+}
+
+void PhaseChart::read()
+{
+    const Recording &recording = m_simulation.recording();
+    const bool overTime = m_across.quantity == Quantity::Time;
+    const qint64 oldest = overTime ? 0 : recording.last() - mostSteps + 1;
+    for (qint64 i = std::max({m_nextFrame, recording.first(), oldest}); i <= recording.last();
+         ++i) {
+        const auto point = pointAt(i);
+        if (!point)
+            continue;
+        if (overTime)
+            m_overTime.append(point->x(), point->y());
+        else
+            m_samples.push_back({recording.time(i), *point});
+    }
+    m_nextFrame = recording.last() + 1;
+    while (static_cast<qint64>(m_samples.size()) > mostSteps)
+        m_samples.pop_front();
+    m_overTime.dropBefore(recording.time(recording.first()));
+}
+
+void PhaseChart::redraw()
+{
+    const Recording &recording = m_simulation.recording();
+    read();
+    if (recording.last() == 0 || (m_samples.empty() && m_overTime.isEmpty())) {
+        m_plot->showEmpty(recording.last() == 0
+                              ? tr("Press Run to see one quantity against another")
+                              : tr("There is nothing to draw: choose other quantities"));
+        return;
+    }
+    const double first = recording.time(recording.first());
+    const double last = recording.time(recording.last());
+    const TimeWindow::Span span = m_window->choose({first, last}, last, m_simulation.time());
+    PhasePicture picture;
+    addPinned(picture, span.from, span.to);
+    PhasePicture::Curve curve;
+    curve.pen = QPen(colour(), 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+    if (m_across.quantity == Quantity::Time) {
+        picture.across = {span.from, span.to};
+        curve.points = m_overTime.decimate(span.from, span.to, std::max(1, m_plot->width()));
+    }
+    for (const Sample &sample : m_samples) {
+        if (sample.time >= span.from && sample.time <= span.to)
+            curve.points.append(sample.values);
+    }
+    picture.curves.push_back(curve);
+    picture.moment = pointAt(m_simulation.current());
+    picture.momentColour = theme().text;
+    picture.isEqual = isPlace(m_up.quantity) && isPlace(m_across.quantity);
+    const auto axisText = [](const PhaseVariable &axis) {
+        return tr("%1 in %2", "quantity, unit").arg(textOf(axis), unitOf(axis.quantity));
+    };
+    picture.upText = axisText(m_up);
+    picture.acrossText = axisText(m_across);
+    m_plot->showPicture(picture);
+}
+
+/// Pale and broken beneath.
+void PhaseChart::addPinned(PhasePicture &picture, double from, double to) const
+{
+    if (!m_pins)
+        return;
+    for (const PinnedRun &run : m_pins->runs()) {
+        PhasePicture::Curve curve;
+        curve.pen = QPen(theme().mutedText, 1.0, pinDash(run.number));
+        const Recording &recording = run.recording;
+        const qint64 oldest = recording.last() - mostSteps + 1;
+        for (qint64 i = std::max(recording.first(), oldest); i <= recording.last(); ++i) {
+            const double time = recording.time(i) - run.branch;
+            if (time < from || time > to)
+                continue;
+            const PhaseMoment moment{time, recording.circles(i), {}};
+            const auto x = valueOf(m_across, moment, run.source.preset);
+            const auto y = valueOf(m_up, moment, run.source.preset);
+            if (x && y && std::isfinite(*x) && std::isfinite(*y))
+                curve.points.append({*x, *y});
+        }
+        if (!curve.points.isEmpty())
+            picture.curves.push_back(curve);
+    }
+}
+
+QColor PhaseChart::colour() const
+{
+    const auto &circles = m_simulation.preset().circles;
+    const auto index = static_cast<std::size_t>(std::max(0, m_up.circle));
+    const bool isOne = m_up.isOfCircles() && m_up.circle >= 0 && index < circles.size();
+    return isOne ? circleColour(circles[index].colour) : theme().text;
+}
+
+void PhaseChart::seekNear(QPointF pixel)
+{
+    if (m_across.quantity == Quantity::Time) {
+        const QRectF area = m_plot->plotArea();
+        const auto &ends = m_plot->picture().across;
+        const double part = std::clamp((pixel.x() - area.left()) / area.width(), 0.0, 1.0);
+        if (ends)
+            emit seekRequested(ends->first + part * (ends->second - ends->first));
+        return;
+    }
+    double least = reach;
+    std::optional<double> nearest;
+    for (const Sample &sample : m_samples) {
+        const QPointF off = m_plot->placeOf(sample.values) - pixel;
+        const double distance = std::hypot(off.x(), off.y());
+        if (distance < least) {
+            least = distance;
+            nearest = sample.time;
+        }
+    }
+    if (nearest)
+        emit seekRequested(*nearest);
+}
+
+ChartPicture PhaseChart::picture() const
+{
+    return {m_plot->size(), tr("%1 against %2").arg(textOf(m_up), textOf(m_across)),
+            [plot = m_plot](QPainter &painter) {
+                painter.fillRect(plot->rect(), theme().panel);
+                plot->paint(painter);
+            }};
+}
+
+QByteArray PhaseChart::table() const
+{
+    const Recording &recording = m_simulation.recording();
+    const auto header = [](const PhaseVariable &axis) {
+        return csvCell(QStringLiteral("%1 (%2)").arg(textOf(axis), unitOf(axis.quantity)));
+    };
+    QByteArray rows =
+        QStringLiteral("%1,%2,%3\n")
+            .arg(header({Quantity::Time, PhaseVariable::together}), header(m_across), header(m_up))
+            .toUtf8();
+    const double end = recording.time(recording.last());
+    const TimeWindow::Span span =
+        m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
+    for (qint64 i = recording.first(); i <= recording.last(); ++i) {
+        const double time = recording.time(i);
+        const auto point = pointAt(i);
+        if (point && time >= span.from && time <= span.to)
+            rows += QStringLiteral("%1,%2,%3\n")
+                        .arg(shortestNumber(time), shortestNumber(point->x()),
+                             shortestNumber(point->y()))
+                        .toUtf8();
+    }
+    return rows;
+}
+
+void PhaseChart::addExports(QMenu &menu)
+{
+    ChartExports exports{this, [this] { return picture(); }, [this] { return table(); },
+                         [this](const Error &error) { emit failed(error); }};
+    addExportActions(menu, exports, m_simulation.recording().last() > 0);
+}
+
+void PhaseChart::contextMenuEvent(QContextMenuEvent *event)
+{
+    QMenu menu(this);
+    addExports(menu);
+    menu.exec(event->globalPos());
+}
+
+void PhaseChart::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        m_heading->setFont(headingFont());
+        m_throttle->request();
+    }
+}
+
+void PhaseChart::retranslate()
+{
+    setWindowTitle(tr("Phase"));
+    m_heading->setText(tr("Phase").toUpper());
+    m_against->setText(tr("against"));
+    m_moreButton->setToolTip(tr("Copy and export"));
+    m_moreButton->setAccessibleName(m_moreButton->toolTip());
+    changed();
+}
+
+} // namespace cradle
