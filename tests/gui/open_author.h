@@ -28,6 +28,8 @@
 #include <QTest>
 #include <QTimer>
 
+#include <memory>
+
 namespace cradle::windows {
 
 /// The window in which a lab is written, as an author has it open.
@@ -112,37 +114,36 @@ public:
         QTRY_VERIFY(!watched);
         QTest::qWait(20); // the edit follows
     }
-    /// Does \p act to the next dialog of that class, as soon as it is there.
+    /// Does \p act to the next dialog of that class as soon as it is there, and again a little
+    /// later as long as it answers false.
     template <typename Dialog, typename Act>
     static void inDialog(Act act)
     {
         auto *timer = new QTimer(qApp);
         QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
             auto *dialog = qobject_cast<Dialog *>(QApplication::activeModalWidget());
-            if (!dialog || !dialog->isVisible())
+            if (!dialog || !dialog->isVisible() || !act(dialog))
                 return;
-            timer->deleteLater();
             timer->stop();
-            act(dialog);
+            timer->deleteLater();
         });
-        timer->start(20);
+        timer->start(50);
     }
-    /// Types \p text into the next dialog and accepts it.
+    /// Types \p text into the next dialog and accepts it. A file dialog takes a name only when it
+    /// has read its folder.
     static void answerDialog(const QString &text)
     {
-        inDialog<QDialog>([text](QDialog *dialog) {
+        auto tries = std::make_shared<int>(0);
+        inDialog<QDialog>([text, tries](QDialog *dialog) {
             auto *line = dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
             if (!line)
                 line = dialog->findChild<QLineEdit *>();
-            if (line) {
-                line->selectAll();
-                QTest::keyClicks(line, text);
-                QTest::keyClick(line, Qt::Key_Return);
-            }
-            if (dialog->isVisible())
-                QMetaObject::invokeMethod(dialog, "accept");
-            if (dialog->isVisible())
-                dialog->reject(); // what it asked for was not typed: the test will tell
+            line->selectAll();
+            QTest::keyClicks(line, text);
+            QTest::keyClick(line, Qt::Key_Return);
+            if (dialog->isVisible() && ++*tries == 40)
+                dialog->reject(); // the test will tell
+            return !dialog->isVisible();
         });
     }
     /// Presses the button of the next message box that is called so.
@@ -152,11 +153,12 @@ public:
             for (QAbstractButton *each : box->buttons()) {
                 if (each->text().remove(QLatin1Char('&')) == name) {
                     each->click();
-                    return;
+                    return true;
                 }
             }
             box->reject();
-            QFAIL(qPrintable(name));
+            QTest::qFail(qPrintable(name), __FILE__, __LINE__);
+            return true;
         });
     }
     void undo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier); }
