@@ -46,7 +46,7 @@ void AuthorWindow::fillMenus()
     QAction *undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
-    redo->setShortcut(QKeySequence::Redo);
+    redo->setShortcuts(QKeySequence::Redo);
     edit->addActions({undo, redo});
     edit->addSeparator();
     add(edit, tr("Insert the scene as a &figure"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F),

@@ -28,7 +28,7 @@ void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const Listed
     action->setChecked(lab.folder == window.workbench().lab().folder);
     group->addAction(action);
     QObject::connect(action, &QAction::triggered, &window,
-                     [w = &window, folder = lab.folder] { w->openLabAt(folder); });
+                     [w = &window, folder = lab.folder] { w->openLab(folder); });
 }
 
 void fill(MainWindow &window, QMenu *menu)

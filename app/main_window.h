@@ -69,7 +69,7 @@ public slots:
     void openLabFolder();
     void openLabFile(); ///< NAME.cradle
     /// Opens the lab in a folder, or unpacks one file into the user's labs and opens that.
-    void openLabAt(const QString &path);
+    void openLab(const QString &path);
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();

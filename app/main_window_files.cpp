@@ -26,7 +26,7 @@ void MainWindow::openLabFolder()
 {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
     if (!folder.isEmpty())
-        openLabAt(folder);
+        openLab(folder);
 }
 
 void MainWindow::openLabFile()
@@ -34,10 +34,10 @@ void MainWindow::openLabFile()
     const QString path = QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
                                                       tr("Labs (*.cradle);;All files (*)"));
     if (!path.isEmpty())
-        openLabAt(path);
+        openLab(path);
 }
 
-void MainWindow::openLabAt(const QString &path)
+void MainWindow::openLab(const QString &path)
 {
     QString folder = path;
     if (!QFileInfo(path).isDir()) {
@@ -79,7 +79,7 @@ void MainWindow::dropEvent(QDropEvent *event)
     if (lab.isEmpty())
         return;
     event->acceptProposedAction();
-    openLabAt(lab);
+    openLab(lab);
 }
 
 AuthorWindow *MainWindow::author() const

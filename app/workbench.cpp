@@ -220,7 +220,7 @@ void Workbench::openTaskAt(int index)
     m_report.reset();
     m_store.lab(m_lab.id).currentTask = task()->id;
     setGhost(nullptr);
-    m_code.setActive(false); // the old program does not meet the new scene
+    m_code.setActive(false);  // the old program does not meet the new scene
     m_document.setLocked({}); // those of the step before
     m_document.open(task()->preset, progress().edited);
     m_document.setLocked(task()->locked);

@@ -5732,10 +5732,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
 <context>
     <name>cradle::SceneTab</name>
     <message>
-        <source>Start from the moment shown</source>
-        <translation>Vom gezeigten Moment an beginnen</translation>
-    </message>
-    <message>
         <source>Take the template %1</source>
         <translation>Vorlage %1 nehmen</translation>
     </message>

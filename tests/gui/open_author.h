@@ -20,12 +20,15 @@
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+
+#include <memory>
 
 namespace cradle::windows {
 
@@ -106,44 +109,66 @@ public:
         auto *line = list->viewport()->findChild<QLineEdit *>();
         line->selectAll();
         QTest::keyClicks(line, text);
+        const QPointer<QLineEdit> watched(line);
         QTest::keyClick(line, Qt::Key_Return);
-        QCoreApplication::processEvents();
+        QTRY_VERIFY(!watched);
+        QTest::qWait(20); // the edit follows
     }
-    /// Types \p text into the next dialog and accepts it.
+    /// Does \p act to the next dialog of that class as soon as it is there, and again a little
+    /// later as long as it answers false.
+    template <typename Dialog, typename Act>
+    static void inDialog(Act act)
+    {
+        auto *timer = new QTimer(qApp);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
+            auto *dialog = qobject_cast<Dialog *>(QApplication::activeModalWidget());
+            if (!dialog || !dialog->isVisible() || !act(dialog))
+                return;
+            timer->stop();
+            timer->deleteLater();
+        });
+        timer->start(50);
+    }
+    /// Types \p text into the next dialog and accepts it. A file dialog takes a name only when it
+    /// has read its folder.
     static void answerDialog(const QString &text)
     {
-        QTimer::singleShot(0, qApp, [text] {
-            auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
-            QVERIFY(dialog);
-            auto *line = dialog->findChild<QLineEdit *>();
-            QVERIFY(line);
+        auto tries = std::make_shared<int>(0);
+        inDialog<QDialog>([text, tries](QDialog *dialog) {
+            auto *line = dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+            if (!line)
+                line = dialog->findChild<QLineEdit *>();
             line->selectAll();
             QTest::keyClicks(line, text);
             QTest::keyClick(line, Qt::Key_Return);
-            if (dialog->isVisible())
-                QMetaObject::invokeMethod(dialog, "accept");
+            if (dialog->isVisible() && ++*tries == 40)
+                dialog->reject(); // the test will tell
+            return !dialog->isVisible();
         });
     }
     /// Presses the button of the next message box that is called so.
     static void answerQuestion(const QString &name)
     {
-        QTimer::singleShot(0, qApp, [name] {
-            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
-            QVERIFY(box);
+        inDialog<QMessageBox>([name](QMessageBox *box) {
             for (QAbstractButton *each : box->buttons()) {
                 if (each->text().remove(QLatin1Char('&')) == name) {
                     each->click();
-                    return;
+                    return true;
                 }
             }
             box->reject();
-            QFAIL(qPrintable(name));
+            QTest::qFail(qPrintable(name), __FILE__, __LINE__);
+            return true;
         });
     }
     void undo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier); }
-    void redo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+    void redo() { QTest::keySequence(focus(), QKeySequence(QKeySequence::Redo)); }
     [[nodiscard]] QWidget *focus()
     {
+        // A dialog was active until a moment ago, perhaps.
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window))
+            qWarning("the window does not become active");
         return QApplication::focusWidget() ? QApplication::focusWidget() : &window;
     }
 

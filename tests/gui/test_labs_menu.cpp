@@ -161,7 +161,7 @@ void TestLabsMenu::labsOfTheUserAreThereAtOnce()
 void TestLabsMenu::brokenLabSaysSo()
 {
     OpenWindow open(*m_folder);
-    open.window.openLabAt(m_userLabs + QStringLiteral("/gone"));
+    open.window.openLab(m_userLabs + QStringLiteral("/gone"));
     QVERIFY(open.window.notice().isVisible());
     QCOMPARE(open.steps()->count(), 17);
 }

@@ -55,6 +55,8 @@ void MarkdownEditor::showText(const QString &text)
     cursor.insertText(text.mid(same, text.size() - same - tail));
     m_text = text;
     m_showing = false;
+    if (same == 0 && tail == 0)
+        moveCursor(QTextCursor::Start); // another text
     lookForNames();
 }
 

@@ -338,13 +338,21 @@ void ProgramsTab::takeName(QListWidgetItem *item)
     const QString name = item->text().trimmed();
     if (m_loading || !kind || name == nameOf(file))
         return;
+    // Queued: the list is filled anew by the edit, and its editor is still at work.
+    QMetaObject::invokeMethod(
+        this, [this, file, name] { renameTo(file, name); }, Qt::QueuedConnection);
+}
+
+void ProgramsTab::renameTo(const QString &file, const QString &name)
+{
+    const auto kind = kindOf(file);
     const Result<LabFiles> renamed =
         withKnownRenamed(m_document.files(), m_document.step(), *kind, nameOf(file), name);
     if (renamed && m_program == file)
         m_program = fileOf(*kind, name);
     m_listed.clear();
-    m_document.edit(tr("Rename a program"), renamed);
-    QMetaObject::invokeMethod(this, &ProgramsTab::reload, Qt::QueuedConnection);
+    if (!m_document.edit(tr("Rename a program"), renamed))
+        reload();
 }
 
 void ProgramsTab::showProgram(const QString &file, int line)

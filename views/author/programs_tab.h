@@ -57,6 +57,7 @@ private:
     void takeSource();
     void takeTranslation(const QString &text);
     void takeName(QListWidgetItem *item);
+    void renameTo(const QString &file, const QString &name);
     void checkSyntax();
     [[nodiscard]] QString path() const;       ///< in the lab
     [[nodiscard]] bool isTranslation() const; ///< the open language is not the lab's own

@@ -126,12 +126,7 @@ void SceneTab::takePreset()
 
 void SceneTab::setFromMoment()
 {
-    Preset changed = m_preset.preset();
-    const auto circles = m_simulation.recording().circles(m_simulation.current());
-    changed.fill.reset();
-    for (std::size_t i = 0; i < changed.circles.size() && i < circles.size(); ++i)
-        changed.circles[i].body = circles[i];
-    m_preset.edit(tr("Start from the moment shown"), changed);
+    m_preset.startFromMoment();
 }
 
 void SceneTab::visit(const Preset &scene, const QString &program, qint64 step)

@@ -247,12 +247,21 @@ void StepsPanel::takeTitle(QListWidgetItem *item)
     QString title = item->text().trimmed();
     if (title.startsWith(number))
         title.remove(0, number.size());
+    if (title.isEmpty())
+        return;
+    // Queued: the list is filled anew by the edit, and its editor is still at work.
+    QMetaObject::invokeMethod(
+        this, [this, step, title] { setTitle(step, title); }, Qt::QueuedConnection);
+}
+
+void StepsPanel::setTitle(const QString &step, const QString &title)
+{
     Result<TaskForm> form = taskForm(m_document.files(), step, m_document.language());
-    if (form && !title.isEmpty()) {
-        form->title = title;
-        m_document.edit(tr("Rename the step"),
-                        withTask(m_document.files(), step, *form, m_document.language()));
-    }
+    if (!form)
+        return;
+    form->title = title;
+    m_document.edit(tr("Rename the step"),
+                    withTask(m_document.files(), step, *form, m_document.language()));
 }
 
 void StepsPanel::moveUp()

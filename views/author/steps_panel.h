@@ -49,6 +49,7 @@ private:
     void move(int by);
     void takeOrder();                      ///< of the list, after a drag
     void takeTitle(QListWidgetItem *item); ///< after it was edited in place
+    void setTitle(const QString &step, const QString &title);
     void enableButtons();
 
     AuthorDocument &m_document;

@@ -32,6 +32,7 @@ struct UnknownName {
 /// The names in single backticks in \p markdown that are not in \p known. Only what looks like a
 /// name or a path of names (circle1.velocity) is looked at, never whole expressions, nor what
 /// stands in fenced blocks.
-[[nodiscard]] std::vector<UnknownName> unknownNames(const QString &markdown, const TextNames &known);
+[[nodiscard]] std::vector<UnknownName> unknownNames(const QString &markdown,
+                                                    const TextNames &known);
 
 } // namespace cradle
