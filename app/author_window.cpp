@@ -41,7 +41,13 @@ AuthorWindow::AuthorWindow(QSettings &settings)
     qApp->installEventFilter(this);
 }
 
-AuthorWindow::~AuthorWindow() = default;
+AuthorWindow::~AuthorWindow()
+{
+    qApp->removeEventFilter(this);
+    // The panes show the document: they go before it, and it tells this window nothing any more.
+    m_document.disconnect(this);
+    delete takeCentralWidget();
+}
 
 void AuthorWindow::makePanes()
 {

@@ -81,6 +81,8 @@ AuthorDocument::AuthorDocument(QObject *parent)
 
 AuthorDocument::~AuthorDocument()
 {
+    // The stack tells of its end when some of this is gone already.
+    disconnect(&m_undoStack, nullptr, this, nullptr);
     m_reading.waitForFinished();
 }
 
