@@ -3,8 +3,7 @@
 #include "model/inferred_hits.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <utility>
+#include <array>
 
 namespace cradle {
 
@@ -42,19 +41,35 @@ std::vector<Change> changesOf(const Preset &scene, std::span<const Circle> befor
     return changes;
 }
 
-/// Kinetic energy that the hit took, J. Gravity's part of the step, \p fall (m/s), is none of it;
-/// whether the program adds that before the hit or after it is not known, so what is nearer to
-/// nothing counts.
-double kineticLoss(std::initializer_list<std::pair<Circle, Vec2>> beforeAndAfter, Vec2 fall)
+/// A circle in the step of a hit.
+struct Struck {
+    double mass = 0.0; ///< kg
+    Vec2 before{};     ///< velocity, m/s
+    Vec2 after{};
+};
+
+/// Kinetic energy that the hit took, J.
+double kineticLoss(std::span<const Struck> all)
 {
-    double fallFirst = 0.0;
-    double fallLast = 0.0;
-    for (const auto &[before, after] : beforeAndAfter) {
-        const double half = 0.5 * mass(before);
-        fallFirst += half * (lengthSquared(before.velocity + fall) - lengthSquared(after));
-        fallLast += half * (lengthSquared(before.velocity) - lengthSquared(after - fall));
+    double loss = 0.0;
+    for (const Struck &one : all)
+        loss += 0.5 * one.mass * (lengthSquared(one.before) - lengthSquared(one.after));
+    return loss;
+}
+
+/// Takes gravity's part of the step, \p fall (m/s), out of the hit. Whether the program adds that
+/// before the hit or after it is not known, so that holds for which the hit takes or gives less.
+void takeOutFall(std::span<Struck> all, Vec2 fall)
+{
+    std::vector<Struck> first(all.begin(), all.end());
+    std::vector<Struck> last = first;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        first[i].before += fall;
+        last[i].after -= fall;
     }
-    return std::abs(fallFirst) < std::abs(fallLast) ? fallFirst : fallLast;
+    const bool isFirst = std::abs(kineticLoss(first)) < std::abs(kineticLoss(last));
+    const std::vector<Struck> &likely = isFirst ? first : last;
+    std::copy(likely.begin(), likely.end(), all.begin());
 }
 
 std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Circle> after,
@@ -73,11 +88,14 @@ std::optional<Hit> hitOfPair(std::span<const Circle> before, std::span<const Cir
     hit.impulse = mass(before[b]) * dot(changes[b].kick, n);
     if (hit.impulse == 0.0)
         hit.impulse = -mass(before[a]) * dot(changes[a].kick, n);
-    hit.beforeA = before[a].velocity;
-    hit.afterA = after[a].velocity;
-    hit.beforeB = before[b].velocity;
-    hit.afterB = after[b].velocity;
-    hit.loss = kineticLoss({{before[a], hit.afterA}, {before[b], hit.afterB}}, fall);
+    std::array struck{Struck{mass(before[a]), before[a].velocity, after[a].velocity},
+                      Struck{mass(before[b]), before[b].velocity, after[b].velocity}};
+    takeOutFall(struck, fall);
+    hit.beforeA = struck[0].before;
+    hit.afterA = struck[0].after;
+    hit.beforeB = struck[1].before;
+    hit.afterB = struck[1].after;
+    hit.loss = kineticLoss(struck);
     return hit;
 }
 
@@ -94,9 +112,11 @@ std::optional<Hit> hitAtWall(const Preset &scene, const Circle &before, const Ci
             .b = static_cast<int>(wall),
             .normal = n};
     hit.impulse = -mass(before) * push;
-    hit.beforeA = before.velocity;
-    hit.afterA = after.velocity;
-    hit.loss = kineticLoss({{before, after.velocity}}, fall);
+    std::array struck{Struck{mass(before), before.velocity, after.velocity}};
+    takeOutFall(struck, fall);
+    hit.beforeA = struck[0].before;
+    hit.afterA = struck[0].after;
+    hit.loss = kineticLoss(struck);
     return hit;
 }
 

@@ -170,6 +170,13 @@ void TestInferredHits::wayOfAnsweringDoesNotMatter()
     COMPARE_NEAR(hits[0].impulse, mass(preset.circles[0].body) * (3.0 + speed + g * dt), 1e-9);
     QFETCH(bool, elastic);
     QCOMPARE(std::abs(hits[0].loss) < 1e-6, elastic);
+    // Before and after tell of the hit alone: its impulse and its loss follow from them.
+    const Vec2 change = hits[0].afterA - hits[0].beforeA;
+    COMPARE_NEAR(mass(preset.circles[0].body) * change.y, hits[0].impulse, 1e-9);
+    COMPARE_NEAR(change.x, 0.0, 1e-12);
+    COMPARE_NEAR(0.5 * mass(preset.circles[0].body)
+                     * (lengthSquared(hits[0].beforeA) - lengthSquared(hits[0].afterA)),
+                 hits[0].loss, 1e-9);
 }
 
 void TestInferredHits::circlesSideBySideMeetTheFloorNotEachOther()
