@@ -16,7 +16,7 @@ namespace {
 
 constexpr int buttonHeight = 20; ///< px
 constexpr int pad = 6;           ///< px left and right of the text
-constexpr int arrow = 10;        ///< px for the arrow of a menu
+constexpr int arrowWidth = 10;   ///< px for the arrow of a menu
 constexpr int textPixels = 11;
 
 QFont smallFont(const QWidget &widget)
@@ -50,7 +50,7 @@ void QuietButton::setMenu(QMenu *menu, bool arrow)
 QSize QuietButton::sizeHint() const
 {
     const double text = std::ceil(subscriptWidth(smallFont(*this), this->text()));
-    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrow : 0), buttonHeight};
+    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrowWidth : 0), buttonHeight};
 }
 
 void QuietButton::paintEvent(QPaintEvent *)
