@@ -155,6 +155,13 @@ void ContinuousSolver::solve(std::span<const Place> places)
     }
 }
 
+/// How fast a circle at most is in this step as far as is known, m/s: another may have kicked it.
+double ContinuousSolver::fastestOf(Slot slot) const
+{
+    const double speed = std::sqrt(lengthSquared(m_motions[slot].velocity));
+    return isActive(slot) ? std::max(speed, m_members[m_places[slot]].fastest) : speed;
+}
+
 /// A member that has left its free flight takes in whom it could reach before the step ends.
 void ContinuousSolver::widen(std::size_t index)
 {
@@ -176,12 +183,12 @@ void ContinuousSolver::widen(std::size_t index)
     const auto look = [&](Slot begin, Slot end) {
         for (Slot other = begin; other < end; ++other) {
             if (lengthSquared(m_motions[other].position - place) <= far * far)
-                consider(other, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[other].velocity))));
+                consider(other, driftIn(m_dt, fastestOf(other)));
         }
     };
     m_grid.visitRuns(place, reach + m_smallRadius + driftAfter(m_index + 1), look);
     for (auto giant = static_cast<Slot>(m_small); giant < m_motions.size(); ++giant)
-        consider(giant, driftIn(m_dt, std::sqrt(lengthSquared(m_motions[giant].velocity))));
+        consider(giant, driftIn(m_dt, fastestOf(giant)));
     // Others that were kicked as hard may come from farther than the grid knows.
     if (member.fastest > m_fastest) {
         for (std::size_t i = 0; i < m_members.size(); ++i)

@@ -112,8 +112,12 @@ private:
     std::uint32_t groupOf(std::uint32_t member);
     std::uint32_t activate(Slot slot);
     [[nodiscard]] bool isActive(Slot slot) const;
+    [[nodiscard]] double fastestOf(Slot slot) const;
     [[nodiscard]] double massOf(Slot slot) const;
     [[nodiscard]] bool reachesWall(Slot slot, double speed) const;
+
+    ExactSolver m_exact;
+    bool m_isExact = false; ///< m_exact does the work
 
     Rules m_rules{};
     bool m_alike = true;  ///< one integrator for all
