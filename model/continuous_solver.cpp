@@ -17,9 +17,26 @@ constexpr double skinShare = 0.65;
 constexpr double freePaths = 0.5;
 constexpr int mostParts = 1024;
 
+/// Whether steps are the motion itself: free flight without error, hits without loss.
+bool stepsAreExact(const Rules &rules)
+{
+    return rules.restitution == 1.0 && rules.laws.circles != CircleLaw::Stop
+           && std::all_of(rules.integrators.begin(), rules.integrators.end(),
+                          [](Integrator i) { return pathCurvature(i) == 0.5; });
+}
+
 } // namespace
 
 void ContinuousSolver::start(const Rules &rules, std::span<const Circle> circles)
+{
+    m_isExact = stepsAreExact(rules);
+    if (m_isExact)
+        m_exact.start(rules, circles);
+    else
+        startSteps(rules, circles);
+}
+
+void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> circles)
 {
     m_rules = {.halfWidth = rules.halfWidth,
                .gravity = rules.gravity,
@@ -77,6 +94,10 @@ void ContinuousSolver::advance(double dt, double time, qint64 step, std::vector<
 {
     if (dt == 0.0)
         return;
+    if (m_isExact) {
+        m_exact.advance(dt, time, step, hits);
+        return;
+    }
     // Powers of two, so that a step is not sorted anew because speeds have changed a little.
     int parts = 1;
     while (parts < mostParts && m_meanSpeed * dt > freePaths * m_freePath * parts)
@@ -212,6 +233,10 @@ void ContinuousSolver::limitSteps(double speed)
 
 void ContinuousSolver::read(std::span<Circle> circles) const
 {
+    if (m_isExact) {
+        m_exact.read(circles);
+        return;
+    }
     for (std::size_t slot = 0; slot < m_motions.size(); ++slot) {
         Circle &circle = circles[m_ids[slot]];
         circle.position = m_motions[slot].position;

@@ -4,6 +4,7 @@
 
 #include "model/continuous_step.h"
 #include "model/disc_grid.h"
+#include "model/exact_solver.h"
 
 #include <array>
 
@@ -27,6 +28,9 @@ namespace cradle {
 ///
 /// A step in which most circles of a crowd would meet several others is divided into parts; so
 /// there are no groups of thousands.
+///
+/// Where every integrator follows the parabola and no hit loses anything, steps that miss no hit
+/// and exact timing are the same motion; then ExactSolver does the work, which needs no steps.
 class ContinuousSolver
 {
 public:
@@ -81,6 +85,7 @@ private:
     };
 
     // Sorting, and the flow of a step: continuous_solver.cpp
+    void startSteps(const Rules &rules, std::span<const Circle> circles);
     void sort(double dt);
     void advancePart(double dt, double time, std::vector<Hit> &hits);
     void findMeanSpeed();

@@ -15,7 +15,8 @@ constexpr double fraction = 0.2;           ///< of the square's area that discs 
 constexpr double rmsSpeed = 2.0;           ///< m/s
 constexpr double finestStep = 1.0 / 240.0; ///< s
 
-/// The gas at random places, at 2 m/s.
+/// The gas at random places, at 2 m/s. Its flight is straight with any integrator; with symplectic
+/// Euler continuous timing moves it step by step.
 Preset gas(Timing timing, qint64 seed)
 {
     Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, timing});
@@ -23,6 +24,8 @@ Preset gas(Timing timing, qint64 seed)
     preset.halfWidth = 0.5 * std::sqrt(discs * pi * radius * radius / fraction);
     preset.fill = CircleFill{.count = discs, .radius = radius, .rmsSpeed = rmsSpeed, .seed = seed};
     preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    for (PresetCircle &c : preset.circles)
+        c.integrator = Integrator::SymplecticEuler;
     return preset;
 }
 

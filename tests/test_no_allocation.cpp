@@ -47,16 +47,22 @@ private slots:
 void TestNoAllocation::aWarmStepAllocatesNothing_data()
 {
     QTest::addColumn<Timing>("timing");
+    QTest::addColumn<Integrator>("integrator");
     for (const Timing timing : {Timing::Discrete, Timing::Continuous, Timing::Exact})
-        QTest::newRow(shortName(timing)) << timing;
+        QTest::newRow(shortName(timing)) << timing << Integrator::Verlet;
+    QTest::newRow("continuous, symplectic Euler")
+        << Timing::Continuous << Integrator::SymplecticEuler;
 }
 
 void TestNoAllocation::aWarmStepAllocatesNothing()
 {
     QFETCH(Timing, timing);
+    QFETCH(Integrator, integrator);
     Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, timing});
     preset.fill = CircleFill{.count = 300, .radius = 0.1, .rmsSpeed = 2.0, .density = 1.0};
     preset.circles = *makeCircles(*preset.fill, halfWidth);
+    for (PresetCircle &c : preset.circles)
+        c.integrator = integrator;
     Run run(preset);
     run.hits.reserve(100'000);
     run.steps(1200); // 20 s: the fullest moments have come
