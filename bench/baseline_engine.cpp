@@ -234,7 +234,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<GasEngine> makeBaseline(const Preset &gas)
+std::unique_ptr<GasEngine> makeBaseline(const Gas &gas)
 {
     return std::make_unique<BaselineEngine>(gas);
 }

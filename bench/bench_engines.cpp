@@ -29,9 +29,8 @@ struct Contestant {
 };
 
 constexpr Contestant contestants[] = {
-    {"exact", makeExact, 50'000, 60.0, 1.0},
-    {"continuous", makeContinuous, 50'000, 60.0, 1.0},
-    {"baseline", makeBaseline, 50'000, 0.0, 1.0},
+    {"exact", makeExact, 50'000, 60.0, 1.0},      {"continuous", makeContinuous, 50'000, 60.0, 1.0},
+    {"stepped", makeStepped, 50'000, 60.0, 1.0},  {"baseline", makeBaseline, 50'000, 0.0, 1.0},
     {"box2d", makeBox2d, 1000, 5.0, 0.05}, // under gravity it heats up: seconds cost ever more
     {"chipmunk", makeChipmunk, 1000, 60.0, 0.25},
 };
@@ -67,7 +66,7 @@ void cost(benchmark::State &state, const Contestant &contestant, int count,
 void truth(benchmark::State &state, const Contestant &contestant, int count, double gravity,
            double seconds)
 {
-    const Preset start = gas(count, gravity);
+    const Gas start = gas(count, gravity);
     std::vector<Motion> motions;
     double drift = 0.0;
     double overlap = 0.0;
@@ -91,10 +90,10 @@ void truth(benchmark::State &state, const Contestant &contestant, int count, dou
     state.counters["seconds"] = seconds;
 }
 
-/// The most that the engine ever holds, its copy of the circles included.
+/// The most that the engine ever holds, besides the circles that it is handed.
 void memory(benchmark::State &state, const Contestant &contestant, int count)
 {
-    const Preset start = gas(count, 0.0);
+    const Gas start = gas(count, 0.0);
     std::ptrdiff_t most = 0;
     for (auto _ : state) {
         HeapMeter::restart();

@@ -82,7 +82,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<GasEngine> makeBox2d(const Preset &gas)
+std::unique_ptr<GasEngine> makeBox2d(const Gas &gas)
 {
     return std::make_unique<Box2dEngine>(gas);
 }

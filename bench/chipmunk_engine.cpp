@@ -82,7 +82,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<GasEngine> makeChipmunk(const Preset &gas)
+std::unique_ptr<GasEngine> makeChipmunk(const Gas &gas)
 {
     return std::make_unique<ChipmunkEngine>(gas);
 }

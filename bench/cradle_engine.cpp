@@ -12,14 +12,14 @@ template <class Solver>
 class CradleEngine final : public GasEngine
 {
 public:
-    CradleEngine(const Preset &gas, int stepsPerFrame)
+    CradleEngine(const Gas &gas, Integrator integrator, int stepsPerFrame)
         : m_stepsPerFrame(stepsPerFrame)
         , m_timestep(1.0 / (60.0 * stepsPerFrame))
         , m_count(gas.circles.size())
     {
         Rules rules = rulesOf(gas);
-        rules.integrators.assign(m_count, Integrator::Verlet);
-        m_solver.start(rules, initialWorld(gas).circles);
+        rules.integrators.assign(m_count, integrator);
+        m_solver.start(rules, gas.bodies);
     }
 
     void step() override
@@ -53,14 +53,19 @@ private:
 
 } // namespace
 
-std::unique_ptr<GasEngine> makeExact(const Preset &gas)
+std::unique_ptr<GasEngine> makeExact(const Gas &gas)
 {
-    return std::make_unique<CradleEngine<ExactSolver>>(gas, 1);
+    return std::make_unique<CradleEngine<ExactSolver>>(gas, Integrator::Verlet, 1);
 }
 
-std::unique_ptr<GasEngine> makeContinuous(const Preset &gas)
+std::unique_ptr<GasEngine> makeContinuous(const Gas &gas)
 {
-    return std::make_unique<CradleEngine<ContinuousSolver>>(gas, 4);
+    return std::make_unique<CradleEngine<ContinuousSolver>>(gas, Integrator::Verlet, 4);
+}
+
+std::unique_ptr<GasEngine> makeStepped(const Gas &gas)
+{
+    return std::make_unique<CradleEngine<ContinuousSolver>>(gas, Integrator::SymplecticEuler, 4);
 }
 
 } // namespace cradle

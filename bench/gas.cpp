@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/gas.h"
 
+#include "model/world.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace cradle {
 
-Preset gas(int count, double gravity)
+Gas gas(int count, double gravity)
 {
-    Preset preset;
+    Gas preset;
     preset.halfWidth =
         0.5 * std::sqrt(count * std::numbers::pi * gasRadius * gasRadius / gasAreaFraction);
     preset.gravity = Vec2{0.0, -gravity};
@@ -18,6 +20,7 @@ Preset gas(int count, double gravity)
     preset.fill = CircleFill{
         .count = count, .radius = gasRadius, .rmsSpeed = gasRmsSpeed, .density = 1.0, .seed = 1};
     preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    preset.bodies = initialWorld(preset).circles;
     return preset;
 }
 

@@ -13,9 +13,14 @@ inline constexpr double gasRadius = 0.2;       ///< m
 inline constexpr double gasAreaFraction = 0.2; ///< Σ π r² / area of the square
 inline constexpr double gasRmsSpeed = 2.0;     ///< m/s
 
+/// The preset, and its circles as Cradle's solvers are handed them.
+struct Gas : Preset {
+    std::vector<Circle> bodies;
+};
+
 /// \p count equal elastic circles in a reflecting square of half width ½ √(N π r² / φ) m.
 /// \param gravity  downwards, m/s²
-[[nodiscard]] Preset gas(int count, double gravity);
+[[nodiscard]] Gas gas(int count, double gravity);
 
 /// Energy per mass, J/kg: Σ ½ v² + g (y + half width), g pointing down.
 [[nodiscard]] double specificEnergy(const Preset &gas, const std::vector<Motion> &motions);

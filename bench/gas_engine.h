@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/integrator.h"
-#include "model/preset.h"
+#include "bench/gas.h"
 
 #include <memory>
 #include <vector>
@@ -27,23 +26,26 @@ public:
 };
 
 /// Every engine takes half width, gravity and circles from a gas() and starts from the same state.
-using MakeEngine = std::unique_ptr<GasEngine> (*)(const Preset &gas);
+using MakeEngine = std::unique_ptr<GasEngine> (*)(const Gas &gas);
 
 /// Cradle from event to event, read once a frame.
-std::unique_ptr<GasEngine> makeExact(const Preset &gas);
+std::unique_ptr<GasEngine> makeExact(const Gas &gas);
 
-/// Cradle's times of impact inside steps of 1/240 s.
-std::unique_ptr<GasEngine> makeContinuous(const Preset &gas);
+/// Cradle's steps of 1/240 s that miss no hit, with velocity Verlet: the same motion as exact.
+std::unique_ptr<GasEngine> makeContinuous(const Gas &gas);
+
+/// The same with symplectic Euler, which is moved step by step.
+std::unique_ptr<GasEngine> makeStepped(const Gas &gas);
 
 /// Box2D 2.4 with steps of 1/60 s, 8 velocity and 3 position iterations, in single precision.
 /// Every contact is elastic: the restitution threshold (1 m/s by default) is set to 0.
-std::unique_ptr<GasEngine> makeBox2d(const Preset &gas);
+std::unique_ptr<GasEngine> makeBox2d(const Gas &gas);
 
 /// Chipmunk 7 with steps of 1/240 s, its 10 iterations and its slop of 0.1 m: a finer slop costs
 /// the same.
-std::unique_ptr<GasEngine> makeChipmunk(const Preset &gas);
+std::unique_ptr<GasEngine> makeChipmunk(const Gas &gas);
 
 /// The textbook's event-driven hard discs, the yardstick of a machine; without gravity.
-std::unique_ptr<GasEngine> makeBaseline(const Preset &gas);
+std::unique_ptr<GasEngine> makeBaseline(const Gas &gas);
 
 } // namespace cradle
