@@ -124,11 +124,12 @@ void finishDirectly(std::span<const double> matrix, std::span<Contact> contacts)
 
 } // namespace
 
-void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses)
+void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses,
+                   int mostRounds)
 {
     const std::size_t n = contacts.size();
     if (n > few) {
-        solveManyContacts(contacts, inverseMasses);
+        solveManyContacts(contacts, inverseMasses, mostRounds);
         return;
     }
     std::array<double, few * few> matrix;

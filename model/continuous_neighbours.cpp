@@ -83,13 +83,19 @@ std::span<const std::uint32_t> ContinuousStep::neighboursOf(std::size_t body) co
 /// Whether one of the two is in a pile that has been hit too often in this step.
 bool ContinuousStep::isPressed(const Contact &contact) const
 {
-    return m_bodies[at(contact.a)].splits >= pressed
+    return m_crushed || m_bodies[at(contact.a)].splits >= pressed
            || (contact.b >= 0 && m_bodies[at(contact.b)].splits >= pressed);
 }
 
 /// What may reach such a pile in the rest of the step takes part, too.
 void ContinuousStep::touchAroundPressed()
 {
+    if (m_crushed && !m_gathered) {
+        m_gathered = true;
+        for (std::size_t i = 0; i < m_bodies.size(); ++i)
+            touch(i);
+        return;
+    }
     const std::size_t count = m_touched.size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t i = m_touched[k];

@@ -12,9 +12,14 @@ namespace {
 
 /// A gap below this share of the lengths concerned is touching: some roundings of a position.
 constexpr double touching = 1e-9;
-/// By so much of the radii an overlap that rounding has left shrinks in a step: what it lifts
-/// takes no energy worth counting.
-constexpr double repaired = 1e-12;
+/// An overlap that rounding, or the pushes of a large pile, have left shrinks by this share in a
+/// step, and by no more than so much of the radii: what that lifts it had let fall.
+constexpr double repaired = 0.1;
+constexpr double mostRepaired = 1e-4;
+/// Of what a step of gravity gives: among many, slower closing is none, however its normal lies,
+/// for the pushes of large piles are not found more exactly.
+constexpr double settled = 0.03;
+constexpr std::size_t many = 64;
 
 std::size_t at(int index)
 {
@@ -91,6 +96,11 @@ void ContinuousStep::findPiles()
     const double gain = length(m_rules->gravity) * m_dt; // what leaves faster is not of it
     m_marks.assign(m_bodies.size(), 0);
     for (const std::size_t i : m_touched) {
+        if (m_crushed) {
+            m_pile.push_back(i);
+            m_marks[i] = 1;
+            continue;
+        }
         for (const Wall wall : allWalls) {
             const Contact contact{.a = static_cast<int>(i), .normal = outwardNormal(wall)};
             if (dot(m_rules->gravity, contact.normal) <= 0.0 || !staysClose(contact)
@@ -107,7 +117,7 @@ void ContinuousStep::findPiles()
         for (const std::uint32_t j : neighboursOf(i)) {
             const std::pair<int, int> pair = std::minmax(static_cast<int>(i), static_cast<int>(j));
             if (!m_bodies[j].touched || !staysClose(contactOf(pair))
-                || closingSpeed(contactOf(pair)) < -gain)
+                || (!m_crushed && closingSpeed(contactOf(pair)) < -gain))
                 continue;
             rest(pair);
             if (m_marks[j] == 0)
@@ -121,7 +131,6 @@ void ContinuousStep::findPiles()
 /// need if nothing else held them: as far as their gap can be closed in the rest of the step.
 void ContinuousStep::addPairs()
 {
-    const double end = m_dt - m_now;
     for (const auto &pair : m_resting) {
         if (!m_bodies[at(pair.first)].touched)
             continue;
@@ -130,7 +139,7 @@ void ContinuousStep::addPairs()
         if (std::abs(closing) > m_slow && !staysClose(contact))
             continue;
         if (m_lossy)
-            contact.change = closing - gapOf(contact) / end;
+            contact.change = closing - freeSpeed(contact);
         m_contacts.push_back(contact);
     }
 }
@@ -161,7 +170,7 @@ void ContinuousStep::addWalls()
                 continue;
             contact.change = end * dot(m_rules->gravity, n);
             if (m_lossy)
-                contact.change += closingSpeed(contact) - gapOf(contact) / end;
+                contact.change += closingSpeed(contact) - freeSpeed(contact);
             m_contacts.push_back(contact);
         }
     }
@@ -172,9 +181,9 @@ void ContinuousStep::addWalls()
 void ContinuousStep::hold()
 {
     const double end = m_dt - m_now;
-    solveContacts(m_contacts, m_inverseMasses);
+    solveContacts(m_contacts, m_inverseMasses, mostRounds());
     for (const Contact &contact : m_contacts) {
-        if (contact.impulse <= 0.0)
+        if (contact.impulse <= 0.0 && !m_crushed)
             continue;
         const Vec2 push = (contact.impulse / end) * contact.normal;
         Body &a = m_bodies[at(contact.a)];
@@ -190,12 +199,11 @@ void ContinuousStep::hold()
     for (const Contact &contact : m_contacts) {
         Vec2 &a = m_bodies[at(contact.a)].acceleration;
         const Vec2 n = contact.normal;
-        if (contact.b >= 0 || contact.impulse <= 0.0)
+        if (contact.b >= 0 || (!m_lossy && contact.impulse <= 0.0))
             continue;
-        if (m_lossy && !isHeld(at(contact.a), n)) {
-            const double free = std::max(0.0, gapOf(contact)) / end;
+        if (m_lossy && (contact.impulse <= 0.0 || !isHeld(at(contact.a), n))) {
             const double atEnd = closingSpeed(contact) + end * dot(a, n);
-            a -= (std::max(0.0, atEnd - free) / end) * n;
+            a -= (std::max(0.0, atEnd - std::max(0.0, freeSpeed(contact))) / end) * n;
         } else {
             a -= dot(a, n) * n;
         }
@@ -227,16 +235,31 @@ void ContinuousStep::spreadDrift()
     }
 }
 
-/// How far a contact is from touching, m; an overlap only as far as rounding leaves one.
+/// How far a contact is from touching, m; negative where they overlap.
 double ContinuousStep::gapOf(const Contact &contact) const
 {
     const Circle &a = m_world->circles[at(contact.a)];
     if (contact.b < 0)
-        return std::max(m_rules->halfWidth - a.radius - dot(a.position, contact.normal),
-                        -repaired * a.radius);
+        return m_rules->halfWidth - a.radius - dot(a.position, contact.normal);
     const Circle &b = m_world->circles[at(contact.b)];
-    return std::max(length(b.position - a.position) - a.radius - b.radius,
-                    -repaired * (a.radius + b.radius));
+    return length(b.position - a.position) - a.radius - b.radius;
+}
+
+/// At which speed a contact may close until the step ends, m/s; where they overlap it shall part.
+double ContinuousStep::freeSpeed(const Contact &contact) const
+{
+    const double gap = gapOf(contact);
+    if (gap >= 0.0)
+        return gap / (m_dt - m_now);
+    return std::max(repaired * gap, -mostRepaired * m_world->circles[at(contact.a)].radius) / m_dt;
+}
+
+/// The speed of the faster of the two, m/s.
+double ContinuousStep::fasterOf(const Contact &contact) const
+{
+    const double a = lengthSquared(m_world->circles[at(contact.a)].velocity);
+    const double b = contact.b < 0 ? 0.0 : lengthSquared(m_world->circles[at(contact.b)].velocity);
+    return std::sqrt(std::max(a, b));
 }
 
 /// Whether two are so near, and close so slowly if at all, that, one of them held, gravity keeps
@@ -245,10 +268,13 @@ bool ContinuousStep::staysClose(const Contact &contact) const
 {
     const double closing = closingSpeed(contact);
     const double gain = length(m_rules->gravity) * m_dt; // m/s that a step gives at most
+    if (m_crushed)
+        return gapOf(contact) <= (2.0 * gain + fasterOf(contact)) * (m_dt - m_now);
     if (m_lossy && isPressed(contact))
         return gapOf(contact) <= (2.0 * gain + std::max(closing, 0.0)) * (m_dt - m_now);
     const double along = std::abs(dot(m_rules->gravity, contact.normal)) * m_dt;
-    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along
+    const double rest = m_bodies.size() > many ? settled * gain : 0.0;
+    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along + rest
            && gapOf(contact) <= 2.0 * gain * (m_dt - m_now);
 }
 

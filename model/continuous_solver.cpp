@@ -21,6 +21,7 @@ constexpr int mostParts = 1024;
 bool stepsAreExact(const Rules &rules)
 {
     return rules.restitution == 1.0 && rules.laws.circles != CircleLaw::Stop
+           && rules.laws.circles != CircleLaw::SwapVelocities
            && std::all_of(rules.integrators.begin(), rules.integrators.end(),
                           [](Integrator i) { return pathCurvature(i) == 0.5; });
 }

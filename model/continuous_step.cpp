@@ -20,6 +20,9 @@ constexpr double roundedSpeed = 1e-13;
 constexpr std::size_t splitsPerCircle = 1000;
 constexpr std::size_t splitsAtLeast = 100'000;
 constexpr double rounding = 1e-9;
+/// A moment with more contacts than these costs milliseconds; so many of them a step are enough.
+constexpr std::size_t manyContacts = 64;
+constexpr int enoughMoments = 3;
 
 /// The order of the heap of events.
 constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
@@ -45,6 +48,8 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
         resolve(hits);
         foreseeSpeeds();
         findAccelerations();
+        m_largeMoments += m_contacts.size() > manyContacts ? 1 : 0;
+        m_crushed = m_lossy && m_largeMoments >= enoughMoments;
     }
     // Circles with an event left over have met the bound on the work; they wait where they are.
     for (const Event &event : m_events) {
@@ -62,6 +67,9 @@ void ContinuousStep::begin()
 {
     m_now = 0.0;
     m_lossy = m_rules->laws.circles == CircleLaw::Impulse && m_rules->restitution < 1.0;
+    m_largeMoments = 0;
+    m_crushed = false;
+    m_gathered = false;
     m_events.clear();
     m_held.clear();
     m_touched.clear();

@@ -84,6 +84,8 @@ private:
     void hold();
     void spreadDrift();
     [[nodiscard]] double gapOf(const Contact &contact) const;
+    [[nodiscard]] double freeSpeed(const Contact &contact) const;
+    [[nodiscard]] double fasterOf(const Contact &contact) const;
     [[nodiscard]] bool staysClose(const Contact &contact) const;
     [[nodiscard]] bool isHeld(std::size_t body, Vec2 wall) const;
     [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
@@ -96,6 +98,7 @@ private:
     void addSupports();
     void respondTogether();
     void respondInTurn();
+    [[nodiscard]] int mostRounds() const;
     [[nodiscard]] double restitutionOf(const Contact &contact) const;
     [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
     [[nodiscard]] bool isCollapse(const Contact &contact);
@@ -106,6 +109,9 @@ private:
     double m_now = 0.0;           ///< s into the step
     double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
     bool m_lossy = false;         ///< circles rebound slower than they meet
+    int m_largeMoments = 0;       ///< of this step, with many contacts
+    bool m_crushed = false;       ///< they were too many: all that can meet takes part at once
+    bool m_gathered = false;      ///< it has done so
     double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
     std::vector<Body> m_bodies;
     std::vector<Vec2> m_places;                  ///< at the start of the step, m

@@ -15,8 +15,6 @@ namespace {
 
 /// A share of the largest wish that may be left undone: far below what counts as rest.
 constexpr double converged = 1e-9;
-/// Some times what the largest piles take.
-constexpr int mostRounds = 4000;
 
 std::size_t indexOf(int body)
 {
@@ -105,7 +103,8 @@ double product(const std::vector<double> &x, const std::vector<double> &y)
 
 } // namespace
 
-void solveManyContacts(std::span<Contact> contacts, std::span<const double> inverseMasses)
+void solveManyContacts(std::span<Contact> contacts, std::span<const double> inverseMasses,
+                       int mostRounds)
 {
     const std::size_t n = contacts.size();
     std::vector<double> scale(n);

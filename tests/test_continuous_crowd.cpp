@@ -17,6 +17,7 @@ private slots:
     void groupsMissNothing();
     void exactTimingIsTheSameMotion();
     void twoThatAreKickedInAStepMeet();
+    void aLargeHeapComesToRest();
 };
 
 namespace {
@@ -126,6 +127,41 @@ void TestContinuousCrowd::twoThatAreKickedInAStepMeet()
         preset.circles.push_back(
             circle({-3.0 + 0.5 * i, 3.0}, {}, radius, Integrator::SymplecticEuler));
     QCOMPARE(compareWithOneGroup(preset, 1), 3U);
+}
+
+/// Hundreds fall into a heap: far more contacts than can be taken moment by moment. They hardly
+/// overlap, gain no energy and come to rest.
+void TestContinuousCrowd::aLargeHeapComesToRest()
+{
+    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous});
+    preset.gravity = {0, -g};
+    preset.restitution = 0.5;
+    preset.fill = CircleFill{.count = 150, .radius = 0.16, .rmsSpeed = 1.0, .density = 1.0};
+    preset.circles = *makeCircles(*preset.fill, halfWidth);
+    Run run(preset);
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const Circle &c : run.world.circles)
+            sum += mass(c) * (0.5 * lengthSquared(c.velocity) + g * (c.position.y + halfWidth));
+        return sum;
+    };
+    const double start = energy();
+    double least = start;
+    for (int step = 0; step < 240; ++step) {
+        run.steps(1);
+        QVERIFY(energy() <= least + 1e-3 * start);
+        least = std::min(least, energy());
+    }
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < run.world.circles.size(); ++i) {
+        const Circle &a = run[i];
+        fastest = std::max(fastest, length(a.velocity));
+        QVERIFY(std::max(std::abs(a.position.x), std::abs(a.position.y)) + a.radius
+                <= halfWidth + 0.01 * a.radius);
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(length(run[j].position - a.position) >= 1.99 * a.radius);
+    }
+    QVERIFY2(fastest < 0.05, QByteArray::number(fastest).constData());
 }
 
 QTEST_APPLESS_MAIN(TestContinuousCrowd)
