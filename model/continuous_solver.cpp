@@ -49,30 +49,22 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
     m_alike = std::adjacent_find(m_integrators.begin(), m_integrators.end(), std::not_equal_to<>())
               == m_integrators.end();
     const std::size_t count = circles.size();
-    const double widest = widestOfGrid(circles);
     m_motions.clear();
     m_radii.clear();
-    m_ids.clear();
     m_densities.clear();
-    m_smallRadius = 0.0;
     Vec2 low = count > 0 ? circles[0].position : Vec2{};
     Vec2 high = low;
-    for (const bool giants : {false, true}) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const Circle &c = circles[i];
-            if ((c.radius > widest) != giants)
-                continue;
-            m_motions.push_back({c.position, c.velocity});
-            m_radii.push_back(c.radius);
-            m_ids.push_back(static_cast<std::uint32_t>(i));
-            if (!giants)
-                m_smallRadius = std::max(m_smallRadius, c.radius);
-            low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y)};
-            high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y)};
-        }
-        if (!giants)
-            m_small = m_motions.size();
+    GiantsApart apart = giantsApart(circles);
+    for (const std::uint32_t id : apart.ids) {
+        const Circle &c = circles[id];
+        m_motions.push_back({c.position, c.velocity});
+        m_radii.push_back(c.radius);
+        low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y)};
+        high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y)};
     }
+    m_ids = std::move(apart.ids);
+    m_small = apart.small;
+    m_smallRadius = apart.smallRadius;
     for (const Circle &c : circles)
         m_densities.push_back(c.density);
     const double span = rules.laws.walls == WallLaw::Reflect

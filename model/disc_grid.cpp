@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cradle {
 
@@ -24,9 +25,8 @@ std::uint32_t cellsAcross(double width, double size, double most)
 constexpr double giantSize = 4.0;
 constexpr std::ptrdiff_t fewGiants = 16;
 
-} // namespace
-
-double widestOfGrid(std::span<const Circle> circles)
+/// The least radius of a giant, m; infinite if there are none.
+double giantRadius(std::span<const Circle> circles)
 {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (circles.empty())
@@ -40,6 +40,22 @@ double widestOfGrid(std::span<const Circle> circles)
     const double bound = giantSize * *median;
     const auto giants = std::count_if(median, radii.end(), [bound](double r) { return r > bound; });
     return giants <= fewGiants ? bound : none;
+}
+
+} // namespace
+
+GiantsApart giantsApart(std::span<const Circle> circles)
+{
+    GiantsApart apart;
+    apart.ids.resize(circles.size());
+    std::iota(apart.ids.begin(), apart.ids.end(), 0U);
+    const double bound = giantRadius(circles);
+    const auto giants = std::stable_partition(apart.ids.begin(), apart.ids.end(),
+                                              [&](auto id) { return circles[id].radius <= bound; });
+    apart.small = static_cast<std::size_t>(giants - apart.ids.begin());
+    for (std::size_t i = 0; i < apart.small; ++i)
+        apart.smallRadius = std::max(apart.smallRadius, circles[apart.ids[i]].radius);
+    return apart;
 }
 
 /// Lays cells over the box from \p low to \p high for \p count places.

@@ -12,10 +12,14 @@
 
 namespace cradle {
 
-/// Circles wider than this (m) are better kept out of a grid for \p circles and looked at one by
-/// one: they are few, and a grid for them would be far too coarse for the others. Infinite if
-/// there are none.
-[[nodiscard]] double widestOfGrid(std::span<const Circle> circles);
+/// Circles parted into those that a grid suits and a few giants, which are better looked at one by
+/// one: a grid for them would be far too coarse for the others.
+struct GiantsApart {
+    std::vector<std::uint32_t> ids; ///< of all circles, the giants last, else in their order
+    std::size_t small = 0;          ///< so many are no giants
+    double smallRadius = 0.0;       ///< the largest of those, m
+};
+[[nodiscard]] GiantsApart giantsApart(std::span<const Circle> circles);
 
 /// A uniform grid over places, about one place a cell, filled by counting sort. Whoever builds it
 /// keeps its things in the order of sorted(): then the things of neighbouring cells of a row lie

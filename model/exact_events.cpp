@@ -12,8 +12,6 @@ namespace cradle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A closing speed below this share of the speeds is rounding: two that touch move alike.
-constexpr double roundedSpeed = 1e-13;
 /// A giant looks around for as long as it moves by this share of its radius.
 constexpr double homeOfGiant = 0.25;
 /// A bound is wider by this share, so that rounding cannot hide what is right at it.

@@ -15,8 +15,6 @@ namespace {
 
 /// Places closer than this share of the lengths concerned are in touch.
 constexpr double touching = 1e-12;
-/// Speeds along a normal below this share of the speeds are rounding.
-constexpr double roundedSpeed = 1e-13;
 
 } // namespace
 

@@ -35,27 +35,16 @@ void ExactSolver::start(const Rules &rules, std::span<const Circle> circles)
     m_lossy = rules.restitution < 1.0 || rules.laws.circles == CircleLaw::Stop;
     const std::size_t count = circles.size();
     m_discs.clear();
-    m_ids.clear();
     m_discs.reserve(count);
-    m_ids.reserve(count);
-    const double bound = widestOfGrid(circles);
-    m_smallRadius = 0.0;
-    for (const bool giants : {false, true}) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const Circle &c = circles[i];
-            if ((c.radius > bound) != giants)
-                continue;
-            m_discs.push_back({.position = c.position,
-                               .velocity = c.velocity,
-                               .radius = c.radius,
-                               .inverseMass = 1.0 / mass(c)});
-            m_ids.push_back(static_cast<std::uint32_t>(i));
-            if (!giants)
-                m_smallRadius = std::max(m_smallRadius, c.radius);
-        }
-        if (!giants)
-            m_small = m_discs.size();
-    }
+    GiantsApart apart = giantsApart(circles);
+    for (const std::uint32_t id : apart.ids)
+        m_discs.push_back({.position = circles[id].position,
+                           .velocity = circles[id].velocity,
+                           .radius = circles[id].radius,
+                           .inverseMass = 1.0 / mass(circles[id])});
+    m_ids = std::move(apart.ids);
+    m_small = apart.small;
+    m_smallRadius = apart.smallRadius;
     setScales();
     m_shaking.assign(m_lossy ? count : 0, false);
     m_near.resize(count + 1);

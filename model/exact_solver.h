@@ -41,6 +41,8 @@ public:
 private:
     using Slot = std::uint32_t;
     static constexpr double infinity = std::numeric_limits<double>::infinity();
+    /// Closing speeds below this share of the speeds concerned are rounding.
+    static constexpr double roundedSpeed = 1e-13;
 
     /// What comes next for a disc, s into the epoch.
     struct Plan {
