@@ -6,6 +6,7 @@
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/figure.h"
+#include "views/author/lab_dialog.h"
 #include "views/author/scene_tab.h"
 #include "views/author/text_tab.h"
 #include "views/scene/scene_view.h"
@@ -140,6 +141,15 @@ void AuthorWindow::openAsStudent()
     if (m_document.isModified() && !save())
         return;
     emit studentRequested(m_document.folder());
+}
+
+void AuthorWindow::editProperties()
+{
+    // A lab.json that cannot be read has no fields; the finding about it says why.
+    if (const Result<LabForm> lab = labForm(m_document.files()); !lab)
+        report(lab.error());
+    else
+        LabDialog(m_document, this).exec();
 }
 
 void AuthorWindow::insertFigure()

@@ -57,7 +57,8 @@ public slots:
     bool saveAs();    ///< also makes the copy of a lab that is read-only
     void exportLab(); ///< as one file
     void openAsStudent();
-    void insertFigure(); ///< the scene as it is shown
+    void editProperties(); ///< of the lab: title, version, id
+    void insertFigure();   ///< the scene as it is shown
     void showTab(int tab);
 
 signals:

@@ -61,6 +61,7 @@ QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed, QPushButton:checked, QToolButton:checked {
     background: @accentSoft; color: @accent; }
 QPushButton:disabled, QToolButton:disabled { color: @disabled; border-color: @border; }
+QToolButton[autoRaise="true"]:disabled { border-color: transparent; }
 QPushButton:focus, QToolButton:focus { border: 2px solid @accent; min-height: 28px; }
 QPushButton:focus { padding: 0 10px; }
 QToolButton:focus { padding: 0 6px; }
@@ -96,6 +97,9 @@ QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus {
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; border-color: @border; }
 QLineEdit[refused="true"] { border: 2px solid @warning; background: @warningSoft; padding: 0 5px;
     min-height: 22px; }
+QPlainTextEdit[kind="field"] { border: 1px solid @controlBorder; border-radius: 6px;
+    background: @panel; padding: 1px; }
+QPlainTextEdit[kind="field"]:focus { border: 2px solid @accent; padding: 0; }
 QLineEdit[cell="true"], QComboBox[cell="true"] { min-height: 0; border: 2px solid @accent;
     border-radius: 4px; padding: 0 3px; }
 QLineEdit[cell="true"][refused="true"] { border-color: @warning; padding: 0 3px; min-height: 0; }

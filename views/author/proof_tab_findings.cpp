@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/proof_tab.h"
 
+#include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_edits.h"
 
 #include <QEvent>
@@ -97,9 +98,8 @@ void ProofTab::adopt(const Suggestion &suggestion)
 {
     const LabFiles &files = m_document.files();
     const QStringList taken = knownNames(files, m_document.step(), KnownKind::Mistake);
-    QString name = suggestion.mutant.name;
-    for (int number = 2; taken.contains(name); ++number)
-        name = QStringLiteral("%1-%2").arg(suggestion.mutant.name).arg(number);
+    const QString name =
+        freeName(suggestion.mutant.name, [&](const QString &each) { return taken.contains(each); });
     if (m_document.edit(tr("Add a suggested mistake"),
                         withKnownAdded(files, m_document.step(), KnownKind::Mistake, name,
                                        suggestion.mutant.source)))
