@@ -107,20 +107,28 @@ void AuthorWindow::wireProof()
         showTab(Checks);
         m_checksTab->showCheck(id);
     });
-    connect(m_proofTab, &ProofTab::runRequested, this,
-            [this](const Preset &scene, const QString &source, qint64 step) {
-                showTab(Scene);
-                m_sceneTab->visit(scene, source, step);
-            });
-    connect(m_sceneTab, &SceneTab::visitingChanged, this, [this](bool visiting) {
-        if (visiting) {
-            m_offer = Offer::None;
-            m_notice->showNotice(
-                tr("This is a scene of the proof, at the moment where it went wrong."));
-        } else {
-            m_notice->hide();
-        }
-    });
+    connect(
+        m_proofTab, &ProofTab::runRequested, this,
+        [this](const Preset &scene, const QString &source, qint64 step, const QString &finding) {
+            showTab(Scene);
+            m_visited = finding;
+            m_sceneTab->visit(scene, source, step);
+        });
+    connect(m_sceneTab, &SceneTab::visitingChanged, this, &AuthorWindow::showVisit);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &AuthorWindow::showVisit);
+}
+
+/// Says of the scene what run is to be seen there, and nothing of it in other tabs.
+void AuthorWindow::showVisit()
+{
+    if (m_sceneTab->preset().isVisiting() && m_tabs->currentIndex() == Scene) {
+        m_offer = Offer::Visit;
+        m_notice->showNotice(
+            tr("A scene of the proof, at the moment where it went wrong: %1").arg(m_visited));
+    } else if (m_offer == Offer::Visit) {
+        m_offer = Offer::None;
+        m_notice->hide();
+    }
 }
 
 std::optional<Error> AuthorWindow::open(const QString &folder)

@@ -77,6 +77,7 @@ private:
     void retranslate();
     void showState();
     void showWelcome();
+    void showVisit();
     void report(const Error &error);
     void offerReload(const QString &names);
     void goTo(const Error &finding);
@@ -94,7 +95,9 @@ private:
     ChecksTab *m_checksTab = nullptr;
     ProgramsTab *m_programsTab = nullptr;
     ProofTab *m_proofTab = nullptr;
-    enum class Offer { None, Copy, Reload } m_offer = Offer::None; ///< of the notice's button
+    /// What the notice is about: the two in the middle have a button.
+    enum class Offer { None, Copy, Reload, Visit } m_offer = Offer::None;
+    QString m_visited; ///< the finding whose run the scene shows
 };
 
 } // namespace cradle

@@ -114,6 +114,14 @@ QRadioButton::indicator:checked { width: 6px; height: 6px; border: 4px solid @ac
 QRadioButton::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent;
     background: @accentSoft; }
 QRadioButton::indicator:checked:focus { width: 4px; height: 4px; border: 5px solid @accent; }
+QCheckBox::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
+    border-radius: 3px; background: @panel; }
+QCheckBox::indicator:hover { background: @accentSoft; }
+QCheckBox::indicator:checked { border-color: @accent; background: @accent;
+    image: url(:/icons/tick-@tick.svg); }
+QCheckBox::indicator:disabled { border-color: @border; }
+QCheckBox::indicator:checked:disabled { background: @disabled; border-color: @disabled; }
+QCheckBox::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent; }
 QSlider { min-height: 22px; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @controlBorder; }
 QSlider::handle:horizontal { width: 12px; margin: -6px 0; border-radius: 8px;
@@ -140,6 +148,7 @@ QListView[kind="rows"]::item { padding: 5px 6px 5px 8px; border: none; }
 QListView[kind="rows"]::item:hover { background: @hover; }
 QListView[kind="rows"]::item:selected { background: @accentSoft; color: @text; }
 QTableView:focus, QTreeView:focus, QListView:focus { border: none; }
+QTableView[kind="matrix"] QHeaderView::section { padding: 2px 8px; }
 QHeaderView { background: @panel; border: none; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none;
     border-bottom: 1px solid @border; padding: 2px 6px; }
@@ -185,6 +194,7 @@ QString styleSheetOf(const Theme &theme)
         {"@text", theme.text},
     };
     QString sheet = frames + menus + buttons + fields + lists;
+    sheet.replace(QLatin1String("@tick"), QLatin1String(theme.dark ? "dark" : "light"));
     for (const auto &[name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());
     return sheet;

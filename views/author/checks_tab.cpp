@@ -51,7 +51,7 @@ void ChecksTab::makeLayout()
     m_heading = makeHeading(this);
     auto *side = new QWidget(this);
     m_list = makeRowsList(QStringLiteral("checks"), side);
-    m_list->setWordWrap(true);
+    wrapRows(m_list);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
     m_remove = makeIconButton(QStringLiteral("remove"), this);
@@ -122,6 +122,7 @@ void ChecksTab::reload()
         m_list->item(i)->setText(check.title.isEmpty() ? check.id : check.title);
         m_list->item(i)->setToolTip(check.id);
     }
+    m_list->doItemsLayout(); // a title may take another number of lines now
     const int last = m_list->count() - 1;
     m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
     m_loading = false;

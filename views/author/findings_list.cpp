@@ -37,7 +37,7 @@ FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
     , m_list(makeRowsList(QStringLiteral("authorFindings"), this))
 {
     m_heading->setContentsMargins(12, 8, 12, 4);
-    m_list->setWordWrap(true);
+    wrapRows(m_list);
     m_list->setMaximumHeight(mostHeight);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -4,7 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/form_rows.h"
-#include "views/author/language_name.h"
+#include "views/author/text_languages.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -61,7 +61,7 @@ void LabDialog::makeTitles(QFormLayout *form)
         line->setObjectName(QStringLiteral("labTitle.") + language);
         line->setMaxLength(longestText);
         const bool own = language == m_ownLanguage;
-        const QString caption = tr("Title, %1").arg(languageName(language));
+        const QString caption = tr("Title, %1").arg(languageWithCode(language));
         line->setAccessibleName(caption);
         if (const Result<LabForm> lab = labForm(files, language))
             line->setText(own || hasTitle(files, language) ? lab->title : QString());
@@ -87,7 +87,7 @@ void LabDialog::makeFields(QFormLayout *form)
     m_language->setToolTip(tr("The language of task.json and instructions.md; texts in others have "
                               "files of their own"));
     for (const Title &title : m_titles)
-        m_language->addItem(languageName(title.language), title.language);
+        m_language->addItem(languageWithCode(title.language), title.language);
     m_language->setCurrentIndex(m_language->findData(m_ownLanguage));
     if (const Result<LabForm> lab = labForm(m_document.files())) {
         m_version->setText(lab->version);

@@ -44,10 +44,32 @@ QString ProofTab::sourceOf(const QString &program) const
     return textOf(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
 }
 
+void ProofTab::showFindings()
+{
+    const VerifiedTask *verified = result();
+    if (!verified || verified->findings.empty())
+        return;
+    addHeading(tr("Findings"));
+    for (const LabFinding &finding : verified->findings)
+        addFinding(finding);
+}
+
+void ProofTab::showSuggestions()
+{
+    if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
+        return;
+    addHeading(tr("Mistakes that this step does not know"));
+    for (const Suggestion &suggestion : m_suggestions)
+        addSuggestion(suggestion);
+    if (m_suggestions.empty() && !m_job.isRunning())
+        addRow(tr("None was found: each change of the solution is caught and explained."), false,
+               {});
+}
+
 void ProofTab::addFinding(const LabFinding &finding)
 {
     QString text = finding.message;
-    if (!finding.program.isEmpty())
+    if (!finding.program.isEmpty() && !text.startsWith(finding.program))
         text = QStringLiteral("%1: %2").arg(finding.program, text);
     if (outcomeOf(finding)) {
         QPushButton *button = addRow(text, true, tr("Show the run"));
@@ -70,7 +92,8 @@ void ProofTab::addFinding(const LabFinding &finding)
 void ProofTab::showRun(const LabFinding &finding)
 {
     if (const CheckOutcome *outcome = outcomeOf(finding))
-        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step);
+        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step,
+                          finding.message);
 }
 
 void ProofTab::addSuggestion(const Suggestion &suggestion)

@@ -7,12 +7,15 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace cradle {
 
 namespace {
+
+constexpr int rowPadding = 17; ///< px, at the left and right of a row, with its frame
 
 /// Looks at the keys of a list before the list does.
 class RowKeyFilter final : public QObject
@@ -50,6 +53,20 @@ private:
     RowKeys m_keys;
 };
 
+/// Qt forgets the padding of the style sheet when it counts the lines of a row.
+class WrappedRow final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QStyleOptionViewItem narrower = option;
+        narrower.rect.setWidth(option.rect.width() - rowPadding);
+        return QStyledItemDelegate::sizeHint(narrower, index);
+    }
+};
+
 } // namespace
 
 QLabel *makeHeading(QWidget *parent)
@@ -68,6 +85,13 @@ QListWidget *makeRowsList(const QString &name, QWidget *parent)
     setKind(list, "rows");
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return list;
+}
+
+void wrapRows(QListWidget *list)
+{
+    list->setWordWrap(true);
+    list->setResizeMode(QListView::Adjust);
+    list->setItemDelegate(new WrappedRow(list));
 }
 
 QBoxLayout *makeRowsColumn(QLabel *heading, const std::vector<QToolButton *> &buttons,

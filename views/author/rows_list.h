@@ -27,6 +27,9 @@ namespace cradle {
 /// \param name  of the object
 [[nodiscard]] QListWidget *makeRowsList(const QString &name, QWidget *parent);
 
+/// Lets long texts of \p list take several lines.
+void wrapRows(QListWidget *list);
+
 /// \p heading with \p buttons at its right, and \p list below.
 [[nodiscard]] QBoxLayout *makeRowsColumn(QLabel *heading, const std::vector<QToolButton *> &buttons,
                                          QListWidget *list);

@@ -4,10 +4,10 @@
 
 #include "tasks/mode.h"
 #include "views/author/hints_list.h"
-#include "views/author/language_name.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
 #include "views/author/step_fields.h"
+#include "views/author/text_languages.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 #include "views/theme.h"
@@ -196,7 +196,7 @@ void TextTab::showLanguages()
     if (shown != codes) {
         m_language->clear();
         for (const QString &code : codes)
-            m_language->addItem(languageName(code), code);
+            m_language->addItem(languageWithCode(code), code);
     }
     m_language->setCurrentIndex(m_language->findData(m_document.language()));
 }

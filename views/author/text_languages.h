@@ -9,7 +9,7 @@
 namespace cradle {
 
 /// "Deutsch (de)": a language in its own words, with its code.
-[[nodiscard]] inline QString languageName(const QString &code)
+[[nodiscard]] inline QString languageWithCode(const QString &code)
 {
     const QString name = code == QLatin1String("en") ? QStringLiteral("English")
                                                      : QLocale(code).nativeLanguageName();
