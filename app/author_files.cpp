@@ -6,14 +6,17 @@
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/figure.h"
+#include "views/author/lab_dialog.h"
 #include "views/author/scene_tab.h"
 #include "views/author/text_tab.h"
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -38,6 +41,54 @@ QString nameFrom(const QString &title)
         name.chop(1);
     return name.isEmpty() ? QStringLiteral("lab") : name.left(64);
 }
+
+bool isEmptyFolder(const QString &path)
+{
+    return QFileInfo(path).isDir()
+           && QDir(path).isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden);
+}
+
+/// Asks for a folder that a lab may be written into: a new one, or one in which nothing is, which
+/// a QFileDialog for saving would open instead of taking it.
+class NewFolderDialog final : public QFileDialog
+{
+public:
+    NewFolderDialog(QWidget *parent, const QString &title)
+        : QFileDialog(parent, title)
+    {
+        setFileMode(QFileDialog::AnyFile);
+        setAcceptMode(QFileDialog::AcceptSave);
+        setOption(QFileDialog::ShowDirsOnly);
+        // Nothing is overwritten: a folder in which something is will be refused.
+        setOption(QFileDialog::DontConfirmOverwrite);
+        setOption(QFileDialog::DontUseNativeDialog);
+    }
+
+    /// The one that was chosen.
+    [[nodiscard]] QString folder() const
+    {
+        return isEmptyFolder(typed()) ? typed() : selectedFiles().value(0);
+    }
+
+protected:
+    void accept() override
+    {
+        if (isEmptyFolder(typed()))
+            QDialog::accept();
+        else
+            QFileDialog::accept();
+    }
+
+private:
+    /// Completion selects what exists, so that selectedFiles() names every folder on the way.
+    [[nodiscard]] QString typed() const
+    {
+        const auto *name = findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+        return name && !name->text().isEmpty()
+                   ? QDir::cleanPath(directory().absoluteFilePath(name->text()))
+                   : QString();
+    }
+};
 
 } // namespace
 
@@ -97,18 +148,12 @@ bool AuthorWindow::saveInto(bool overwrite)
 
 bool AuthorWindow::saveAs()
 {
-    QFileDialog dialog(this, tr("A new folder for the lab"));
-    dialog.setFileMode(QFileDialog::AnyFile);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setOption(QFileDialog::ShowDirsOnly);
+    NewFolderDialog dialog(this, tr("A new or empty folder for the lab"));
     dialog.setLabelText(QFileDialog::FileName, tr("Folder:"));
     dialog.selectFile(nameFrom(m_document.lab().title));
-    // saveAs() refuses a folder in which something is.
-    dialog.setOption(QFileDialog::DontConfirmOverwrite);
-    dialog.setOption(QFileDialog::DontUseNativeDialog);
     if (dialog.exec() != QDialog::Accepted)
         return false;
-    if (const auto error = m_document.saveAs(dialog.selectedFiles().value(0))) {
+    if (const auto error = m_document.saveAs(dialog.folder())) {
         report(*error);
         return false;
     }
@@ -140,6 +185,15 @@ void AuthorWindow::openAsStudent()
     if (m_document.isModified() && !save())
         return;
     emit studentRequested(m_document.folder());
+}
+
+void AuthorWindow::editProperties()
+{
+    // A lab.json that cannot be read has no fields; the finding about it says why.
+    if (const Result<LabForm> lab = labForm(m_document.files()); !lab)
+        report(lab.error());
+    else
+        LabDialog(m_document, this).exec();
 }
 
 void AuthorWindow::insertFigure()

@@ -36,6 +36,8 @@ void AuthorWindow::fillMenus()
         &AuthorWindow::saveAs);
     add(lab, tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
         &AuthorWindow::exportLab);
+    add(lab, tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return), this,
+        &AuthorWindow::editProperties);
     lab->addSeparator();
     add(lab, tr("Open as a s&tudent"), QKeySequence(Qt::Key_F5), this,
         &AuthorWindow::openAsStudent);

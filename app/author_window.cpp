@@ -3,6 +3,7 @@
 #include "app/author_window.h"
 
 #include "app/notice_bar.h"
+#include "tasks/authoring/lab_edits.h"
 #include "views/author/checks_tab.h"
 #include "views/author/programs_tab.h"
 #include "views/author/proof_tab.h"
@@ -11,7 +12,6 @@
 #include "views/author/text_tab.h"
 
 #include <QApplication>
-#include <QFileInfo>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QSettings>
@@ -85,6 +85,7 @@ void AuthorWindow::wire()
     connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
     connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
+    connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
     connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
     connect(m_notice, &NoticeBar::actionTriggered, this, [this] {
         if (m_offer == Offer::Copy) {
@@ -100,26 +101,34 @@ void AuthorWindow::wireProof()
 {
     connect(m_proofTab, &ProofTab::programRequested, this, [this](const QString &program) {
         showTab(Programs);
-        m_programsTab->showProgram(program + QStringLiteral(".lua"));
+        m_programsTab->openProgram(program + QStringLiteral(".lua"));
     });
     connect(m_proofTab, &ProofTab::checkRequested, this, [this](const QString &id) {
         showTab(Checks);
         m_checksTab->showCheck(id);
     });
-    connect(m_proofTab, &ProofTab::runRequested, this,
-            [this](const Preset &scene, const QString &source, qint64 step) {
-                showTab(Scene);
-                m_sceneTab->visit(scene, source, step);
-            });
-    connect(m_sceneTab, &SceneTab::visitingChanged, this, [this](bool visiting) {
-        if (visiting) {
-            m_offer = Offer::None;
-            m_notice->showNotice(
-                tr("This is a scene of the proof, at the moment where it went wrong."));
-        } else {
-            m_notice->hide();
-        }
-    });
+    connect(
+        m_proofTab, &ProofTab::runRequested, this,
+        [this](const Preset &scene, const QString &source, qint64 step, const QString &finding) {
+            showTab(Scene);
+            m_visited = finding;
+            m_sceneTab->visit(scene, source, step);
+        });
+    connect(m_sceneTab, &SceneTab::visitingChanged, this, &AuthorWindow::showVisit);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &AuthorWindow::showVisit);
+}
+
+/// Says of the scene what run is to be seen there, and nothing of it in other tabs.
+void AuthorWindow::showVisit()
+{
+    if (m_sceneTab->preset().isVisiting() && m_tabs->currentIndex() == Scene) {
+        m_offer = Offer::Visit;
+        m_notice->showNotice(
+            tr("A scene of the proof, at the moment where it went wrong: %1").arg(m_visited));
+    } else if (m_offer == Offer::Visit) {
+        m_offer = Offer::None;
+        m_notice->hide();
+    }
 }
 
 std::optional<Error> AuthorWindow::open(const QString &folder)
@@ -162,25 +171,41 @@ void AuthorWindow::offerReload(const QString &names)
     m_notice->showNotice(tr("Changed by another program: %1").arg(names), tr("Reload"));
 }
 
-/// Opens the step and the tab that the file of \p finding belongs to.
+/// Opens the place that \p finding is about: the step, the tab, and there the program or field.
 void AuthorWindow::goTo(const Error &finding)
 {
-    const QString name = QFileInfo(finding.file).fileName();
-    for (const QString &step : m_document.steps()) {
-        if (finding.file.startsWith(step + QLatin1Char('/'))
-            || finding.file.contains(QLatin1Char('/') + step + QLatin1Char('/')))
-            m_document.setStep(step);
+    if (finding.file == QLatin1String("lab.json")) {
+        editProperties();
+        return;
     }
-    if (name.endsWith(QLatin1String(".lua")))
-        showTab(Programs);
-    else if (name.contains(QLatin1String("preset")))
-        showTab(Scene);
-    else if (name.endsWith(QLatin1String(".md")))
-        showTab(Text);
-    else if (finding.pointer.startsWith(QLatin1String("/checks")))
+    const QString step = finding.file.section(QLatin1Char('/'), 0, 0);
+    const QString file = finding.file.section(QLatin1Char('/'), 1);
+    if (m_document.steps().contains(step))
+        m_document.setStep(step);
+    const QString part = finding.pointer.section(QLatin1Char('/'), 1, 1);
+    const auto index = finding.pointer.section(QLatin1Char('/'), 2, 2).toUInt();
+    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    if (file.startsWith(QLatin1String("checks/"))) {
         showTab(Checks);
-    else
+        m_checksTab->showScript(file.section(QLatin1Char('/'), 1));
+    } else if (file.endsWith(QLatin1String(".lua"))) {
+        showTab(Programs);
+        m_programsTab->openProgram(file, finding.line);
+    } else if (file.contains(QLatin1String("preset"))) {
+        showTab(Scene);
+    } else if (part == QLatin1String("checks")) {
+        showTab(Checks);
+        if (form && index < form->checks.size())
+            m_checksTab->showCheck(form->checks[index].id);
+    } else if (part == QLatin1String("remarks")) {
+        showTab(Programs);
+        if (form && index < form->remarks.size())
+            m_programsTab->openRemark(form->remarks[index].id);
+    } else {
         showTab(Text);
+        if (part == QLatin1String("prediction"))
+            m_textTab->openPrediction();
+    }
 }
 
 void AuthorWindow::showTab(int tab)

@@ -57,7 +57,8 @@ public slots:
     bool saveAs();    ///< also makes the copy of a lab that is read-only
     void exportLab(); ///< as one file
     void openAsStudent();
-    void insertFigure(); ///< the scene as it is shown
+    void editProperties(); ///< of the lab: title, version, id
+    void insertFigure();   ///< the scene as it is shown
     void showTab(int tab);
 
 signals:
@@ -76,6 +77,7 @@ private:
     void retranslate();
     void showState();
     void showWelcome();
+    void showVisit();
     void report(const Error &error);
     void offerReload(const QString &names);
     void goTo(const Error &finding);
@@ -93,7 +95,9 @@ private:
     ChecksTab *m_checksTab = nullptr;
     ProgramsTab *m_programsTab = nullptr;
     ProofTab *m_proofTab = nullptr;
-    enum class Offer { None, Copy, Reload } m_offer = Offer::None; ///< of the notice's button
+    /// What the notice is about: the two in the middle have a button.
+    enum class Offer { None, Copy, Reload, Visit } m_offer = Offer::None;
+    QString m_visited; ///< the finding whose run the scene shows
 };
 
 } // namespace cradle

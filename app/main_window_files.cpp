@@ -103,9 +103,9 @@ void MainWindow::authorLab()
 std::optional<Error> MainWindow::openAuthor(const QString &folder)
 {
     auto author = std::make_unique<AuthorWindow>(m_settings);
+    author->document().setLanguage(currentLanguage()); // the lab's own, if it has no such texts
     if (auto error = author->open(folder))
         return error;
-    author->document().setLanguage(currentLanguage());
     author->setAttribute(Qt::WA_DeleteOnClose);
     connect(author.get(), &AuthorWindow::studentRequested, this, [this](const QString &lab) {
         if (const auto error = m_workbench.openLab(lab, currentLanguage()))

@@ -61,6 +61,7 @@ QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed, QPushButton:checked, QToolButton:checked {
     background: @accentSoft; color: @accent; }
 QPushButton:disabled, QToolButton:disabled { color: @disabled; border-color: @border; }
+QToolButton[autoRaise="true"]:disabled { border-color: transparent; }
 QPushButton:focus, QToolButton:focus { border: 2px solid @accent; min-height: 28px; }
 QPushButton:focus { padding: 0 10px; }
 QToolButton:focus { padding: 0 6px; }
@@ -96,6 +97,9 @@ QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus {
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; border-color: @border; }
 QLineEdit[refused="true"] { border: 2px solid @warning; background: @warningSoft; padding: 0 5px;
     min-height: 22px; }
+QPlainTextEdit[kind="field"] { border: 1px solid @controlBorder; border-radius: 6px;
+    background: @panel; padding: 1px; }
+QPlainTextEdit[kind="field"]:focus { border: 2px solid @accent; padding: 0; }
 QLineEdit[cell="true"], QComboBox[cell="true"] { min-height: 0; border: 2px solid @accent;
     border-radius: 4px; padding: 0 3px; }
 QLineEdit[cell="true"][refused="true"] { border-color: @warning; padding: 0 3px; min-height: 0; }
@@ -110,6 +114,14 @@ QRadioButton::indicator:checked { width: 6px; height: 6px; border: 4px solid @ac
 QRadioButton::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent;
     background: @accentSoft; }
 QRadioButton::indicator:checked:focus { width: 4px; height: 4px; border: 5px solid @accent; }
+QCheckBox::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
+    border-radius: 3px; background: @panel; }
+QCheckBox::indicator:hover { background: @accentSoft; }
+QCheckBox::indicator:checked { border-color: @accent; background: @accent;
+    image: url(:/icons/tick-@tick.svg); }
+QCheckBox::indicator:disabled { border-color: @border; }
+QCheckBox::indicator:checked:disabled { background: @disabled; border-color: @disabled; }
+QCheckBox::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent; }
 QSlider { min-height: 22px; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @controlBorder; }
 QSlider::handle:horizontal { width: 12px; margin: -6px 0; border-radius: 8px;
@@ -136,6 +148,7 @@ QListView[kind="rows"]::item { padding: 5px 6px 5px 8px; border: none; }
 QListView[kind="rows"]::item:hover { background: @hover; }
 QListView[kind="rows"]::item:selected { background: @accentSoft; color: @text; }
 QTableView:focus, QTreeView:focus, QListView:focus { border: none; }
+QTableView[kind="matrix"] QHeaderView::section { padding: 2px 8px; }
 QHeaderView { background: @panel; border: none; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none;
     border-bottom: 1px solid @border; padding: 2px 6px; }
@@ -181,6 +194,7 @@ QString styleSheetOf(const Theme &theme)
         {"@text", theme.text},
     };
     QString sheet = frames + menus + buttons + fields + lists;
+    sheet.replace(QLatin1String("@tick"), QLatin1String(theme.dark ? "dark" : "light"));
     for (const auto &[name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());
     return sheet;

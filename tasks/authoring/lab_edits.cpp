@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_edits.h"
 
+#include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_json.h"
 
 #include <QCoreApplication>
@@ -17,7 +18,9 @@ struct EditText {
 
 const QString indexFile = QStringLiteral("lab.json");
 const QString stepsKey = QStringLiteral("steps");
+const QString titleKey = QStringLiteral("title");
 const QString templateStep = QStringLiteral("S1");
+constexpr int longestWish = 60; ///< characters of the name of a step
 
 /// The lab that new ones are copies of.
 LabFiles templateIn(const QString &language)
@@ -138,10 +141,41 @@ Result<LabFiles> withLab(const LabFiles &files, const LabForm &form, const QStri
     const bool translated = isTranslation(files, language);
     Result<LabFiles> result = withPatch(files, indexFile, labSchema, jsonFrom(*own, own->title),
                                         jsonFrom(form, translated ? own->title : form.title));
-    if (result && translated && form.title != before->title)
-        result = withMember(*result, translatedPath(indexFile, language), translationSchema,
-                            QStringLiteral("title"), form.title);
-    return result;
+    if (!result || !translated || form.title == before->title)
+        return result;
+    const QString path = translatedPath(indexFile, language);
+    const QJsonValue title =
+        form.title.isEmpty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(form.title);
+    result = withMember(*result, path, translationSchema, titleKey, title);
+    if (!result)
+        return result;
+    const Result<QJsonObject> texts = jsonOf(*result, path, translationSchema);
+    return texts && texts->isEmpty() ? withoutFile(*result, path) : result;
+}
+
+bool hasTitle(const LabFiles &files, const QString &language)
+{
+    if (!isTranslation(files, language))
+        return true;
+    const Result<QJsonObject> texts =
+        jsonOf(files, translatedPath(indexFile, language), translationSchema);
+    return texts && texts->contains(titleKey);
+}
+
+Result<LabFiles> withOwnLanguage(const LabFiles &files, const QString &language)
+{
+    if (!isTranslation(files, language))
+        return files;
+    for (auto it = files.contents.keyBegin(); it != files.contents.keyEnd(); ++it) {
+        const QString name = it->section(QLatin1Char('/'), -1);
+        if (name == QStringLiteral("lab.%1.json").arg(language)
+            || name == QStringLiteral("task.%1.json").arg(language)
+            || name == QStringLiteral("instructions.%1.md").arg(language))
+            return Error{.message = EditText::tr("the lab has translations into this language; "
+                                                 "its own texts are in another"),
+                         .file = *it};
+    }
+    return withMember(files, indexFile, labSchema, QStringLiteral("language"), language);
 }
 
 QStringList stepsOf(const LabFiles &files)
@@ -170,10 +204,9 @@ QStringList languagesOf(const LabFiles &files)
 
 QString freeStepName(const LabFiles &files, const QString &wish)
 {
-    QString name = wish;
-    for (int number = 2; faultOfName(files, name) && number < 1000; ++number)
-        name = QStringLiteral("%1-%2").arg(wish.left(60)).arg(number);
-    return name;
+    // With room for a number.
+    return freeName(wish.left(longestWish),
+                    [&](const QString &name) { return faultOfName(files, name).has_value(); });
 }
 
 Result<LabFiles> withStepAdded(const LabFiles &files, const QString &step, const QString &title,

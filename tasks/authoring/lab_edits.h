@@ -24,8 +24,14 @@ struct LabForm {
     friend bool operator==(const LabForm &, const LabForm &) = default;
 };
 [[nodiscard]] Result<LabForm> labForm(const LabFiles &files, const QString &language = {});
+/// In another language than the lab's own an empty title takes the translation away.
 [[nodiscard]] Result<LabFiles> withLab(const LabFiles &files, const LabForm &form,
                                        const QString &language = {});
+/// Whether the lab has a title in that language, which may be its own.
+[[nodiscard]] bool hasTitle(const LabFiles &files, const QString &language);
+/// Says that the lab's own texts are in that language.
+/// \return an error if there are translations into it already
+[[nodiscard]] Result<LabFiles> withOwnLanguage(const LabFiles &files, const QString &language);
 
 /// The folders of the lab's steps, in order; empty if lab.json cannot be read.
 [[nodiscard]] QStringList stepsOf(const LabFiles &files);

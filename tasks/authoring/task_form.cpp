@@ -3,6 +3,7 @@
 #include "tasks/authoring/task_form.h"
 
 #include "tasks/authoring/lab_json.h"
+#include "tasks/authoring/prediction_form.h"
 
 #include <algorithm>
 
@@ -106,10 +107,13 @@ QJsonObject jsonFrom(const TaskForm &form)
         json.insert(QStringLiteral("remarks"), remarks);
     if (form.extra)
         json.insert(QStringLiteral("extra"), true);
+    if (form.prediction)
+        json.insert(predictionKey(), jsonFrom(*form.prediction));
     return json;
 }
 
-/// The translation as far as a form knows it.
+/// The translation as far as a form knows it; but for the prediction, which is translated as a
+/// whole or not at all.
 QJsonObject textsOf(const TaskForm &form)
 {
     QJsonObject titles;
@@ -134,7 +138,8 @@ TaskForm formFrom(const QJsonObject &json)
                   .checks = {},
                   .remarks = {},
                   .extra = json.value(QStringLiteral("extra")).toBool(),
-                  .locked = toStrings(json.value(QStringLiteral("locked")))};
+                  .locked = toStrings(json.value(QStringLiteral("locked"))),
+                  .prediction = predictionFrom(json)};
     for (const QJsonValue &check : json.value(QStringLiteral("checks")).toArray())
         form.checks.push_back(checkFrom(check.toObject()));
     for (const QJsonValue &remark : json.value(QStringLiteral("remarks")).toArray())
@@ -154,6 +159,7 @@ void translate(TaskForm &form, const QJsonObject &texts)
     const QJsonObject titles = value("checks").toObject();
     for (CheckForm &check : form.checks)
         check.title = titles.value(check.id).toString(check.title);
+    form.prediction = translated(form.prediction, texts);
 }
 
 const CheckForm *find(const TaskForm &form, const QString &id)
@@ -176,8 +182,10 @@ QString newIdOf(const TaskForm &before, const TaskForm &after, std::size_t index
 }
 
 /// \p form with the texts of the lab's own language: those of \p own, or for a new check its own.
-TaskForm withOwnTexts(TaskForm form, const TaskForm &own)
+/// \param before  what \p form was, in its language
+TaskForm withOwnTexts(TaskForm form, const TaskForm &own, const TaskForm &before)
 {
+    form.prediction = withTextsOf(own.prediction, before.prediction, form.prediction);
     form.title = own.title;
     form.hints = own.hints;
     form.codeHints = own.codeHints;
@@ -217,7 +225,7 @@ Result<LabFiles> withTask(const LabFiles &files, const QString &step, const Task
     if (!own || !before)
         return own ? before.error() : own.error();
     const bool translated = isTranslation(files, language);
-    const TaskForm wanted = translated ? withOwnTexts(form, *own) : form;
+    const TaskForm wanted = translated ? withOwnTexts(form, *own, *before) : form;
     Result<LabFiles> result =
         withPatch(files, taskPath(step), taskSchema, jsonFrom(*own), jsonFrom(wanted));
     if (!result)
@@ -227,9 +235,16 @@ Result<LabFiles> withTask(const LabFiles &files, const QString &step, const Task
         if (const QString newId = newIdOf(*own, form, i); newId != id)
             result = withTranslatedKey(*result, step, QStringLiteral("checks"), id, newId);
     }
-    if (translated)
-        result = withPatch(*result, translatedPath(taskPath(step), language), translationSchema,
-                           textsOf(*before), textsOf(form));
+    const QString translation = translatedPath(taskPath(step), language);
+    for (const QString &path : translationsOf(files, step)) {
+        if (result && (!translated || path != translation))
+            result = withAnswersFollowing(*result, path, before->prediction, form.prediction);
+    }
+    if (result && translated)
+        result =
+            withPatch(*result, translation, translationSchema, textsOf(*before), textsOf(form));
+    if (result && translated)
+        result = withPredictionTexts(*result, translation, before->prediction, form.prediction);
     return result;
 }
 

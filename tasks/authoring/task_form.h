@@ -4,6 +4,7 @@
 
 #include "model/preset.h"
 #include "tasks/authoring/lab_files.h"
+#include "tasks/prediction.h"
 
 #include <QJsonObject>
 
@@ -43,7 +44,8 @@ struct TaskForm {
     std::vector<CheckForm> checks{};
     std::vector<RemarkForm> remarks{};
     bool extra = false;
-    QStringList locked{}; ///< fields of the scene that the student may not change
+    QStringList locked{};                   ///< fields of the scene that the student may not change
+    std::optional<Prediction> prediction{}; ///< in the form's language; right may be none of them
 
     friend bool operator==(const TaskForm &, const TaskForm &) = default;
 };
@@ -53,9 +55,10 @@ struct TaskForm {
 [[nodiscard]] Result<TaskForm> taskForm(const LabFiles &files, const QString &step,
                                         const QString &language = {});
 
-/// Writes back what differs from taskForm(): title, hints and titles of checks into
+/// Writes back what differs from taskForm(): title, hints, prediction and titles of checks into
 /// STEP/task.LANGUAGE.json for another \p language, all else into STEP/task.json. Texts in other
-/// languages follow the check that they belong to, also if its id changes.
+/// languages follow the check that they belong to, also if its id changes; an answer that is added
+/// or removed is so in all languages.
 [[nodiscard]] Result<LabFiles> withTask(const LabFiles &files, const QString &step,
                                         const TaskForm &form, const QString &language = {});
 

@@ -131,6 +131,8 @@ void AuthorDocument::take(const LabFiles &files, const QString &folder)
     m_folder = folder;
     m_readOnly = folder.startsWith(QLatin1Char(':'));
     m_step = steps().value(0);
+    if (const QStringList languages = languagesOf(files); !languages.contains(m_language))
+        m_language = languages.front();
     watch();
     readNow();
     emit opened();

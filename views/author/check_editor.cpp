@@ -4,8 +4,11 @@
 
 #include "model/shortest_number.h"
 #include "tasks/checks/check_kinds.h"
+#include "views/author/circles_line.h"
+#include "views/author/form_rows.h"
 #include "views/author/parameter_form.h"
-#include "views/theme.h"
+#include "views/author/rows_list.h"
+#include "views/author/scene_form.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -21,98 +24,57 @@ namespace {
 constexpr int shortWidth = 190; ///< px
 constexpr double mostPoints = 1000.0;
 
-QLabel *mutedText(QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setWordWrap(true);
-    setKind(label, "muted");
-    return label;
-}
-
-QFormLayout *makeForm()
-{
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(12);
-    form->setVerticalSpacing(6);
-    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    return form;
-}
-
-QString circlesText(const std::vector<int> &circles)
-{
-    QStringList numbers;
-    for (const int circle : circles)
-        numbers.append(QString::number(circle + 1));
-    return numbers.join(QStringLiteral(", "));
-}
-
 } // namespace
 
 CheckEditor::CheckEditor(QWidget *parent)
     : QWidget(parent)
 {
     makeLayout();
-    fillKinds();
     retranslate();
     wire();
 }
 
 void CheckEditor::makeLayout()
 {
-    m_heading = new QLabel(this);
-    m_sceneHeading = new QLabel(this);
-    for (QLabel *heading : {m_heading, m_sceneHeading}) {
-        heading->setFont(headingFont());
-        setKind(heading, "heading");
-    }
+    m_heading = makeHeading(this);
+    m_sceneHeading = makeHeading(this);
     m_title = new QLineEdit(this);
     m_id = new QLineEdit(this);
     m_kind = new QComboBox(this);
-    m_purpose = mutedText(this);
-    m_circles = new QLineEdit(this);
+    m_purpose = makeMutedText(this);
+    m_circles = new CirclesLine(this);
     m_points = new QLineEdit(this);
     m_parameters = new ParameterForm(this);
-    m_scene = new QComboBox(this);
-    m_scenePurpose = mutedText(this);
-    m_sceneForm = new ParameterForm(this);
-    m_refusal = new QLabel(this);
-    m_refusal->setWordWrap(true);
-    setKind(m_refusal, "warning");
-    m_refusal->hide();
+    m_scene = new SceneForm(this);
+    m_refusal = makeRefusal(this);
     m_title->setObjectName(QStringLiteral("checkTitle"));
     m_id->setObjectName(QStringLiteral("checkId"));
     m_kind->setObjectName(QStringLiteral("checkKind"));
-    m_scene->setObjectName(QStringLiteral("sceneKind"));
     m_circles->setObjectName(QStringLiteral("checkCircles"));
     m_points->setObjectName(QStringLiteral("checkPoints"));
-    for (QLineEdit *line : {m_id, m_circles, m_points})
+    for (QLineEdit *line : {m_id, static_cast<QLineEdit *>(m_circles), m_points})
         line->setMaximumWidth(shortWidth);
-    for (QComboBox *list : {m_kind, m_scene})
-        list->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 
-    QFormLayout *top = makeForm();
-    QFormLayout *bottom = makeForm();
-    QWidget *const fields[] = {m_title, m_id, m_points, m_kind, m_circles, m_scene};
+    QFormLayout *form = makeFormRows();
+    QWidget *const fields[] = {m_title, m_id, m_points, m_kind, m_circles};
     for (std::size_t i = 0; i < std::size(fields); ++i) {
         m_captions[i] = new QLabel(this);
         m_captions[i]->setBuddy(fields[i]);
         m_captions[i]->setMinimumWidth(m_parameters->captionWidth());
-        (fields[i] == m_scene ? bottom : top)->addRow(m_captions[i], fields[i]);
+        form->addRow(m_captions[i], fields[i]);
         if (fields[i] == m_kind)
-            top->addRow(m_purpose);
+            form->addRow(m_purpose);
     }
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 10, 16, 12);
     column->setSpacing(8);
     column->addWidget(m_heading);
-    column->addLayout(top);
+    column->addLayout(form);
     column->addWidget(m_parameters);
     column->addSpacing(8);
     column->addWidget(m_sceneHeading);
-    column->addLayout(bottom);
-    column->addWidget(m_scenePurpose);
-    column->addWidget(m_sceneForm);
+    column->addWidget(m_scene);
     column->addWidget(m_refusal);
     column->addStretch(1);
 }
@@ -128,35 +90,42 @@ void CheckEditor::wire()
         const QString id = m_id->text().trimmed();
         if (!form.match(id).hasMatch()) {
             m_id->setText(m_check.id);
-            showRefusal(tr("An id of letters, digits, dots and dashes is right"));
+            showRefusal(m_refusal, tr("An id of letters, digits, dots and dashes is right"));
             return;
         }
         m_check.id = id;
         emit edited(m_check, QStringLiteral("id"));
     });
-    connect(m_circles, &QLineEdit::editingFinished, this, &CheckEditor::takeCircles);
+    connect(m_circles, &CirclesLine::circlesEdited, this, [this](const std::vector<int> &circles) {
+        m_check.circles = circles;
+        emit edited(m_check, QStringLiteral("circles"));
+    });
     connect(m_points, &QLineEdit::editingFinished, this, &CheckEditor::takePoints);
     connect(m_kind, &QComboBox::activated, this, [this] {
-        m_check.kind = m_kind->currentData().toString();
+        const QString kind = m_kind->currentData().toString();
+        if (kind == m_check.kind)
+            return;
+        m_check.kind = kind;
         m_check.parameters = {}; // those of another kind mean nothing here
         showKind();
         emit edited(m_check, QStringLiteral("kind"));
-    });
-    connect(m_scene, &QComboBox::activated, this, [this] {
-        m_check.scene = {{QStringLiteral("kind"), m_scene->currentData().toString()}};
-        showKind();
-        emit edited(m_check, QStringLiteral("scene"));
     });
     connect(m_parameters, &ParameterForm::edited, this, [this](const QJsonObject &values) {
         m_check.parameters = values;
         emit edited(m_check, QStringLiteral("parameters"));
     });
-    connect(m_sceneForm, &ParameterForm::edited, this, [this](const QJsonObject &values) {
-        m_check.scene = values;
+    connect(m_scene, &SceneForm::kindEdited, this, [this](const QJsonObject &scene) {
+        m_check.scene = scene;
+        emit edited(m_check, QStringLiteral("scene"));
+    });
+    connect(m_scene, &SceneForm::valuesEdited, this, [this](const QJsonObject &scene) {
+        m_check.scene = scene;
         emit edited(m_check, QStringLiteral("sceneParameters"));
     });
-    connect(m_parameters, &ParameterForm::refused, this, &CheckEditor::showRefusal);
-    connect(m_sceneForm, &ParameterForm::refused, this, &CheckEditor::showRefusal);
+    const auto refuse = [this](const QString &reason) { showRefusal(m_refusal, reason); };
+    connect(m_circles, &CirclesLine::refused, this, refuse);
+    connect(m_parameters, &ParameterForm::refused, this, refuse);
+    connect(m_scene, &SceneForm::refused, this, refuse);
 }
 
 void CheckEditor::show(const CheckForm &check)
@@ -165,12 +134,13 @@ void CheckEditor::show(const CheckForm &check)
     const std::pair<QLineEdit *, QString> lines[] = {
         {m_title, check.title},
         {m_id, check.id},
-        {m_circles, circlesText(check.circles)},
         {m_points, check.points == 1.0 ? QString() : shortestNumber(check.points)}};
     for (const auto &[line, text] : lines) {
         if (line->text() != text)
             line->setText(text);
     }
+    m_circles->showCircles(check.circles);
+    m_scene->showScene(check.scene);
     m_refusal->hide();
     showKind();
 }
@@ -183,40 +153,6 @@ void CheckEditor::showKind()
         m_purpose->setText(kind->purpose);
         m_parameters->show(*kind, m_check.parameters);
     }
-    const QString scene =
-        m_check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"));
-    m_scene->setCurrentIndex(m_scene->findData(scene));
-    const std::vector<KindInfo> scenes = sceneKinds();
-    if (const KindInfo *kind = findKind(scenes, scene)) {
-        m_scenePurpose->setText(kind->purpose);
-        m_sceneForm->show(*kind, m_check.scene);
-    }
-}
-
-void CheckEditor::showRefusal(const QString &reason)
-{
-    m_refusal->setText(reason);
-    m_refusal->setVisible(!reason.isEmpty());
-}
-
-void CheckEditor::takeCircles()
-{
-    std::vector<int> circles;
-    static const QRegularExpression between(QStringLiteral("[,;\\s]+"));
-    for (const QString &part : m_circles->text().split(between, Qt::SkipEmptyParts)) {
-        bool ok = false;
-        const int circle = part.toInt(&ok);
-        if (!ok || circle < 1 || circle > 100) {
-            m_circles->setText(circlesText(m_check.circles));
-            showRefusal(tr("Circles: numbers from 1 to 100 as “1, 2” are right"));
-            return;
-        }
-        circles.push_back(circle - 1);
-    }
-    if (circles == m_check.circles)
-        return;
-    m_check.circles = circles;
-    emit edited(m_check, QStringLiteral("circles"));
 }
 
 void CheckEditor::takePoints()
@@ -226,7 +162,7 @@ void CheckEditor::takePoints()
     const double points = text.isEmpty() ? 1.0 : text.toDouble(&ok);
     if (!ok || !(points >= 0.0 && points <= mostPoints)) {
         show(m_check);
-        showRefusal(tr("Points: a number from 0 to 1000 is right"));
+        showRefusal(m_refusal, tr("Points: a number from 0 to 1000 is right"));
         return;
     }
     if (points == m_check.points)
@@ -237,33 +173,18 @@ void CheckEditor::takePoints()
 
 void CheckEditor::setReadOnly(bool readOnly)
 {
-    for (QLineEdit *line : {m_title, m_id, m_circles, m_points})
+    for (QLineEdit *line : {m_title, m_id, static_cast<QLineEdit *>(m_circles), m_points})
         line->setReadOnly(readOnly);
     m_kind->setEnabled(!readOnly);
-    m_scene->setEnabled(!readOnly);
     m_parameters->setReadOnly(readOnly);
-    m_sceneForm->setReadOnly(readOnly);
-}
-
-void CheckEditor::fillKinds()
-{
-    const std::pair<QComboBox *, std::vector<KindInfo>> lists[] = {{m_kind, checkKinds()},
-                                                                   {m_scene, sceneKinds()}};
-    for (const auto &[list, kinds] : lists) {
-        list->clear();
-        for (const KindInfo &kind : kinds) {
-            list->addItem(kind.title, kind.name);
-            list->setItemData(list->count() - 1, kind.purpose, Qt::ToolTipRole);
-        }
-    }
+    m_scene->setReadOnly(readOnly);
 }
 
 void CheckEditor::retranslate()
 {
     m_heading->setText(tr("What is checked"));
     m_sceneHeading->setText(tr("In which scenes"));
-    const QString captions[] = {tr("Title"), tr("Id"),      tr("Points"),
-                                tr("Kind"),  tr("Circles"), tr("Scenes")};
+    const QString captions[] = {tr("Title"), tr("Id"), tr("Points"), tr("Kind"), tr("Circles")};
     for (std::size_t i = 0; i < std::size(captions); ++i)
         m_captions[i]->setText(captions[i]);
     m_title->setAccessibleName(tr("Title of the check"));
@@ -273,17 +194,14 @@ void CheckEditor::retranslate()
     m_points->setPlaceholderText(QStringLiteral("1"));
     m_points->setToolTip(tr("What passing this check is worth in reports"));
     m_kind->setAccessibleName(tr("Kind of the check"));
-    m_circles->setAccessibleName(tr("Circles that it looks at"));
-    m_circles->setPlaceholderText(QStringLiteral("1"));
-    m_circles->setToolTip(tr("Numbers of the circles, as “1, 2”"));
-    m_scene->setAccessibleName(tr("Kind of the scenes"));
+    fillKindList(m_kind, checkKinds());
+    m_circles->retranslate();
 }
 
 void CheckEditor::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        fillKinds();
         retranslate();
         showKind();
     }

@@ -14,7 +14,9 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
+class CirclesLine;
 class ParameterForm;
+class SceneForm;
 
 /// One check as a form: what it is called, its kind with its parameters, and the scenes in which
 /// it runs. The fields come from the catalogue of kinds.
@@ -37,26 +39,21 @@ private:
     void makeLayout();
     void wire();
     void retranslate();
-    void fillKinds();
     void showKind();
-    void showRefusal(const QString &reason);
-    void takeCircles();
     void takePoints();
 
     CheckForm m_check;
     QLabel *m_heading = nullptr;
-    QLabel *m_captions[6]{};
+    QLabel *m_captions[5]{};
     QLineEdit *m_title = nullptr;
     QLineEdit *m_id = nullptr;
     QComboBox *m_kind = nullptr;
     QLabel *m_purpose = nullptr;
-    QLineEdit *m_circles = nullptr;
+    CirclesLine *m_circles = nullptr;
     QLineEdit *m_points = nullptr;
     ParameterForm *m_parameters = nullptr;
     QLabel *m_sceneHeading = nullptr;
-    QComboBox *m_scene = nullptr;
-    QLabel *m_scenePurpose = nullptr;
-    ParameterForm *m_sceneForm = nullptr;
+    SceneForm *m_scene = nullptr;
     QLabel *m_refusal = nullptr;
 };
 

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/checks_tab.h"
 
-#include "tasks/authoring/lab_edits.h"
-#include "tasks/checks/check_kinds.h"
-#include "tasks/script/student_script.h"
+#include "tasks/authoring/free_name.h"
 #include "views/author/check_editor.h"
+#include "views/author/check_script.h"
+#include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
-#include "views/code/code_editor.h"
 #include "views/theme.h"
 
+#include <QBoxLayout>
 #include <QEvent>
-#include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QScrollArea>
@@ -30,11 +28,10 @@ constexpr int listWidth = 270; ///< px
 /// \p wish, or with a number, such that no check has it.
 QString freeId(const std::vector<CheckForm> &checks, const QString &wish)
 {
-    QString id = wish;
-    const auto taken = [&](const CheckForm &check) { return check.id == id; };
-    for (int number = 2; std::any_of(checks.begin(), checks.end(), taken); ++number)
-        id = QStringLiteral("%1-%2").arg(wish).arg(number);
-    return id;
+    return freeName(wish, [&](const QString &id) {
+        return std::any_of(checks.begin(), checks.end(),
+                           [&](const CheckForm &check) { return check.id == id; });
+    });
 }
 
 } // namespace
@@ -51,33 +48,18 @@ ChecksTab::ChecksTab(AuthorDocument &document, QWidget *parent)
 
 void ChecksTab::makeLayout()
 {
-    m_heading = new QLabel(this);
-    m_heading->setFont(headingFont());
-    setKind(m_heading, "heading");
-    m_list = new QListWidget(this);
-    m_list->setObjectName(QStringLiteral("checks"));
-    m_list->setFrameShape(QFrame::NoFrame);
-    setKind(m_list, "rows");
-    m_list->setWordWrap(true);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->installEventFilter(this);
+    m_heading = makeHeading(this);
+    auto *side = new QWidget(this);
+    m_list = makeRowsList(QStringLiteral("checks"), side);
+    wrapRows(m_list);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
     m_remove = makeIconButton(QStringLiteral("remove"), this);
     m_up = makeIconButton(QStringLiteral("up"), this);
     m_down = makeIconButton(QStringLiteral("down"), this);
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(12, 6, 6, 4);
-    row->setSpacing(0);
-    row->addWidget(m_heading, 1);
-    for (QToolButton *button : {m_up, m_down, m_add, m_duplicate, m_remove})
-        row->addWidget(button);
-    auto *side = new QWidget(this);
-    auto *left = new QVBoxLayout(side);
-    left->setContentsMargins(0, 0, 0, 0);
-    left->setSpacing(0);
-    left->addLayout(row);
-    left->addWidget(m_list, 1);
+    side->setLayout(
+        makeRowsColumn(m_heading, {m_up, m_down, m_add, m_duplicate, m_remove}, m_list));
+    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
 
     m_empty = new QLabel(this);
     m_empty->setWordWrap(true);
@@ -87,7 +69,7 @@ void ChecksTab::makeLayout()
     auto *scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setWidget(m_editor);
-    m_script = new CodeEditor(this);
+    m_script = new CheckScript(m_document, this);
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_splitter->addWidget(m_empty);
     m_splitter->addWidget(scroll);
@@ -115,7 +97,6 @@ void ChecksTab::wire()
             showCurrent();
     });
     connect(m_editor, &CheckEditor::edited, this, &ChecksTab::takeCheck);
-    connect(m_script, &CodeEditor::textEdited, this, &ChecksTab::takeScript);
     connect(m_add, &QToolButton::clicked, this, &ChecksTab::addCheck);
     connect(m_duplicate, &QToolButton::clicked, this, &ChecksTab::duplicateCheck);
     connect(m_remove, &QToolButton::clicked, this, &ChecksTab::removeCheck);
@@ -141,6 +122,7 @@ void ChecksTab::reload()
         m_list->item(i)->setText(check.title.isEmpty() ? check.id : check.title);
         m_list->item(i)->setToolTip(check.id);
     }
+    m_list->doItemsLayout(); // a title may take another number of lines now
     const int last = m_list->count() - 1;
     m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
     m_loading = false;
@@ -160,51 +142,10 @@ void ChecksTab::showCurrent()
     m_remove->setEnabled(writable && at >= 0);
     m_up->setEnabled(writable && at > 0);
     m_down->setEnabled(writable && at >= 0 && at + 1 < m_list->count());
+    const CheckForm check = at >= 0 ? m_checks[static_cast<std::size_t>(at)] : CheckForm();
     if (at >= 0)
-        m_editor->show(m_checks[static_cast<std::size_t>(at)]);
-    showScript();
-}
-
-QString ChecksTab::scriptPath() const
-{
-    const int at = m_list->currentRow();
-    if (at < 0)
-        return {};
-    const CheckForm &check = m_checks[static_cast<std::size_t>(at)];
-    const std::vector<KindInfo> kinds = checkKinds();
-    const KindInfo *kind = findKind(kinds, check.kind);
-    if (!kind)
-        return {};
-    for (const ParameterInfo &info : kind->parameters) {
-        const QString name = check.parameters.value(info.name).toString();
-        if (info.type != ParameterInfo::Type::Script || name.isEmpty())
-            continue;
-        const QString file =
-            name.endsWith(QLatin1String(".lua")) ? name : name + QStringLiteral(".lua");
-        return QStringLiteral("%1/checks/%2").arg(m_document.step(), file);
-    }
-    return {};
-}
-
-void ChecksTab::showScript()
-{
-    const QString path = scriptPath();
-    m_script->setVisible(!path.isEmpty());
-    if (path.isEmpty())
-        return;
-    const QString text = textOf(m_document.files(), path);
-    m_script->setReadOnly(false); // a read-only area takes no text at all
-    if (path != m_shownScript)
-        m_script->setText(text);
-    else
-        m_script->replaceText(text);
-    m_script->setReadOnly(m_document.isReadOnly());
-    m_shownScript = path;
-    const auto error = findSyntaxError(text);
-    if (error)
-        m_script->setError(error->line, error->message);
-    else
-        m_script->clearError();
+        m_editor->show(check);
+    m_script->showCheck(check);
 }
 
 void ChecksTab::store(const QString &text, const std::vector<CheckForm> &checks, int current,
@@ -238,18 +179,10 @@ void ChecksTab::takeCheck(const CheckForm &check, const QString &field)
           QStringLiteral("check:%1:%2:%3").arg(m_document.step()).arg(at).arg(field));
 }
 
-/// A check in Lua begins with a program that accepts everything.
 void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
 {
-    CheckForm &check = checks[static_cast<std::size_t>(at)];
-    const QString name = check.id + QStringLiteral(".lua");
-    check.parameters = {{QStringLiteral("script"), name}};
-    const QString path = QStringLiteral("%1/checks/%2").arg(m_document.step(), name);
-    LabFiles files = m_document.files();
-    if (!files.contents.contains(path))
-        files = withText(files, path,
-                         tr("-- Returns true, or false and what is wrong.\n")
-                             + QStringLiteral("function check(run)\n  return true\nend\n"));
+    const LabFiles files = CheckScript::begin(m_document.files(), m_document.step(),
+                                              checks[static_cast<std::size_t>(at)]);
     Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
     if (!form)
         return;
@@ -258,12 +191,9 @@ void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
                     withTask(files, m_document.step(), *form, m_document.language()));
 }
 
-void ChecksTab::takeScript()
+CodeEditor &ChecksTab::scriptEditor()
 {
-    if (const QString path = scriptPath(); !path.isEmpty())
-        m_document.edit(tr("Edit the program of a check"),
-                        withText(m_document.files(), path, m_script->text()),
-                        QStringLiteral("script:") + path);
+    return m_script->editor();
 }
 
 void ChecksTab::addCheck()
@@ -320,21 +250,12 @@ void ChecksTab::showCheck(const QString &id)
     }
 }
 
-bool ChecksTab::eventFilter(QObject *watched, QEvent *event)
+void ChecksTab::showScript(const QString &file)
 {
-    if (event->type() == QEvent::KeyPress) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool up = key->key() == Qt::Key_Up;
-        if (key->modifiers() == Qt::AltModifier && (up || key->key() == Qt::Key_Down)) {
-            move(up ? -1 : 1);
-            return true;
-        }
-        if (key->key() == Qt::Key_Delete && m_remove->isEnabled()) {
-            removeCheck();
-            return true;
-        }
+    for (const CheckForm &check : m_checks) {
+        if (CheckScript::fileOf(check) == file)
+            showCheck(check.id);
     }
-    return QWidget::eventFilter(watched, event);
 }
 
 void ChecksTab::retranslate()
@@ -342,7 +263,6 @@ void ChecksTab::retranslate()
     m_heading->setText(tr("Checks · %1").arg(m_list->count()));
     m_list->setAccessibleName(tr("Checks of the step"));
     m_empty->setText(tr("No check yet. Add one with the plus, then say what is right."));
-    m_script->setAccessibleName(tr("Program of the check"));
     nameButton(m_add, tr("Add a check"));
     nameButton(m_duplicate, tr("Duplicate the check"));
     nameButton(m_remove, tr("Remove the check"), tr("Delete"));

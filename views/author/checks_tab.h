@@ -17,6 +17,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class CheckEditor;
+class CheckScript;
 class CodeEditor;
 
 /// The checks of a step: a list in the order of the report, and the chosen one as a form. A check
@@ -28,7 +29,8 @@ public:
     explicit ChecksTab(AuthorDocument &document, QWidget *parent = nullptr);
 
     void showCheck(const QString &id);
-    [[nodiscard]] CodeEditor &scriptEditor() { return *m_script; }
+    void showScript(const QString &file); ///< the check in Lua that \p file is the program of
+    [[nodiscard]] CodeEditor &scriptEditor();
 
 public slots:
     void addCheck();
@@ -37,7 +39,6 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void makeLayout();
@@ -45,14 +46,11 @@ private:
     void retranslate();
     void reload();
     void showCurrent();
-    void showScript();
     void move(int by);
     void takeCheck(const CheckForm &check, const QString &field);
     void beginScript(std::vector<CheckForm> checks, int at);
-    void takeScript();
     void store(const QString &text, const std::vector<CheckForm> &checks, int current,
                const QString &mergeKey = {});
-    [[nodiscard]] QString scriptPath() const; ///< of the chosen check; empty if it has none
 
     AuthorDocument &m_document;
     std::vector<CheckForm> m_checks;
@@ -66,8 +64,7 @@ private:
     QLabel *m_empty = nullptr;
     QSplitter *m_splitter = nullptr;
     CheckEditor *m_editor = nullptr;
-    CodeEditor *m_script = nullptr;
-    QString m_shownScript;
+    CheckScript *m_script = nullptr;
     QString m_shownStep;
     bool m_loading = false;
 };

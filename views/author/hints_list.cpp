@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/hints_list.h"
 
+#include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
-#include "views/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QListWidget>
 #include <QToolButton>
 
@@ -24,18 +23,14 @@ constexpr int rowHeight = 28; ///< px
 
 HintsList::HintsList(QWidget *parent)
     : QWidget(parent)
-    , m_list(new QListWidget(this))
+    , m_list(makeRowsList(QStringLiteral("hints"), this))
     , m_add(makeIconButton(QStringLiteral("add"), this))
     , m_remove(makeIconButton(QStringLiteral("remove"), this))
     , m_up(makeIconButton(QStringLiteral("up"), this))
     , m_down(makeIconButton(QStringLiteral("down"), this))
 {
-    m_list->setObjectName(QStringLiteral("hints"));
-    m_list->setFrameShape(QFrame::NoFrame);
-    setKind(m_list, "rows");
     m_list->setFixedHeight(rowsShown * rowHeight);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->installEventFilter(this);
+    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
     auto *buttons = new QVBoxLayout;
     buttons->setSpacing(0);
     auto *upper = new QHBoxLayout;
@@ -120,23 +115,6 @@ void HintsList::move(int by)
     QStringList hints = m_hints;
     hints.move(current(), to);
     emit edited(hints, to);
-}
-
-bool HintsList::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::KeyPress) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool up = key->key() == Qt::Key_Up;
-        if (key->modifiers() == Qt::AltModifier && (up || key->key() == Qt::Key_Down)) {
-            move(up ? -1 : 1);
-            return true;
-        }
-        if (key->key() == Qt::Key_Delete && m_remove->isEnabled()) {
-            remove();
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void HintsList::enableButtons()

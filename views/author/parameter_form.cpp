@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/parameter_form.h"
 
+#include "views/author/form_rows.h"
 #include "views/author/parameter_text.h"
 #include "views/theme.h"
 
@@ -12,7 +13,6 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
-#include <QStyle>
 
 #include <algorithm>
 
@@ -23,13 +23,6 @@ namespace {
 using Type = ParameterInfo::Type;
 
 constexpr int fieldWidth = 190; ///< px
-
-void markRefused(QLineEdit *line, bool refused)
-{
-    line->setProperty("refused", refused);
-    line->style()->unpolish(line);
-    line->style()->polish(line);
-}
 
 } // namespace
 

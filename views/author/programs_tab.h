@@ -12,27 +12,27 @@ class QLabel;
 class QListWidget;
 class QListWidgetItem;
 class QMenu;
-class QSplitter;
 class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
 
 class CodeEditor;
-class MarkdownEditor;
-class MarkdownView;
+class ProgramPage;
 
 /// The programs of a step: what a student starts from, the reference, known mistakes, and work
-/// that passes and deserves a word. Below the program, what the student reads of it.
+/// that passes and deserves a word; beside them the chosen one.
 class ProgramsTab final : public QWidget
 {
     Q_OBJECT
 public:
     explicit ProgramsTab(AuthorDocument &document, QWidget *parent = nullptr);
 
-    [[nodiscard]] CodeEditor &editor() { return *m_editor; }
+    [[nodiscard]] CodeEditor &editor();
     /// Shows a program of the open step: "solution.lua" or "mistakes/NAME.lua".
-    void showProgram(const QString &file, int line = 0);
+    void openProgram(const QString &file, int line = 0);
+    /// Shows how a remark of the open step is recognised.
+    void openRemark(const QString &name);
     [[nodiscard]] const QString &program() const { return m_program; }
 
 public slots:
@@ -43,7 +43,6 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void makeLayout();
@@ -51,16 +50,11 @@ private:
     void retranslate();
     void reload();
     void fillList();
-    void showText();
-    void showMessage();
+    void showProgram();
     void addKnown(KnownKind kind);
-    void takeSource();
-    void takeTranslation(const QString &text);
     void takeName(QListWidgetItem *item);
     void renameTo(const QString &file, const QString &name);
-    void checkSyntax();
-    [[nodiscard]] QString path() const;       ///< in the lab
-    [[nodiscard]] bool isTranslation() const; ///< the open language is not the lab's own
+    [[nodiscard]] QString path() const; ///< in the lab
 
     AuthorDocument &m_document;
     QLabel *m_heading = nullptr;
@@ -69,16 +63,9 @@ private:
     QMenu *m_addMenu = nullptr;
     QToolButton *m_rename = nullptr;
     QToolButton *m_remove = nullptr;
-    QLabel *m_note = nullptr; ///< about the program shown
-    QSplitter *m_splitter = nullptr;
-    CodeEditor *m_editor = nullptr;
-    QWidget *m_messagePane = nullptr;
-    QLabel *m_messageHeading = nullptr;
-    MarkdownEditor *m_translation = nullptr;
-    MarkdownView *m_message = nullptr;
+    ProgramPage *m_page = nullptr;
     QString m_program = QStringLiteral("solution.lua"); ///< below the step's folder
-    QString m_shownPath;
-    QString m_listed; ///< what the list was made of
+    QString m_listed;                                   ///< what the list was made of
     bool m_loading = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -14,7 +15,25 @@ namespace cradle {
 namespace {
 
 constexpr int nameWidth = 230; ///< px
-constexpr int cellWidth = 44;  ///< px
+constexpr int saidWidth = 200; ///< px, at least
+constexpr int leastCell = 44;  ///< px
+constexpr int mostCell = 130;  ///< px
+constexpr int cellMargin = 20; ///< px, of a heading
+
+/// Keeps words off the edge of their cell; the style sheet's padding would cost the background.
+class IndentedText final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (!option->displayAlignment.testFlag(Qt::AlignHCenter))
+            option->text.prepend(QChar(0x2002)); // en space
+    }
+};
 
 const CheckOutcome *outcomeOf(const CheckReport &report, const QString &check)
 {
@@ -34,6 +53,10 @@ ProofMatrix::ProofMatrix(QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(26);
     horizontalHeader()->setDefaultAlignment(Qt::AlignCenter);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    horizontalHeader()->setStretchLastSection(true);
+    setKind(this, "matrix");
+    setItemDelegate(new IndentedText(this));
     setShowGrid(true);
     setFrameShape(QFrame::NoFrame);
     connect(this, &QTableWidget::cellActivated, this, [this](int row) {
@@ -62,18 +85,31 @@ void ProofMatrix::fill()
     if (m_task.programs.empty())
         return;
     QStringList titles{tr("Program")};
-    for (int i = 1; i <= checks; ++i)
-        titles.append(QString::number(i));
+    titles.append(m_task.checks);
     titles.append(tr("Said of it"));
     setHorizontalHeaderLabels(titles);
     for (int i = 0; i < checks; ++i)
-        horizontalHeaderItem(i + 1)->setToolTip(m_task.checks[i]);
+        horizontalHeaderItem(i + 1)->setToolTip(tr("Check %1").arg(m_task.checks[i]));
+    for (const int column : {0, checks + 1})
+        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     for (int row = 0; row < rowCount(); ++row)
         addRow(row, m_task.programs[static_cast<std::size_t>(row)]);
+    fitColumns();
+}
+
+/// The checks share what programs and words leave.
+void ProofMatrix::fitColumns()
+{
+    const auto checks = static_cast<int>(m_task.checks.size());
+    if (columnCount() == 0)
+        return;
     setColumnWidth(0, nameWidth);
-    for (int i = 1; i <= checks; ++i)
-        setColumnWidth(i, cellWidth);
-    horizontalHeader()->setStretchLastSection(true);
+    const int room = (viewport()->width() - nameWidth - saidWidth) / std::max(checks, 1);
+    for (int i = 1; i <= checks; ++i) {
+        const int wanted =
+            horizontalHeader()->fontMetrics().horizontalAdvance(m_task.checks[i - 1]) + cellMargin;
+        setColumnWidth(i, std::clamp(room, leastCell, std::clamp(wanted, leastCell, mostCell)));
+    }
 }
 
 void ProofMatrix::addRow(int row, const VerifiedProgram &program)
@@ -103,7 +139,22 @@ void ProofMatrix::addRow(int row, const VerifiedProgram &program)
         said = report.remarks.front().id;
     else if (report.passed)
         said = tr("passes");
-    setItem(row, columnCount() - 1, new QTableWidgetItem(said));
+    else if (program.role == VerifiedProgram::Role::Mistake)
+        said = tr("not recognised");
+    auto *last = new QTableWidgetItem(said);
+    const auto found =
+        std::any_of(m_task.findings.begin(), m_task.findings.end(), [&](const LabFinding &finding) {
+            return finding.program == programPath(program);
+        });
+    if (found)
+        last->setForeground(colours.warning);
+    setItem(row, columnCount() - 1, last);
+}
+
+void ProofMatrix::resizeEvent(QResizeEvent *event)
+{
+    QTableWidget::resizeEvent(event);
+    fitColumns();
 }
 
 void ProofMatrix::changeEvent(QEvent *event)

@@ -24,9 +24,11 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void fill();
+    void fitColumns();
     void addRow(int row, const VerifiedProgram &program);
 
     VerifiedTask m_task;

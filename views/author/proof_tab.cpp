@@ -3,6 +3,7 @@
 #include "views/author/proof_tab.h"
 
 #include "views/author/proof_matrix.h"
+#include "views/author/rows_list.h"
 #include "views/theme.h"
 
 #include <QEvent>
@@ -64,12 +65,13 @@ void ProofTab::makeLayout()
     m_rows->setContentsMargins(12, 8, 12, 8);
     m_rows->setSpacing(6);
     m_rows->addStretch(1);
-    auto *scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(m_rowsHolder);
+    m_rowsScroll = new QScrollArea(this);
+    m_rowsScroll->setObjectName(QStringLiteral("proofRows"));
+    m_rowsScroll->setWidgetResizable(true);
+    m_rowsScroll->setWidget(m_rowsHolder);
     auto *splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(m_matrix);
-    splitter->addWidget(scroll);
+    splitter->addWidget(m_rowsScroll);
     splitter->setChildrenCollapsible(false);
     splitter->setSizes({320, 220});
     auto *column = new QVBoxLayout(this);
@@ -174,12 +176,14 @@ void ProofTab::takeVerified(const std::vector<VerifiedTask> &tasks)
         std::erase_if(m_verified, [&](const VerifiedTask &old) { return old.id == task.id; });
         m_verified.push_back(task);
     }
+    m_suggestedLast = false;
     showStep();
 }
 
 void ProofTab::takeSuggested(const std::vector<Suggestion> &suggestions)
 {
     m_suggestions = suggestions;
+    m_suggestedLast = true;
     showStep();
 }
 
@@ -219,26 +223,18 @@ void ProofTab::showRows()
         }
         delete item;
     }
-    if (const VerifiedTask *verified = result(); verified && !verified->findings.empty()) {
-        addHeading(tr("Findings"));
-        for (const LabFinding &finding : verified->findings)
-            addFinding(finding);
-    }
-    if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
-        return;
-    addHeading(tr("Mistakes that this step does not know"));
-    for (const Suggestion &suggestion : m_suggestions)
-        addSuggestion(suggestion);
-    if (m_suggestions.empty() && !m_job.isRunning())
-        addRow(tr("None was found: each change of the solution is caught and explained."), false,
-               {});
+    if (m_suggestedLast)
+        showSuggestions();
+    showFindings();
+    if (!m_suggestedLast)
+        showSuggestions();
+    m_rowsScroll->setVisible(m_rows->count() > 1);
 }
 
 void ProofTab::addHeading(const QString &text)
 {
-    auto *heading = new QLabel(text, m_rowsHolder);
-    heading->setFont(headingFont());
-    setKind(heading, "heading");
+    QLabel *heading = makeHeading(m_rowsHolder);
+    heading->setText(text);
     m_rows->insertWidget(m_rows->count() - 1, heading);
 }
 

@@ -11,6 +11,7 @@ QT_BEGIN_NAMESPACE
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 QT_END_NAMESPACE
 
@@ -42,7 +43,9 @@ signals:
     void programRequested(const QString &program);
     void checkRequested(const QString &id);
     /// The run of a program in a scene of a check, at the step where it first went wrong.
-    void runRequested(const cradle::Preset &scene, const QString &source, qint64 step);
+    /// \param finding  why it is worth a look
+    void runRequested(const cradle::Preset &scene, const QString &source, qint64 step,
+                      const QString &finding);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -60,6 +63,8 @@ private:
     void addFinding(const LabFinding &finding);
     void addSuggestion(const Suggestion &suggestion);
     void addHeading(const QString &text);
+    void showFindings();
+    void showSuggestions();
     QPushButton *addRow(const QString &text, bool warning, const QString &action);
     void showRun(const LabFinding &finding);
     [[nodiscard]] const CheckOutcome *outcomeOf(const LabFinding &finding) const;
@@ -72,7 +77,8 @@ private:
     std::vector<VerifiedTask> m_verified;
     LabFiles m_verifiedFiles; ///< that m_verified is about
     std::vector<Suggestion> m_suggestions;
-    QString m_suggestedFor; ///< id of the step
+    QString m_suggestedFor;       ///< id of the step
+    bool m_suggestedLast = false; ///< then the suggestions stand above the findings
     QPushButton *m_verifyStep = nullptr;
     QPushButton *m_verifyAll = nullptr;
     QPushButton *m_suggest = nullptr;
@@ -82,6 +88,7 @@ private:
     QLabel *m_stale = nullptr;
     ProofMatrix *m_matrix = nullptr;
     QLabel *m_empty = nullptr;
+    QScrollArea *m_rowsScroll = nullptr; ///< hidden while there is no row
     QWidget *m_rowsHolder = nullptr;
     QVBoxLayout *m_rows = nullptr;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/proof_tab.h"
 
+#include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_edits.h"
 
 #include <QEvent>
@@ -43,10 +44,32 @@ QString ProofTab::sourceOf(const QString &program) const
     return textOf(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
 }
 
+void ProofTab::showFindings()
+{
+    const VerifiedTask *verified = result();
+    if (!verified || verified->findings.empty())
+        return;
+    addHeading(tr("Findings"));
+    for (const LabFinding &finding : verified->findings)
+        addFinding(finding);
+}
+
+void ProofTab::showSuggestions()
+{
+    if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
+        return;
+    addHeading(tr("Mistakes that this step does not know"));
+    for (const Suggestion &suggestion : m_suggestions)
+        addSuggestion(suggestion);
+    if (m_suggestions.empty() && !m_job.isRunning())
+        addRow(tr("None was found: each change of the solution is caught and explained."), false,
+               {});
+}
+
 void ProofTab::addFinding(const LabFinding &finding)
 {
     QString text = finding.message;
-    if (!finding.program.isEmpty())
+    if (!finding.program.isEmpty() && !text.startsWith(finding.program))
         text = QStringLiteral("%1: %2").arg(finding.program, text);
     if (outcomeOf(finding)) {
         QPushButton *button = addRow(text, true, tr("Show the run"));
@@ -69,7 +92,8 @@ void ProofTab::addFinding(const LabFinding &finding)
 void ProofTab::showRun(const LabFinding &finding)
 {
     if (const CheckOutcome *outcome = outcomeOf(finding))
-        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step);
+        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step,
+                          finding.message);
 }
 
 void ProofTab::addSuggestion(const Suggestion &suggestion)
@@ -97,9 +121,8 @@ void ProofTab::adopt(const Suggestion &suggestion)
 {
     const LabFiles &files = m_document.files();
     const QStringList taken = knownNames(files, m_document.step(), KnownKind::Mistake);
-    QString name = suggestion.mutant.name;
-    for (int number = 2; taken.contains(name); ++number)
-        name = QStringLiteral("%1-%2").arg(suggestion.mutant.name).arg(number);
+    const QString name =
+        freeName(suggestion.mutant.name, [&](const QString &each) { return taken.contains(each); });
     if (m_document.edit(tr("Add a suggested mistake"),
                         withKnownAdded(files, m_document.step(), KnownKind::Mistake, name,
                                        suggestion.mutant.source)))

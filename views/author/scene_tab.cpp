@@ -211,7 +211,7 @@ void SceneTab::enableControls()
     m_templateButton->setEnabled(own);
     m_lockButton->setEnabled(own);
     m_fromMoment->setEnabled(own && !m_simulation.atStart());
-    m_mover->setEnabled(!m_preset.isVisiting());
+    m_mover->setVisible(!m_preset.isVisiting());
 }
 
 void SceneTab::retranslate()

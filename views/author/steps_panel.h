@@ -16,6 +16,8 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
+class FindingsList;
+
 /// The steps of the lab that is written: add, duplicate, remove, rename in place, reorder by drag
 /// or Alt+Up and Alt+Down. Below them, what is wrong with the lab's files; a click goes there.
 class StepsPanel final : public QWidget
@@ -34,18 +36,20 @@ public slots:
 
 signals:
     void findingChosen(const cradle::Error &finding);
+    void propertiesRequested(); ///< of the lab
 
 protected:
     void changeEvent(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    enum Role { FolderRole = Qt::UserRole, TitleRole }; ///< of a row: the step's folder and title
+
     void makeLayout();
     void retranslate();
     void reload();
     void reloadIfNew();
     void showCurrent();
-    void showFindings();
+    void markFindings();
     void move(int by);
     void takeOrder();                      ///< of the list, after a drag
     void takeTitle(QListWidgetItem *item); ///< after it was edited in place
@@ -53,6 +57,8 @@ private:
     void enableButtons();
 
     AuthorDocument &m_document;
+    QLabel *m_title = nullptr; ///< of the lab
+    QToolButton *m_properties = nullptr;
     QLabel *m_heading = nullptr;
     QListWidget *m_list = nullptr;
     QToolButton *m_add = nullptr;
@@ -60,9 +66,7 @@ private:
     QToolButton *m_remove = nullptr;
     QToolButton *m_up = nullptr;
     QToolButton *m_down = nullptr;
-    QLabel *m_findingsHeading = nullptr;
-    QListWidget *m_findings = nullptr;
-    std::vector<Error> m_errors;
+    FindingsList *m_findings = nullptr;
     QByteArrayList m_shown; ///< what the rows were made of
     bool m_loading = false;
 };

@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/text_tab.h"
 
-#include "tasks/authoring/lab_edits.h"
 #include "tasks/mode.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
+#include "views/author/prediction_editor.h"
+#include "views/author/step_fields.h"
+#include "views/author/text_languages.h"
+#include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 #include "views/theme.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
 
@@ -30,6 +29,7 @@ constexpr int previewDelay = 150; ///< ms after a key, while more may follow
 TextTab::TextTab(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
+    , m_renderer(new FormulaRenderer(this))
 {
     m_previewTimer.setSingleShot(true);
     m_previewTimer.setInterval(previewDelay);
@@ -37,6 +37,13 @@ TextTab::TextTab(AuthorDocument &document, QWidget *parent)
     retranslate();
     wire();
     reload();
+}
+
+TextTab::~TextTab()
+{
+    // The views before the renderer that they share.
+    delete m_splitter;
+    delete m_prediction;
 }
 
 void TextTab::makeLayout()
@@ -57,38 +64,22 @@ void TextTab::makeLayout()
     top->addStretch(1);
     top->addWidget(m_mode);
 
-    m_preview = new MarkdownView(this);
+    m_preview = new MarkdownView(this, m_renderer);
     m_splitter = new QSplitter(Qt::Horizontal, this);
     m_splitter->addWidget(makeEditorColumn());
     m_splitter->addWidget(m_preview);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setSizes({500, 500});
 
-    m_id = new QLineEdit(this);
-    m_commit = new QLineEdit(this);
-    m_extra = new QCheckBox(this);
-    m_idCaption = new QLabel(this);
-    m_commitCaption = new QLabel(this);
-    m_id->setObjectName(QStringLiteral("stepId"));
-    m_commit->setObjectName(QStringLiteral("stepCommit"));
-    m_id->setMaximumWidth(140);
-    m_idCaption->setBuddy(m_id);
-    m_commitCaption->setBuddy(m_commit);
-    auto *bottom = new QHBoxLayout;
-    bottom->setSpacing(8);
-    bottom->setContentsMargins(12, 8, 12, 8);
-    for (QWidget *widget : {static_cast<QWidget *>(m_idCaption), static_cast<QWidget *>(m_id),
-                            static_cast<QWidget *>(m_commitCaption)})
-        bottom->addWidget(widget);
-    bottom->addWidget(m_commit, 1);
-    bottom->addWidget(m_extra);
-
+    m_prediction = new PredictionEditor(m_renderer, this);
+    m_fields = new StepFields(m_document, this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(top);
     column->addWidget(m_splitter, 1);
-    column->addLayout(bottom);
+    column->addWidget(m_prediction, 1);
+    column->addWidget(m_fields);
 }
 
 QWidget *TextTab::makeEditorColumn()
@@ -132,17 +123,7 @@ void TextTab::wire()
             m_editor->goTo(m_editor->unknown().front());
     });
     connect(m_figure, &QPushButton::clicked, this, &TextTab::figureRequested);
-    connect(m_id, &QLineEdit::editingFinished, this, [this] {
-        const QString name = m_id->text().trimmed();
-        if (!m_id->isModified() || name == m_document.step() || m_document.step().isEmpty())
-            return;
-        if (!m_document.editStep(tr("Rename the step's folder"),
-                                 withStepRenamed(m_document.files(), m_document.step(), name),
-                                 name))
-            m_id->setText(m_document.step());
-    });
-    connect(m_commit, &QLineEdit::textEdited, this, &TextTab::takeFields);
-    connect(m_extra, &QCheckBox::clicked, this, &TextTab::takeFields);
+    connect(m_prediction, &PredictionEditor::edited, this, &TextTab::takePrediction);
     connect(&m_previewTimer, &QTimer::timeout, this, &TextTab::showPreview);
 }
 
@@ -161,11 +142,14 @@ void TextTab::reload()
     m_loading = true;
     setEnabled(!m_document.step().isEmpty());
     m_editor->setReadOnly(m_document.isReadOnly());
-    for (QLineEdit *line : {m_id, m_commit})
-        line->setReadOnly(m_document.isReadOnly());
-    m_extra->setEnabled(!m_document.isReadOnly());
     m_figure->setEnabled(!m_document.isReadOnly());
     m_hints->setReadOnly(m_document.isReadOnly());
+    m_prediction->setReadOnly(m_document.isReadOnly());
+    const bool predicts = part() == PredictionPart;
+    m_splitter->setVisible(!predicts);
+    m_prediction->setVisible(predicts);
+    m_figure->setVisible(!predicts);
+    m_mode->setVisible(!predicts);
     showLanguages();
     reloadForm();
     reloadText();
@@ -180,16 +164,12 @@ void TextTab::reloadForm()
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
     m_hints->setVisible(part() != Instructions);
+    m_prediction->showPrediction(form->prediction);
     if (hints != m_shownHints) {
         m_shownHints = hints;
         m_hints->showHints(hints);
     }
-    if (m_shownStep != m_document.step() || !m_id->isModified())
-        m_id->setText(m_document.step());
-    m_shownStep = m_document.step();
-    if (m_commit->text() != form->commit)
-        m_commit->setText(form->commit);
-    m_extra->setChecked(form->extra);
+    m_fields->reload();
 }
 
 void TextTab::reloadText()
@@ -209,24 +189,14 @@ void TextTab::reloadText()
 
 void TextTab::showLanguages()
 {
-    QStringList codes = languagesOf(m_document.files());
-    for (const QString &code : {QStringLiteral("en"), QStringLiteral("de")}) {
-        if (!codes.contains(code))
-            codes.append(code);
-    }
+    const QStringList codes = offeredLanguages(m_document.files());
     QStringList shown;
     for (int i = 0; i < m_language->count(); ++i)
         shown.append(m_language->itemData(i).toString());
     if (shown != codes) {
         m_language->clear();
-        for (const QString &code : codes) {
-            m_language->addItem(
-                QStringLiteral("%1 (%2)").arg(code == QLatin1String("en")
-                                                  ? QStringLiteral("English")
-                                                  : QLocale(code).nativeLanguageName(),
-                                              code),
-                code);
-        }
+        for (const QString &code : codes)
+            m_language->addItem(languageWithCode(code), code);
     }
     m_language->setCurrentIndex(m_language->findData(m_document.language()));
 }
@@ -259,64 +229,6 @@ void TextTab::showUnknown()
     m_unknown->setText(more == 0 ? first : tr("%1, and %2 more").arg(first).arg(more));
 }
 
-void TextTab::takeText(const QString &text)
-{
-    if (m_loading)
-        return;
-    m_previewTimer.start();
-    const LabFiles &files = m_document.files();
-    const QString step = m_document.step();
-    if (part() == Instructions) {
-        m_document.edit(tr("Edit the text"), withText(files, path(), text),
-                        QStringLiteral("text:") + path());
-        return;
-    }
-    const int hint = m_hints->current();
-    QStringList hints = m_shownHints;
-    if (hint < 0 || hint >= hints.size())
-        return;
-    hints[hint] = text;
-    Result<TaskForm> form = taskForm(files, step, m_document.language());
-    if (!form)
-        return;
-    (part() == CodeHints ? form->codeHints : form->hints) = hints;
-    m_document.edit(tr("Edit a hint"), withTask(files, step, *form, m_document.language()),
-                    QStringLiteral("hint:%1:%2:%3").arg(step).arg(int{part()}).arg(hint));
-}
-
-void TextTab::takeHints(const QStringList &hints, int current)
-{
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    (part() == CodeHints ? form->codeHints : form->hints) = hints;
-    m_document.edit(tr("Change the hints"),
-                    withTask(files, m_document.step(), *form, m_document.language()));
-    m_hints->setCurrent(current);
-    m_editor->setFocus();
-}
-
-void TextTab::takeFields()
-{
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    form->commit = m_commit->text();
-    form->extra = m_extra->isChecked();
-    m_document.edit(tr("Edit the step"),
-                    withTask(files, m_document.step(), *form, m_document.language()),
-                    QStringLiteral("fields:") + m_document.step());
-}
-
-void TextTab::insertFigure(const QString &name, const QString &description)
-{
-    m_part->setCurrentIndex(Instructions);
-    m_editor->insertPlainText(QStringLiteral("![%1](%2)").arg(description, name));
-    m_editor->setFocus();
-}
-
 void TextTab::retranslate()
 {
     const auto setItems = [](QComboBox *box, const QStringList &texts) {
@@ -326,8 +238,8 @@ void TextTab::retranslate()
             box->setItemText(i, texts[i]);
         }
     };
-    setItems(m_part,
-             {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program")});
+    setItems(m_part, {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
+                      tr("Prediction")});
     setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
     m_language->setAccessibleName(tr("Language of the texts"));
@@ -339,14 +251,6 @@ void TextTab::retranslate()
     m_editor->setAccessibleName(tr("Text in Markdown"));
     m_preview->setAccessibleName(tr("Preview"));
     m_unknown->setToolTip(tr("Names in backticks that neither the scene nor the programs have"));
-    m_idCaption->setText(tr("Id"));
-    m_id->setAccessibleName(tr("Id of the step, and its folder"));
-    m_id->setToolTip(tr("Letters, digits, dots and dashes; also the name of the folder"));
-    m_commitCaption->setText(tr("Commit message"));
-    m_commit->setAccessibleName(tr("Commit message"));
-    m_commit->setToolTip(tr("What a student writes into the history after passing"));
-    m_extra->setText(tr("Extra step"));
-    m_extra->setToolTip(tr("Outside the lab's own count"));
     showUnknown();
 }
 

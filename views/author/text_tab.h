@@ -8,19 +8,19 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
-class QCheckBox;
 class QComboBox;
-class QLabel;
-class QLineEdit;
 class QPushButton;
 class QSplitter;
 QT_END_NAMESPACE
 
 namespace cradle {
 
+class FormulaRenderer;
 class HintsList;
 class MarkdownEditor;
 class MarkdownView;
+class PredictionEditor;
+class StepFields;
 
 /// The texts of a step: instructions and hints in CommonMark and TeX beside what the student will
 /// see, in every language of the lab; the commit message and the id.
@@ -29,11 +29,13 @@ class TextTab final : public QWidget
     Q_OBJECT
 public:
     explicit TextTab(AuthorDocument &document, QWidget *parent = nullptr);
+    ~TextTab() override;
 
     [[nodiscard]] MarkdownEditor &editor() { return *m_editor; }
     [[nodiscard]] MarkdownView &preview() { return *m_preview; }
     /// Writes the figure \p name of the step's folder into the text, where the cursor is.
     void insertFigure(const QString &name, const QString &description);
+    void openPrediction(); ///< of the step
 
 signals:
     void figureRequested(); ///< the author wants the scene as a figure
@@ -43,7 +45,7 @@ protected:
 
 private:
     /// Which text is written.
-    enum Part { Instructions, Hints, CodeHints };
+    enum Part { Instructions, Hints, CodeHints, PredictionPart };
 
     void makeLayout();
     QWidget *makeEditorColumn();
@@ -58,12 +60,13 @@ private:
     void followNames();
     void takeText(const QString &text);
     void takeHints(const QStringList &hints, int current);
-    void takeFields();
+    void takePrediction(const std::optional<Prediction> &prediction, const QString &field);
     [[nodiscard]] Part part() const;
     [[nodiscard]] QString path() const; ///< of the instructions, in the language
 
     AuthorDocument &m_document;
     PreviewFolder m_pictures;
+    FormulaRenderer *m_renderer; ///< of all texts of the tab
     QTimer m_previewTimer;
     QComboBox *m_part = nullptr;
     QComboBox *m_language = nullptr;
@@ -74,13 +77,9 @@ private:
     MarkdownEditor *m_editor = nullptr;
     QPushButton *m_unknown = nullptr; ///< names that nothing is called
     MarkdownView *m_preview = nullptr;
-    QLabel *m_idCaption = nullptr;
-    QLineEdit *m_id = nullptr;
-    QLabel *m_commitCaption = nullptr;
-    QLineEdit *m_commit = nullptr;
-    QCheckBox *m_extra = nullptr;
+    PredictionEditor *m_prediction = nullptr;
+    StepFields *m_fields = nullptr;
     QStringList m_shownHints;
-    QString m_shownStep;
     bool m_loading = false;
 };
 

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/named_opening.h"
+
+#include "app/author_window.h"
+#include "app/language.h"
+#include "app/main_window.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/lab_list.h"
+#include "tasks/lab_reader.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace cradle {
+
+namespace {
+
+/// What is wrong with the name of a step; asked before anything of the student's is touched.
+std::optional<Error> missingStep(const QString &folder, const QString &step)
+{
+    if (step.isEmpty())
+        return std::nullopt;
+    const Result<Lab> lab = readLab(folder);
+    if (!lab)
+        return lab.error();
+    if (lab->indexOf(step) >= 0)
+        return std::nullopt;
+    QStringList ids;
+    for (const Task &task : lab->tasks)
+        ids.append(task.id);
+    return Error{.message = QCoreApplication::translate("Main", "there is no step %1; there are %2")
+                                .arg(step, ids.join(QStringLiteral(", ")))};
+}
+
+} // namespace
+
+std::optional<Error> openNamed(Workbench &bench, const QString &named, const QString &step,
+                               const QString &labs)
+{
+    QString path = named;
+    if (isLabArchive(named)) {
+        const Result<QString> folder = importLab(named, labs);
+        if (!folder)
+            return folder.error();
+        path = *folder;
+    }
+    const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
+    const QString folder = isLab && !path.isEmpty() ? path : shippedLabWith(step);
+    if (const auto error = missingStep(folder, step))
+        return error;
+    if (auto error = bench.openLab(folder, currentLanguage()))
+        return error;
+    if (!isLab && step.isEmpty())
+        return bench.openPreset(path);
+    if (step.isEmpty())
+        return std::nullopt;
+    bench.openTask(step);
+    return isLab ? std::nullopt : bench.takePreset(path);
+}
+
+std::optional<Error> openExampleNamed(Workbench &bench, const QString &name)
+{
+    if (const auto example = exampleFromId(name))
+        return bench.openExample(*example);
+    QStringList ids;
+    for (const Example each : allExamples)
+        ids.append(idOf(each));
+    return Error{.message =
+                     QCoreApplication::translate("Main", "there is no example %1; there are %2")
+                         .arg(name, ids.join(QStringLiteral(", ")))};
+}
+
+std::optional<Error> openAuthor(MainWindow &window, const QString &folder, const QString &step,
+                                const QString &tab)
+{
+    static const QStringList tabs{QStringLiteral("scene"), QStringLiteral("text"),
+                                  QStringLiteral("checks"), QStringLiteral("programs"),
+                                  QStringLiteral("proof")};
+    if (!tabs.contains(tab))
+        return Error{.message = QCoreApplication::translate(
+                                    "Main", "--tab %1: scene, text, checks, programs or proof is "
+                                            "right")
+                                    .arg(tab)};
+    if (auto error = window.openAuthor(folder))
+        return error;
+    AuthorDocument &document = window.author()->document();
+    if (!step.isEmpty() && !document.steps().contains(step))
+        return Error{.message =
+                         QCoreApplication::translate("Main", "there is no step %1; there are %2")
+                             .arg(step, document.steps().join(QStringLiteral(", ")))};
+    if (!step.isEmpty())
+        document.setStep(step);
+    window.author()->showTab(static_cast<int>(tabs.indexOf(tab)));
+    return std::nullopt;
+}
+
+} // namespace cradle

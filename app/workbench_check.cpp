@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+
+#include "tasks/observation.h"
+
+#include <QDateTime>
+#include <QRandomGenerator>
+
+#include <algorithm>
+
+namespace cradle {
+
+// The check of the student's work, and the moment where it went wrong.
+
+namespace {
+
+/// How far the reference's run reaches beyond the moment shown, s of the scene.
+constexpr double ghostSeconds = 10.0;
+
+/// UTC, in whole seconds, as it is kept.
+QDateTime now()
+{
+    return QDateTime::fromSecsSinceEpoch(QDateTime::currentSecsSinceEpoch(), Qt::UTC);
+}
+
+} // namespace
+
+Submission Workbench::submission() const
+{
+    return {m_document.own(), mode() == Mode::Code ? std::optional(m_code.text()) : std::nullopt};
+}
+
+void Workbench::setGhost(std::shared_ptr<const Recording> ghost)
+{
+    if (ghost == m_ghost)
+        return;
+    m_ghost = std::move(ghost);
+    emit ghostChanged();
+}
+
+void Workbench::check()
+{
+    if (!task())
+        return;
+    // What was typed a moment ago is judged, not what still runs.
+    m_code.apply();
+    m_judged = submission();
+    m_checker.start(m_lab, *task(), m_judged, QRandomGenerator::global()->bounded(1, 1000));
+    emit checkStarted();
+}
+
+void Workbench::cancelCheck()
+{
+    m_checker.cancel();
+}
+
+void Workbench::finishCheck(const CheckReport &report)
+{
+    // A step that was left while it was judged keeps its verdict to itself.
+    if (!task() || report.taskId != task()->id)
+        return;
+    m_report = report;
+    if (report.passed) {
+        progress().passed = true;
+        progress().pass = {.when = now(), .commit = report.commit};
+        m_saveSoon.start();
+        emit progressChanged();
+        emit guessChanged();
+    }
+    showFirstFailure();
+    emit checkEnded();
+    emit reportChanged();
+    if (m_judged != submission())
+        emit reportStale();
+}
+
+/// Goes to where the student's own scene first went wrong, if it did there.
+void Workbench::showFirstFailure()
+{
+    const auto &checks = m_report->checks;
+    const auto failure = std::find_if(checks.begin(), checks.end(),
+                                      [](const CheckOutcome &check) { return !check.passed; });
+    if (failure != checks.end() && failure->step > 0 && failure->scene == m_document.own())
+        showMoment(*failure);
+}
+
+void Workbench::showMoment(const CheckOutcome &outcome)
+{
+    if (!outcome.scene)
+        return;
+    const qint64 step = std::max<qint64>(0, outcome.step);
+    if (*outcome.scene == m_document.own() && !outcome.pinned) {
+        m_document.leave();
+    } else {
+        m_code.setPinned(outcome.pinned);
+        m_document.visit(*outcome.scene);
+    }
+    m_simulation.goTo(step);
+    showReference(outcome, step);
+}
+
+/// Runs the reference in the same scene, to be seen beside the student's work.
+void Workbench::showReference(const CheckOutcome &outcome, qint64 step)
+{
+    if (!task() || task()->solution.isEmpty())
+        return;
+    const double seconds = static_cast<double>(step) * outcome.scene->timestep + ghostSeconds;
+    const Variant variant{outcome.variant, *outcome.scene, seconds, outcome.pinned};
+    Observation reference = observe(variant, &task()->solution);
+    if (!reference.error
+        && reference.circleCount() == static_cast<int>(outcome.scene->circles.size()))
+        setGhost(std::make_shared<const Recording>(std::move(reference.states)));
+}
+
+void Workbench::markStale()
+{
+    setGhost(nullptr);
+    emit reportStale();
+}
+
+} // namespace cradle

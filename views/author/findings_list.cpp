@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/findings_list.h"
+
+#include "views/author/rows_list.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int mostHeight = 150; ///< px
+
+/// The path of \p finding below the lab's folder.
+QString pathIn(const QString &folder, const Error &finding)
+{
+    if (folder.isEmpty())
+        return finding.file.startsWith(QLatin1Char('/')) ? finding.file.mid(1) : finding.file;
+    if (!finding.file.startsWith(folder + QLatin1Char('/')))
+        return finding.file;
+    return finding.file.mid(folder.size() + 1);
+}
+
+} // namespace
+
+FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_heading(makeHeading(this))
+    , m_list(makeRowsList(QStringLiteral("authorFindings"), this))
+{
+    m_heading->setContentsMargins(12, 8, 12, 4);
+    wrapRows(m_list);
+    m_list->setMaximumHeight(mostHeight);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_heading);
+    column->addWidget(m_list);
+    connect(&document, &AuthorDocument::labRead, this, &FindingsList::reload);
+    const auto choose = [this](QListWidgetItem *item) {
+        emit chosen(m_findings[static_cast<std::size_t>(m_list->row(item))]);
+    };
+    connect(m_list, &QListWidget::itemClicked, this, choose);
+    connect(m_list, &QListWidget::itemActivated, this, choose);
+    reload();
+}
+
+void FindingsList::reload()
+{
+    m_findings = m_document.unread();
+    m_findings.insert(m_findings.end(), m_document.lab().findings.begin(),
+                      m_document.lab().findings.end());
+    m_list->clear();
+    for (Error &finding : m_findings) {
+        finding.file = pathIn(m_document.folder(), finding);
+        auto *item = new QListWidgetItem(finding.toString());
+        item->setForeground(theme().warning);
+        item->setToolTip(finding.toString());
+        m_list->addItem(item);
+    }
+    m_list->setVisible(!m_findings.empty());
+    retranslate();
+    emit shown();
+}
+
+bool FindingsList::concernsStep(const QString &step) const
+{
+    return std::any_of(m_findings.begin(), m_findings.end(), [&](const Error &finding) {
+        return finding.file.startsWith(step + QLatin1Char('/'));
+    });
+}
+
+void FindingsList::retranslate()
+{
+    const auto count = static_cast<int>(m_findings.size());
+    m_heading->setText(count == 0 ? tr("All files can be read") : tr("Findings · %1").arg(count));
+    m_list->setAccessibleName(tr("Findings in the lab's files"));
+}
+
+void FindingsList::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        reload();
+}
+
+} // namespace cradle

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/lab_dialog.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "views/author/form_rows.h"
+#include "views/author/text_languages.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+constexpr int leastWidth = 460;  ///< px
+constexpr int longestText = 200; ///< characters, as in lab.schema.json
+
+} // namespace
+
+LabDialog::LabDialog(AuthorDocument &document, QWidget *parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_ownLanguage(languagesOf(document.files()).front())
+{
+    setWindowTitle(tr("Properties of the lab"));
+    setMinimumWidth(leastWidth);
+    QFormLayout *form = makeFormRows();
+    makeTitles(form);
+    makeFields(form);
+    QLabel *note = makeMutedText(this);
+    note->setText(tr("The progress of students is kept by the id. A corrected lab keeps its id and "
+                     "gets a higher version; a new lab gets a new id."));
+    m_refusal = makeRefusal(this);
+    const bool readOnly = document.isReadOnly();
+    auto *buttons = new QDialogButtonBox(
+        readOnly ? QDialogButtonBox::Close : QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &LabDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &LabDialog::reject);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 12);
+    column->setSpacing(12);
+    column->addLayout(form);
+    column->addWidget(note);
+    column->addWidget(m_refusal);
+    column->addWidget(buttons);
+    for (QLineEdit *line : findChildren<QLineEdit *>())
+        line->setReadOnly(readOnly);
+    m_language->setEnabled(!readOnly);
+}
+
+void LabDialog::makeTitles(QFormLayout *form)
+{
+    const LabFiles &files = m_document.files();
+    for (const QString &language : offeredLanguages(files)) {
+        auto *line = new QLineEdit(this);
+        line->setObjectName(QStringLiteral("labTitle.") + language);
+        line->setMaxLength(longestText);
+        const bool own = language == m_ownLanguage;
+        const QString caption = tr("Title, %1").arg(languageWithCode(language));
+        line->setAccessibleName(caption);
+        if (const Result<LabForm> lab = labForm(files, language))
+            line->setText(own || hasTitle(files, language) ? lab->title : QString());
+        if (!own)
+            line->setPlaceholderText(labForm(files)->title);
+        auto *label = new QLabel(caption, this);
+        label->setBuddy(line);
+        form->addRow(label, line);
+        m_titles.push_back({language, line});
+    }
+}
+
+void LabDialog::makeFields(QFormLayout *form)
+{
+    m_version = new QLineEdit(this);
+    m_id = new QLineEdit(this);
+    m_language = new QComboBox(this);
+    m_version->setObjectName(QStringLiteral("labVersion"));
+    m_id->setObjectName(QStringLiteral("labId"));
+    m_language->setObjectName(QStringLiteral("labLanguage"));
+    m_version->setMaxLength(longestText);
+    m_id->setToolTip(tr("Letters, digits, dots and dashes"));
+    m_language->setToolTip(tr("The language of task.json and instructions.md; texts in others have "
+                              "files of their own"));
+    for (const Title &title : m_titles)
+        m_language->addItem(languageWithCode(title.language), title.language);
+    m_language->setCurrentIndex(m_language->findData(m_ownLanguage));
+    if (const Result<LabForm> lab = labForm(m_document.files())) {
+        m_version->setText(lab->version);
+        m_id->setText(lab->id);
+    }
+    const std::pair<QString, QWidget *> rows[] = {
+        {tr("Version"), m_version}, {tr("Id"), m_id}, {tr("Written in"), m_language}};
+    for (const auto &[caption, field] : rows) {
+        auto *label = new QLabel(caption, this);
+        label->setBuddy(field);
+        field->setAccessibleName(caption);
+        form->addRow(label, field);
+    }
+}
+
+Result<LabFiles> LabDialog::edited() const
+{
+    Result<LabFiles> files = m_document.files();
+    for (const Title &title : m_titles) {
+        const bool own = title.language == m_ownLanguage;
+        Result<LabForm> lab = labForm(*files, title.language);
+        if (!lab)
+            return lab.error();
+        lab->title = title.line->text().trimmed();
+        if (own) {
+            lab->id = m_id->text().trimmed();
+            lab->version = m_version->text().trimmed();
+        }
+        if (own && lab->title.isEmpty())
+            return Error{.message = tr("A title of 1 to 200 characters is right")};
+        files = withLab(*files, *lab, title.language);
+        if (!files)
+            return files;
+    }
+    return withOwnLanguage(*files, m_language->currentData().toString());
+}
+
+void LabDialog::accept()
+{
+    const Result<LabFiles> files = edited();
+    if (!files)
+        showRefusal(m_refusal, files.error().toString());
+    else if (m_document.edit(tr("Edit the properties of the lab"), files))
+        QDialog::accept();
+}
+
+} // namespace cradle

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/program_page.h"
+
+#include "tasks/known_scripts.h"
+#include "tasks/script/student_script.h"
+#include "views/author/form_rows.h"
+#include "views/author/markdown_editor.h"
+#include "views/author/program_files.h"
+#include "views/author/remark_editor.h"
+#include "views/code/code_editor.h"
+#include "views/markdown_view.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTabWidget>
+
+namespace cradle {
+
+namespace {
+
+enum Below { Message, Recognition }; // the tabs below a program
+
+} // namespace
+
+ProgramPage::ProgramPage(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    makeLayout();
+    retranslate();
+    connect(m_editor, &CodeEditor::textEdited, this, &ProgramPage::takeSource);
+    connect(m_translation, &MarkdownEditor::edited, this, &ProgramPage::takeTranslation);
+    connect(m_remark, &RemarkEditor::edited, this, &ProgramPage::takeRemark);
+}
+
+void ProgramPage::makeLayout()
+{
+    m_note = makeMutedText(this);
+    m_note->setContentsMargins(12, 8, 12, 6);
+    m_editor = new CodeEditor(this);
+    m_below = new QTabWidget(this);
+    m_below->setObjectName(QStringLiteral("belowProgram"));
+    m_below->setDocumentMode(true);
+    m_below->addTab(makeMessage(), QString());
+    m_below->addTab(makeRecognition(), QString());
+    m_splitter = new QSplitter(Qt::Vertical, this);
+    m_splitter->addWidget(m_editor);
+    m_splitter->addWidget(m_below);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setStretchFactor(0, 1);
+    m_splitter->setSizes({340, 250});
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_note);
+    column->addWidget(m_splitter, 1);
+}
+
+QWidget *ProgramPage::makeMessage()
+{
+    auto *page = new QWidget(m_below);
+    m_messageNote = makeMutedText(page);
+    m_messageNote->setContentsMargins(12, 6, 12, 2);
+    m_translation = new MarkdownEditor(page);
+    m_translation->setObjectName(QStringLiteral("translation"));
+    m_message = new MarkdownView(page);
+    auto *texts = new QHBoxLayout;
+    texts->setSpacing(0);
+    texts->addWidget(m_translation, 1);
+    texts->addWidget(m_message, 1);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_messageNote);
+    column->addLayout(texts, 1);
+    return page;
+}
+
+QWidget *ProgramPage::makeRecognition()
+{
+    auto *scroll = new QScrollArea(m_below);
+    scroll->setWidgetResizable(true);
+    m_remark = new RemarkEditor(scroll);
+    scroll->setWidget(m_remark);
+    return scroll;
+}
+
+QString ProgramPage::path() const
+{
+    return m_document.step() + QLatin1Char('/') + m_program;
+}
+
+bool ProgramPage::isTranslation() const
+{
+    const Result<LabForm> form = labForm(m_document.files());
+    return form && form->language != m_document.language();
+}
+
+void ProgramPage::showProgram(const QString &program)
+{
+    m_program = program;
+    const QString text = textOf(m_document.files(), path());
+    m_editor->setReadOnly(false); // a read-only area takes no text at all
+    if (m_shownPath != path())
+        m_editor->setText(text);
+    else
+        m_editor->replaceText(text);
+    m_editor->setReadOnly(m_document.isReadOnly());
+    m_editor->setAccessibleName(tr("Program %1").arg(m_program));
+    m_shownPath = path();
+    checkSyntax();
+    const auto kind = kindOfProgram(m_program);
+    m_below->setVisible(kind.has_value());
+    m_below->setTabVisible(Recognition, kind == KnownKind::Remark);
+    showNote();
+    showMessage();
+    showRemark();
+}
+
+void ProgramPage::showRecognition()
+{
+    m_below->setCurrentIndex(Recognition);
+}
+
+void ProgramPage::showNote()
+{
+    const bool there = m_document.files().contents.contains(path());
+    if (m_program == QLatin1String("starter.lua"))
+        m_note->setText(there ? tr("What a student's program starts from in this step.")
+                              : tr("None of its own: students go on from the solution of the step "
+                                   "before. Write here to start from something else."));
+    else if (m_program == QLatin1String("solution.lua"))
+        m_note->setText(tr("The reference: it passes every check, with every seed."));
+    else if (kindOfProgram(m_program) == KnownKind::Mistake)
+        m_note->setText(tr("A whole program with one mistake: it fails by a check, and who wrote "
+                           "the same reads the comment that it begins with."));
+    else
+        m_note->setText(tr("A whole program that passes and deserves a word."));
+}
+
+void ProgramPage::checkSyntax()
+{
+    const auto error = findSyntaxError(m_editor->text());
+    if (error)
+        m_editor->setError(error->line, error->message);
+    else
+        m_editor->clearError();
+}
+
+void ProgramPage::showMessage()
+{
+    const auto kind = kindOfProgram(m_program);
+    if (!kind)
+        return;
+    QString message = firstCommentBlock(m_editor->text());
+    m_translation->setVisible(isTranslation());
+    m_translation->setReadOnly(m_document.isReadOnly());
+    if (isTranslation()) {
+        const QString own = knownText(m_document.files(), m_document.step(), *kind,
+                                      nameOfProgram(m_program), m_document.language());
+        m_translation->showText(own);
+        m_translation->setPlaceholderText(message);
+        if (!own.isEmpty())
+            message = own;
+    }
+    // The first line is the headline, as in the result.
+    const QString headline = message.section(QLatin1Char('\n'), 0, 0);
+    m_message->setMarkdown(
+        QStringLiteral("**%1**\n%2").arg(headline, message.section(QLatin1Char('\n'), 1)), {});
+}
+
+void ProgramPage::showRemark()
+{
+    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    for (std::size_t i = 0; form && i < form->remarks.size(); ++i) {
+        if (fileOfProgram(KnownKind::Remark, form->remarks[i].id) == m_program)
+            m_remark->show(form->remarks[i]);
+    }
+    m_remark->setReadOnly(m_document.isReadOnly());
+}
+
+void ProgramPage::takeSource()
+{
+    checkSyntax();
+    m_document.edit(tr("Edit a program"), withText(m_document.files(), path(), m_editor->text()),
+                    QStringLiteral("program:") + path());
+}
+
+void ProgramPage::takeTranslation(const QString &text)
+{
+    if (const auto kind = kindOfProgram(m_program))
+        m_document.edit(tr("Edit what the student reads"),
+                        withKnownText(m_document.files(), m_document.step(), *kind,
+                                      nameOfProgram(m_program), m_document.language(), text),
+                        QStringLiteral("message:") + path());
+}
+
+void ProgramPage::takeRemark(const RemarkForm &remark, const QString &field)
+{
+    Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    if (!form)
+        return;
+    for (RemarkForm &each : form->remarks) {
+        if (each.id == remark.id)
+            each = remark;
+    }
+    const bool done =
+        m_document.edit(tr("Edit a remark"), withTask(m_document.files(), m_document.step(), *form),
+                        QStringLiteral("remark:%1:%2").arg(path(), field));
+    if (!done)
+        showRemark();
+}
+
+void ProgramPage::retranslate()
+{
+    m_below->setTabText(Message, tr("What the student reads"));
+    m_below->setTabText(Recognition, tr("How it is recognised"));
+    m_below->setAccessibleName(tr("About the program"));
+    m_messageNote->setText(tr("The comment that the program begins with, or its translation"));
+    m_translation->setAccessibleName(tr("What the student reads, translated"));
+    m_message->setAccessibleName(tr("What the student reads"));
+    showNote();
+}
+
+void ProgramPage::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

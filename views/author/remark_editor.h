@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/task_form.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QComboBox;
+class QLabel;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class CirclesLine;
+class SceneForm;
+
+/// How a remark is recognised: what is compared with the student's program, of which circles, in
+/// which scenes.
+class RemarkEditor final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit RemarkEditor(QWidget *parent = nullptr);
+
+    void show(const RemarkForm &remark);
+    void setReadOnly(bool readOnly);
+
+signals:
+    void edited(const cradle::RemarkForm &remark, const QString &field);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void makeLayout();
+    void wire();
+    void retranslate();
+
+    RemarkForm m_remark;
+    QLabel *m_purpose = nullptr;
+    QLabel *m_compareCaption = nullptr;
+    QComboBox *m_compare = nullptr;
+    QLabel *m_circlesCaption = nullptr;
+    CirclesLine *m_circles = nullptr;
+    SceneForm *m_scene = nullptr;
+    QLabel *m_refusal = nullptr;
+};
+
+} // namespace cradle

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/scene_form.h"
+
+#include "tasks/checks/check_kinds.h"
+#include "views/author/form_rows.h"
+#include "views/author/parameter_form.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+
+namespace cradle {
+
+SceneForm::SceneForm(QWidget *parent)
+    : QWidget(parent)
+    , m_caption(new QLabel(this))
+    , m_kind(new QComboBox(this))
+    , m_purpose(makeMutedText(this))
+    , m_values(new ParameterForm(this))
+{
+    m_kind->setObjectName(QStringLiteral("sceneKind"));
+    m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    m_caption->setBuddy(m_kind);
+    m_caption->setMinimumWidth(m_values->captionWidth());
+    QFormLayout *top = makeFormRows();
+    top->addRow(m_caption, m_kind);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addLayout(top);
+    column->addWidget(m_purpose);
+    column->addWidget(m_values);
+    retranslate();
+    connect(m_kind, &QComboBox::activated, this, [this] {
+        const QString kind = m_kind->currentData().toString();
+        if (kind == m_scene.value(QStringLiteral("kind")).toString())
+            return;
+        showScene({{QStringLiteral("kind"), kind}});
+        emit kindEdited(m_scene);
+    });
+    connect(m_values, &ParameterForm::edited, this, [this](const QJsonObject &values) {
+        m_scene = values;
+        emit valuesEdited(m_scene);
+    });
+    connect(m_values, &ParameterForm::refused, this, &SceneForm::refused);
+}
+
+void SceneForm::showScene(const QJsonObject &scene)
+{
+    m_scene = scene;
+    const QString name = scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"));
+    m_kind->setCurrentIndex(m_kind->findData(name));
+    const std::vector<KindInfo> kinds = sceneKinds();
+    if (const KindInfo *kind = findKind(kinds, name)) {
+        m_purpose->setText(kind->purpose);
+        m_values->show(*kind, scene);
+    }
+}
+
+int SceneForm::captionWidth() const
+{
+    return m_values->captionWidth();
+}
+
+void SceneForm::setReadOnly(bool readOnly)
+{
+    m_kind->setEnabled(!readOnly);
+    m_values->setReadOnly(readOnly);
+}
+
+void SceneForm::retranslate()
+{
+    m_caption->setText(tr("Scenes"));
+    m_kind->setAccessibleName(tr("Kind of the scenes"));
+    fillKindList(m_kind, sceneKinds());
+}
+
+void SceneForm::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showScene(m_scene);
+    }
+}
+
+} // namespace cradle

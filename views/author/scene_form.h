@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonObject>
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QComboBox;
+class QLabel;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class ParameterForm;
+
+/// In which scenes a check or a remark looks: a kind of the catalogue with its parameters.
+class SceneForm final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SceneForm(QWidget *parent = nullptr);
+
+    void showScene(const QJsonObject &scene); ///< as it stands in task.json
+    void setReadOnly(bool readOnly);
+    /// The width of the captions, px, so that a form above can stand in line.
+    [[nodiscard]] int captionWidth() const;
+
+signals:
+    void kindEdited(const QJsonObject &scene);
+    void valuesEdited(const QJsonObject &scene);
+    void refused(const QString &reason); ///< empty: it is right again
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void retranslate();
+
+    QJsonObject m_scene;
+    QLabel *m_caption = nullptr;
+    QComboBox *m_kind = nullptr;
+    QLabel *m_purpose = nullptr;
+    ParameterForm *m_values = nullptr;
+};
+
+} // namespace cradle

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/step_fields.h"
+
+#include "tasks/authoring/lab_edits.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace cradle {
+
+namespace {
+
+constexpr int idWidth = 140; ///< px
+
+} // namespace
+
+StepFields::StepFields(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_idCaption(new QLabel(this))
+    , m_id(new QLineEdit(this))
+    , m_commitCaption(new QLabel(this))
+    , m_commit(new QLineEdit(this))
+    , m_extra(new QCheckBox(this))
+{
+    m_id->setObjectName(QStringLiteral("stepId"));
+    m_commit->setObjectName(QStringLiteral("stepCommit"));
+    m_id->setMaximumWidth(idWidth);
+    m_idCaption->setBuddy(m_id);
+    m_commitCaption->setBuddy(m_commit);
+    auto *row = new QHBoxLayout(this);
+    row->setSpacing(8);
+    row->setContentsMargins(12, 8, 12, 8);
+    row->addWidget(m_idCaption);
+    row->addWidget(m_id);
+    row->addWidget(m_commitCaption);
+    row->addWidget(m_commit, 1);
+    row->addWidget(m_extra);
+    retranslate();
+    connect(m_id, &QLineEdit::editingFinished, this, &StepFields::takeId);
+    connect(m_commit, &QLineEdit::textEdited, this, &StepFields::takeFields);
+    connect(m_extra, &QCheckBox::clicked, this, &StepFields::takeFields);
+}
+
+void StepFields::reload()
+{
+    for (QLineEdit *line : {m_id, m_commit})
+        line->setReadOnly(m_document.isReadOnly());
+    m_extra->setEnabled(!m_document.isReadOnly());
+    const Result<TaskForm> form =
+        taskForm(m_document.files(), m_document.step(), m_document.language());
+    if (!form)
+        return;
+    if (m_shownStep != m_document.step() || !m_id->isModified())
+        m_id->setText(m_document.step());
+    m_shownStep = m_document.step();
+    if (m_commit->text() != form->commit)
+        m_commit->setText(form->commit);
+    m_extra->setChecked(form->extra);
+}
+
+void StepFields::takeId()
+{
+    const QString name = m_id->text().trimmed();
+    if (!m_id->isModified() || name == m_document.step() || m_document.step().isEmpty())
+        return;
+    if (!m_document.editStep(tr("Rename the step's folder"),
+                             withStepRenamed(m_document.files(), m_document.step(), name), name))
+        m_id->setText(m_document.step());
+}
+
+void StepFields::takeFields()
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->commit = m_commit->text();
+    form->extra = m_extra->isChecked();
+    m_document.edit(tr("Edit the step"),
+                    withTask(files, m_document.step(), *form, m_document.language()),
+                    QStringLiteral("fields:") + m_document.step());
+}
+
+void StepFields::retranslate()
+{
+    m_idCaption->setText(tr("Id"));
+    m_id->setAccessibleName(tr("Id of the step, and its folder"));
+    m_id->setToolTip(tr("Letters, digits, dots and dashes; also the name of the folder"));
+    m_commitCaption->setText(tr("Commit message"));
+    m_commit->setAccessibleName(tr("Commit message"));
+    m_commit->setToolTip(tr("What a student writes into the history after passing"));
+    m_extra->setText(tr("Extra step"));
+    m_extra->setToolTip(tr("Outside the lab's own count"));
+}
+
+void StepFields::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/author/author_document.h"
+
+#include <QWidget>
+
+QT_BEGIN_NAMESPACE
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+/// The short fields of a step in a row: its id, its commit message, and whether it counts.
+class StepFields final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StepFields(AuthorDocument &document, QWidget *parent = nullptr);
+
+    void reload(); ///< shows the open step
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void takeId();
+    void takeFields();
+    void retranslate();
+
+    AuthorDocument &m_document;
+    QLabel *m_idCaption;
+    QLineEdit *m_id;
+    QLabel *m_commitCaption;
+    QLineEdit *m_commit;
+    QCheckBox *m_extra;
+    QString m_shownStep{};
+};
+
+} // namespace cradle

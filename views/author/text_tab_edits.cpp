@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/text_tab.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "views/author/hints_list.h"
+#include "views/author/markdown_editor.h"
+
+#include <QComboBox>
+
+namespace cradle {
+
+// What is written in the tab, and where it goes.
+
+void TextTab::takeText(const QString &text)
+{
+    if (m_loading)
+        return;
+    m_previewTimer.start();
+    const LabFiles &files = m_document.files();
+    const QString step = m_document.step();
+    if (part() == Instructions) {
+        m_document.edit(tr("Edit the text"), withText(files, path(), text),
+                        QStringLiteral("text:") + path());
+        return;
+    }
+    const int hint = m_hints->current();
+    QStringList hints = m_shownHints;
+    if (hint < 0 || hint >= hints.size())
+        return;
+    hints[hint] = text;
+    Result<TaskForm> form = taskForm(files, step, m_document.language());
+    if (!form)
+        return;
+    (part() == CodeHints ? form->codeHints : form->hints) = hints;
+    m_document.edit(tr("Edit a hint"), withTask(files, step, *form, m_document.language()),
+                    QStringLiteral("hint:%1:%2:%3").arg(step).arg(int{part()}).arg(hint));
+}
+
+void TextTab::takeHints(const QStringList &hints, int current)
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    (part() == CodeHints ? form->codeHints : form->hints) = hints;
+    m_document.edit(tr("Change the hints"),
+                    withTask(files, m_document.step(), *form, m_document.language()));
+    m_hints->setCurrent(current);
+    m_editor->setFocus();
+}
+
+void TextTab::takePrediction(const std::optional<Prediction> &prediction, const QString &field)
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->prediction = prediction;
+    const QString key = QStringLiteral("prediction:%1:%2").arg(m_document.step(), field);
+    if (!m_document.edit(tr("Edit the prediction"),
+                         withTask(files, m_document.step(), *form, m_document.language()),
+                         field.isEmpty() ? QString() : key))
+        reload();
+}
+
+void TextTab::openPrediction()
+{
+    m_part->setCurrentIndex(PredictionPart);
+}
+
+void TextTab::insertFigure(const QString &name, const QString &description)
+{
+    m_part->setCurrentIndex(Instructions);
+    m_editor->insertPlainText(QStringLiteral("![%1](%2)").arg(description, name));
+    m_editor->setFocus();
+}
+
+} // namespace cradle
