@@ -153,7 +153,7 @@ void MainWindow::arrangePanes()
         addDockWidget(Qt::RightDockWidgetArea, dock(name));
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
     resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
-    resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {246, 246, 276}, Qt::Vertical);
+    resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {224, 224, 320}, Qt::Vertical);
     showMode();
 }
 

@@ -50,6 +50,8 @@ private:
     void reload();
     void enableButtons();
     void layOutColumns();
+    [[nodiscard]] int columnWidth(int column) const;
+    [[nodiscard]] int othersWidth() const;
     void selectLast();
     void addCircle();
     void duplicate();
