@@ -138,7 +138,7 @@ QRectF bestCorner(const SceneMoment &moment, const Camera &camera, QSizeF size,
             sum += frame.intersects(other) ? 100.0 : 0.0;
         for (const Circle &circle : moment.recording.circles(moment.current)) {
             const double reach = circle.radius * camera.pixelsPerMetre() + discRoom;
-            const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth);
+            const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset);
             const QRectF near = frame.adjusted(-reach, -reach, reach, reach);
             sum += near.contains(camera.toPixels(circle.position)) ? 1.0 : 0.0;
             sum += frame.contains(camera.toPixels(tip)) ? 0.5 : 0.0;
