@@ -36,14 +36,6 @@ struct ChartCurve {
     friend bool operator==(const ChartCurve &, const ChartCurve &) = default;
 };
 
-/// A part of the axis of values.
-struct ValueSpan {
-    double low = 0.0;
-    double high = 1.0;
-
-    friend bool operator==(const ValueSpan &, const ValueSpan &) = default;
-};
-
 /// What of a run a chart shows.
 struct ChartMoment {
     double from = 0.0;               ///< left end, s
