@@ -75,13 +75,14 @@ void ChartPlot::drawBackground(QPainter *painter, const QRectF &rect)
     drawTicks(*painter);
     painter->setRenderHint(QPainter::Antialiasing, true);
     drawAreas(*painter);
-    painter->setRenderHint(QPainter::Antialiasing, false);
     drawDense(*painter);
 }
 
 /// Columns that a curve fills from top to bottom, each as one upright line.
 void ChartPlot::drawDense(QPainter &painter) const
 {
+    const bool smooth = painter.testRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, false);
     QList<QLineF> columns;
     for (std::size_t i = 0; i < m_dense.size(); ++i) {
         if (!m_dense[i])
@@ -97,6 +98,7 @@ void ChartPlot::drawDense(QPainter &painter) const
         painter.setPen(QPen(m_curves[i].colour, 1.0, Qt::SolidLine, Qt::FlatCap));
         painter.drawLines(columns);
     }
+    painter.setRenderHint(QPainter::Antialiasing, smooth);
 }
 
 void ChartPlot::drawAreas(QPainter &painter) const
@@ -185,8 +187,11 @@ void ChartPlot::paint(QPainter &painter) const
         ++area;
     }
     painter.setBrush(Qt::NoBrush);
+    drawDense(painter);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        painter.setPen(m_dense[i] ? QPen(m_curves[i].colour, 0.0) : m_series[i]->pen());
+        if (m_dense[i])
+            continue;
+        painter.setPen(m_series[i]->pen());
         for (const QPolygonF &line : clippedLines(m_lines[i], m_area))
             painter.drawPolyline(line);
     }
