@@ -3,6 +3,7 @@
 #include "views/charts/chart_plot.h"
 
 #include "views/charts/hit_columns.h"
+#include "views/charts/needed_points.h"
 #include "views/charts/number_text.h"
 #include "views/charts/subscript_text.h"
 #include "views/theme.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cradle {
 
@@ -28,41 +28,6 @@ constexpr double axisRoom = 22.0;    ///< px for the times below the plot
 constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
 constexpr int leastTicks = 4;        ///< however low the plot is
 constexpr double margin = 0.08;      ///< of the height, above and below the range
-
-/// Which of \p pixels are needed: those left out lie within \p tolerance px above or below the
-/// lines between the others. Every point costs, and rounding would make beads of a thick level
-/// line.
-QList<qsizetype> neededPoints(const QList<QPointF> &pixels, double tolerance)
-{
-    QList<qsizetype> needed;
-    constexpr double steepest = std::numeric_limits<double>::infinity();
-    double least = -steepest; // slopes from the last needed point that pass all since then
-    double greatest = steepest;
-    for (qsizetype i = 0; i < pixels.size(); ++i) {
-        if (i > 0) {
-            const QPointF way = pixels[i] - pixels[needed.last()];
-            const double slope = way.y() / way.x();
-            if (way.x() > 0.0 && slope >= least && slope <= greatest) {
-                least = std::max(least, (way.y() - tolerance) / way.x());
-                greatest = std::min(greatest, (way.y() + tolerance) / way.x());
-                continue;
-            }
-            if (needed.last() != i - 1) {
-                needed.append(i - 1);
-                least = -steepest;
-                greatest = steepest;
-                --i; // once more, from there
-                continue;
-            }
-        }
-        needed.append(i);
-        least = -steepest;
-        greatest = steepest;
-    }
-    if (!pixels.isEmpty() && needed.last() != pixels.size() - 1)
-        needed.append(pixels.size() - 1);
-    return needed;
-}
 
 /// A curve that is longer than so many widths of the plot fills its columns from top to bottom.
 constexpr double denseLength = 8.0;

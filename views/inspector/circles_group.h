@@ -43,6 +43,8 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    static constexpr int rowHeight = 26; ///< px
+
     void makeTable();
     void makeButtons();
     void retranslate();
