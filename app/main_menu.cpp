@@ -7,7 +7,9 @@
 #include "app/lab_menu.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "app/undo_actions.h"
 #include "views/charts/chart_pane.h"
+#include "views/code/code_pane.h"
 #include "views/scene/scene_view.h"
 #include "views/transport_bar.h"
 
@@ -79,12 +81,8 @@ void addEdit(MainWindow &window, QMenuBar &bar)
     QMenu *menu = bar.addMenu(MenuText::tr("&Edit"));
     PresetDocument *document = &window.workbench().document();
     SceneView *scene = &window.scene();
-    // The menu is filled anew with every language; the actions belong to it and go with it.
-    QAction *undo = document->undoStack().createUndoAction(menu, MenuText::tr("&Undo"));
-    undo->setShortcut(QKeySequence::Undo);
-    QAction *redo = document->undoStack().createRedoAction(menu, MenuText::tr("&Redo"));
-    redo->setShortcut(QKeySequence::Redo);
-    menu->addActions({undo, redo});
+    // The menu is filled anew with every language; they belong to it and go with it.
+    new UndoActions(document->undoStack(), window.codePane().editor(), *menu);
     menu->addSeparator();
     add(menu, MenuText::tr("&Add circle"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), scene,
         [scene] { scene->addCircle(); });
@@ -139,7 +137,7 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
     pauses->setChecked(simulation->pausesAtHits());
     pauses->setShortcut(Qt::SHIFT | Qt::Key_N);
     pauses->setToolTip(MenuText::tr("A run stops at the step of every collision; Run goes on"));
-    QObject::connect(pauses, &QAction::toggled, simulation, &Simulation::setPausesAtHits);
+    QObject::connect(pauses, &QAction::toggled, &window, &MainWindow::pauseAtHits);
     QAction *frameTime = menu->addAction(MenuText::tr("Steps as long as the &frames took"));
     frameTime->setCheckable(true);
     frameTime->setChecked(simulation->usesFrameTime());
@@ -167,10 +165,10 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
         QAction *action = options->addAction(text);
         action->setCheckable(true);
         action->setChecked(scene->options().*member);
-        QObject::connect(action, &QAction::toggled, scene, [scene, member](bool on) {
-            SceneOptions changed = scene->options();
+        QObject::connect(action, &QAction::toggled, &window, [w = &window, member](bool on) {
+            SceneOptions changed = w->scene().options();
             changed.*member = on;
-            scene->setOptions(changed);
+            w->showInScene(changed);
         });
     };
     addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
@@ -192,7 +190,7 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     follow->setChecked(scene->followsCentreOfMass());
     follow->setToolTip(MenuText::tr("The view moves along with it: in its frame the momenta of all "
                                     "circles add up to nothing"));
-    QObject::connect(follow, &QAction::toggled, scene, &SceneView::followCentreOfMass);
+    QObject::connect(follow, &QAction::toggled, &window, &MainWindow::followCentreOfMass);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
     add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,

@@ -62,7 +62,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     wireViews();
     m_scene->setRenderer(
         static_cast<Renderer>(settings.value(QStringLiteral("renderer"), 0).toInt()));
-    workbench.simulation().setShadowed(settings.value(QStringLiteral("exactMotion")).toBool());
+    restoreChoices();
     retranslate();
     // No larger than the screen, with room for its window's frame.
     const QSize room = screen()->availableGeometry().size() - QSize(0, 32);
@@ -153,7 +153,7 @@ void MainWindow::arrangePanes()
         addDockWidget(Qt::RightDockWidgetArea, dock(name));
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
     resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
-    resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {246, 246, 276}, Qt::Vertical);
+    resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {224, 224, 320}, Qt::Vertical);
     showMode();
 }
 
@@ -177,12 +177,6 @@ void MainWindow::chooseRenderer(Renderer renderer)
     m_scene->setRenderer(renderer);
     if (!m_scene->fallbackReason().isEmpty())
         m_notice->showNotice(m_scene->fallbackReason());
-}
-
-void MainWindow::showExactMotion(bool shown)
-{
-    m_settings.setValue(QStringLiteral("exactMotion"), shown);
-    m_workbench.simulation().setShadowed(shown);
 }
 
 void MainWindow::unlockPanes(bool unlocked)

@@ -29,6 +29,7 @@ class Timeline;
 class TransportBar;
 class ValuesPane;
 enum class Renderer;
+struct SceneOptions;
 
 /// The window: panes around the scene, and the wiring between them and the workbench.
 class MainWindow final : public QMainWindow
@@ -64,7 +65,10 @@ public slots:
     void chooseLanguage(const QString &code);
     void chooseRenderer(cradle::Renderer renderer);
     void showExactMotion(bool shown); ///< beside the run
-    void unlockPanes(bool unlocked);  ///< gives the panes title bars to move them by
+    void pauseAtHits(bool on);
+    void followCentreOfMass(bool on);
+    void showInScene(const cradle::SceneOptions &options);
+    void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by
     void resetLayout();
     void openLabFolder();
     void openLabFile(); ///< NAME.cradle
@@ -96,6 +100,7 @@ private:
     [[nodiscard]] RunSource runSource(); ///< of the run that goes on
     void arrangePanes();
     void retranslate();
+    void restoreChoices();
     void showTask();
     void showInstructions();
     void showProgress();

@@ -94,6 +94,7 @@ void MainWindow::resetCharts()
 {
     for (ChartPane *chart : findChildren<ChartPane *>())
         chart->resetZoom();
+    m_phase->resetZoom();
 }
 
 } // namespace cradle

@@ -25,6 +25,7 @@ private slots:
     void cameraMapsThereAndBack();
     void zoomKeepsThePlaceUnderThePointer();
     void dragSnapsUnlessFreed();
+    void arrowsOfWhatFallsFitTheSquare();
     void newCircleIsFreeAndNamed();
     void duplicateLiesOnTheOriginalWhereCirclesPass();
 };
@@ -157,18 +158,35 @@ void TestDrawList::zoomKeepsThePlaceUnderThePointer()
 
 void TestDrawList::dragSnapsUnlessFreed()
 {
-    const HandleDrag move({Handle::Kind::Circle, 0}, twoCircles(), {-2.0, 2.3});
+    const HandleDrag move({Handle::Kind::Circle, 0}, twoCircles(), {-2.0, 2.3}, {},
+                          arrowScale(twoCircles()));
     const Preset snapped = move.candidate({-1.234, 1.066}, true);
     QCOMPARE(snapped.circles[0].body.position, (Vec2{-1.2, 1.1}));
     QCOMPARE(move.valueText(snapped), QStringLiteral("(−1.20, 1.10) m"));
     const Preset freed = move.candidate({-1.234, 1.066}, false);
     QVERIFY(near(freed.circles[0].body.position, {-1.234, 1.066}));
     // 0.75 m of arrow are 1 m/s.
-    const HandleDrag pull({Handle::Kind::Velocity, 1}, twoCircles(), {2.0, 2.0});
+    const HandleDrag pull({Handle::Kind::Velocity, 1}, twoCircles(), {2.0, 2.0}, {},
+                          arrowScale(twoCircles()));
     const Preset pulled = pull.candidate({2.75, 2.0}, true);
     QCOMPARE(pulled.circles[1].body.velocity, (Vec2{1.0, 0.0}));
     QCOMPARE(pull.valueText(pulled), QStringLiteral("(1.00, 0.00) m/s, speed 1.00 m/s"));
     QVERIFY(move.mergeKey() != pull.mergeKey());
+}
+
+void TestDrawList::arrowsOfWhatFallsFitTheSquare()
+{
+    Preset preset = twoCircles();
+    preset.gravity = {};
+    QCOMPARE(arrowTip({1.0, 0.0}, {2.0, 0.0}, preset), (Vec2{2.5, 0.0}));
+    // Through 8 m at 9.81 m/s²: v = √(2 g h) = 12.53 m/s, drawn 6 m long, and less in proportion.
+    preset.gravity = {0.0, -9.81};
+    const double fallen = std::sqrt(2.0 * 9.81 * 8.0);
+    QVERIFY(near(arrowTip({}, {0.0, -fallen}, preset), {0.0, -6.0}));
+    QVERIFY(near(arrowTip({}, {0.5 * fallen, 0.0}, preset), {3.0, 0.0}));
+    // Where little can be gained by falling, arrows are as long as ever.
+    preset.gravity = {0.0, -0.5};
+    QCOMPARE(arrowTip({}, {2.0, 0.0}, preset), (Vec2{1.5, 0.0}));
 }
 
 void TestDrawList::newCircleIsFreeAndNamed()

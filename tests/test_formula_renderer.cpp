@@ -71,6 +71,7 @@ private slots:
     void drawsAgainIfCacheFileIsDamaged();
     void survivesDestructionDuringWork();
     void leavesTheThreadOfTheWindowFree();
+    void letsMathJaxGoWhileNoFormulaIsAskedFor();
 
 private:
     QTemporaryDir m_folder;
@@ -242,6 +243,23 @@ void TestFormulaRenderer::leavesTheThreadOfTheWindowFree()
     const double all = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - allBefore;
     const double here = cpuSeconds(CLOCK_THREAD_CPUTIME_ID) - hereBefore;
     QVERIFY2(here < 0.1 * all, qPrintable(QStringLiteral("%1 of %2 s").arg(here).arg(all)));
+}
+
+void TestFormulaRenderer::letsMathJaxGoWhileNoFormulaIsAskedFor()
+{
+    if (!m_hasMathJax)
+        QSKIP("built without MathJax");
+    FormulaRenderer renderer(nullptr, m_folder.path());
+    QVERIFY(!renderer.isLoaded());
+    QCOMPARE(answerOf(renderer, QStringLiteral("a^{17}")).state, Formula::State::Ready);
+    QVERIFY(renderer.isLoaded());
+    QTRY_VERIFY_WITH_TIMEOUT(!renderer.isLoaded(), patience);
+    // What is known needs none; what is new brings it back.
+    QCOMPARE(answerOf(renderer, QStringLiteral("a^{17}")).state, Formula::State::Ready);
+    QVERIFY(!renderer.isLoaded());
+    const Formula later = answerOf(renderer, QStringLiteral("a^{18}"));
+    QCOMPARE(later.state, Formula::State::Ready);
+    QVERIFY(renderer.isLoaded() && inkOf(later.svg) > 0);
 }
 
 QTEST_MAIN(TestFormulaRenderer)

@@ -67,6 +67,7 @@ private slots:
     void startsALevelLineWhereItWasDropped();
     void leavesOutWhatIsNotFinite();
     void answersAnEmptyRange();
+    void goesOnInAWindowAsIfItWereNew();
     void costsNoMoreForLongRuns();
 };
 
@@ -185,6 +186,34 @@ void TestMinMaxPyramid::answersAnEmptyRange()
     const MinMaxPyramid some = pyramidOf(makeSamples({1, 2, 3}));
     QVERIFY(some.decimate(1.0, 1.0, 10).isEmpty());
     QVERIFY(some.decimate(0.0, 1.0, 0).isEmpty());
+}
+
+void TestMinMaxPyramid::goesOnInAWindowAsIfItWereNew()
+{
+    QVERIFY(rc::check([](const std::vector<int> &seed) {
+        std::vector<int> values;
+        for (int i = 0; i < 12; ++i)
+            values.insert(values.end(), seed.begin(), seed.end());
+        const QList<QPointF> samples = makeSamples(values);
+        const double t0 = 0.25 * *rc::gen::inRange(0, 20);
+        const double t1 = t0 + 0.25 * *rc::gen::inRange(1, 300);
+        const int columns = *rc::gen::inRange(1, 12);
+        MinMaxPyramid pyramid;
+        MinMaxPyramid::Window window;
+        for (qsizetype i = 0; i < samples.size(); ++i) {
+            pyramid.append(samples[i].x(), samples[i].y());
+            if (i % 97 == 96)
+                pyramid.dropBefore(samples[i - 60].x());
+            if (i == *rc::gen::inRange<qsizetype>(0, 400)) { // another run at the same place
+                pyramid.clear();
+                pyramid.append(samples[i].x(), samples[i].y() + 1.0);
+            }
+            if (i % 3 == 0)
+                pyramid.decimate(window, t0, i % 30 == 0 ? t1 + 1.0 : t1, columns);
+            pyramid.decimate(window, t0, t1, columns);
+            RC_ASSERT(window.points() == pyramid.decimate(t0, t1, columns));
+        }
+    }));
 }
 
 void TestMinMaxPyramid::costsNoMoreForLongRuns()

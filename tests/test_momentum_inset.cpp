@@ -58,6 +58,7 @@ private slots:
     void arrowsLieTipToTail();
     void aHitLeavesTheSumAsItWas();
     void momentaInOneLineLieSideBySide();
+    void labelsOfANarrowTriangleStandApart();
     void equalAndOppositeMakeZero();
     void everythingLiesInTheFrame();
     void standsInACornerThatIsFree();
@@ -124,6 +125,17 @@ void TestMomentumInset::momentaInOneLineLieSideBySide()
     QVERIFY(QLineF(full.arrows[0].from, full.arrows[0].to).length() > 20.0);
     for (const MomentumInset::Arrow &arrow : full.arrows)
         QVERIFY(full.frame.contains(arrow.from) && full.frame.contains(arrow.to));
+}
+
+void TestMomentumInset::labelsOfANarrowTriangleStandApart()
+{
+    // One slow to the right, the other eight times as fast upwards: the sum is almost the second.
+    for (const double slow : {0.5, -0.5}) {
+        const MomentumInset inset = insetOf(moving({slow, 0.0}, {0.0, 4.0}));
+        const auto &[second, sum] = std::tie(inset.arrows[1], inset.arrows[2]);
+        QVERIFY(!second.label.isEmpty() && !sum.label.isEmpty());
+        QVERIFY(std::abs(second.labelAt.x() - sum.labelAt.x()) > 15.0);
+    }
 }
 
 void TestMomentumInset::equalAndOppositeMakeZero()

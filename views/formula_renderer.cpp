@@ -13,6 +13,10 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -32,6 +36,18 @@ constexpr QLatin1String versionPath(":/mathjax/version");
 
 // MathJax recurses for nested formulas; the default of some systems (512 KiB) is too little.
 constexpr uint stackBytes = 8U << 20U;
+
+/// MathJax goes after so long without a formula, ms: a step's formulas are asked for together, and
+/// loading it takes a third of a second.
+constexpr int restTime = 2000;
+
+/// The allocator keeps what another thread than the first has freed, unless it is told.
+void returnFreeMemory()
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
 
 QByteArray contentOf(const QString &path)
 {
@@ -115,6 +131,21 @@ public:
         return *formula;
     }
 
+    /// Lets MathJax go, until it is needed again.
+    void unload()
+    {
+        QMutexLocker lock(&m_mutex);
+        m_texToSvg = {};
+        m_engine.reset();
+        m_failure.clear();
+        m_isLoaded = false;
+        lock.unlock();
+        returnFreeMemory();
+    }
+
+    /// From any thread.
+    [[nodiscard]] bool isLoaded() const { return m_isLoaded; }
+
     /// Makes a formula in work, and all after it, end at once. From any thread.
     void interrupt()
     {
@@ -158,6 +189,7 @@ private:
         QMutexLocker lock(&m_mutex);
         m_engine = std::make_unique<QJSEngine>();
         m_engine->setInterrupted(m_interrupted);
+        m_isLoaded = true;
         lock.unlock();
         const QJSValue result = evaluateQuietly(*m_engine, contentOf(scriptPath));
         m_texToSvg = m_engine->globalObject().property(QStringLiteral("texToSvg"));
@@ -168,7 +200,8 @@ private:
 
     const QString m_cacheFolder;
     QString m_failure;
-    QMutex m_mutex; ///< guards the birth of m_engine
+    QMutex m_mutex; ///< guards the birth and the end of m_engine
+    std::atomic_bool m_isLoaded = false;
     std::atomic_bool m_interrupted = false;
     std::unique_ptr<QJSEngine> m_engine;
     QJSValue m_texToSvg; ///< after m_engine, so that it goes first
@@ -188,6 +221,9 @@ FormulaRenderer::FormulaRenderer(QObject *parent, const QString &cacheFolder)
     qputenv("QV4_FORCE_INTERPRETER", "1");
     m_thread.setObjectName(QStringLiteral("formulas"));
     m_thread.setStackSize(stackBytes);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restTime);
+    connect(&m_rest, &QTimer::timeout, this, &FormulaRenderer::unload);
 }
 
 FormulaRenderer::~FormulaRenderer()
@@ -234,7 +270,21 @@ void FormulaRenderer::finish(const Key &key, const Formula &formula)
 {
     m_waiting.remove(key);
     m_known.insert(key, formula);
+    if (m_waiting.isEmpty() && isLoaded())
+        m_rest.start();
     emit ready(key.first, key.second, formula);
+}
+
+void FormulaRenderer::unload()
+{
+    if (isIdle())
+        QMetaObject::invokeMethod(
+            m_worker, [worker = m_worker] { worker->unload(); }, Qt::QueuedConnection);
+}
+
+bool FormulaRenderer::isLoaded() const
+{
+    return m_worker->isLoaded();
 }
 
 } // namespace cradle

@@ -8,6 +8,7 @@
 #include <QSet>
 #include <QString>
 #include <QThread>
+#include <QTimer>
 
 #include <utility>
 
@@ -36,8 +37,9 @@ struct Formula {
 
 /// Typesets TeX formulas as SVG on a thread of its own.
 ///
-/// MathJax is loaded on the first formula that is in neither cache; the object itself costs
-/// nothing. Formulas are kept in memory and, across runs, in the cache folder.
+/// MathJax, which takes some 40 MB, is loaded on the first formula that is in neither cache, and
+/// goes when none has been asked for a while. Formulas are kept in memory and, across runs, in the
+/// cache folder.
 class FormulaRenderer final : public QObject
 {
     Q_OBJECT
@@ -57,6 +59,8 @@ public:
 
     /// Whether no formula is being waited for.
     [[nodiscard]] bool isIdle() const { return m_waiting.isEmpty(); }
+    /// Whether MathJax is in memory.
+    [[nodiscard]] bool isLoaded() const;
 
 signals:
     void ready(const QString &tex, bool display, const cradle::Formula &formula);
@@ -65,7 +69,9 @@ private:
     using Key = std::pair<QString, bool>;
 
     void finish(const Key &key, const Formula &formula);
+    void unload();
 
+    QTimer m_rest; ///< since the last formula that was waited for
     QThread m_thread;
     FormulaWorker *m_worker; ///< lives in m_thread, which deletes it
     QHash<Key, Formula> m_known;

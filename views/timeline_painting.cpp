@@ -171,14 +171,17 @@ void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns
     std::size_t most = fewHits;
     for (const HitColumn &column : columns)
         most = std::max(most, column.count);
+    std::vector<double> reaches(most + 1, hitReach); // by number of hits
+    for (std::size_t count = 0; crowded && count <= most; ++count) {
+        const double part =
+            std::log1p(static_cast<double>(count)) / std::log1p(static_cast<double>(most));
+        reaches[count] = std::round(leastReach + (hitReach - leastReach) * part);
+    }
     QList<QRectF> rects;
     rects.reserve(static_cast<qsizetype>(columns.size()));
     for (const HitColumn &column : columns) {
         const double x = std::round(left + column.x);
-        const double part =
-            std::log1p(static_cast<double>(column.count)) / std::log1p(static_cast<double>(most));
-        const double reach =
-            crowded ? std::round(leastReach + (hitReach - leastReach) * part) : hitReach;
+        const double reach = reaches[column.count];
         rects.emplaceBack(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0,
                           2.0 * reach);
     }

@@ -182,9 +182,13 @@ void TransportBar::measureReadout()
     for (QLabel *label : {m_speedValue, m_time, m_stepCount})
         label->setFont(numbers);
     const QFontMetrics metrics(numbers);
-    m_speedValue->setFixedWidth(metrics.horizontalAdvance(speedText(slowestPower)) + 4);
-    m_time->setFixedWidth(metrics.horizontalAdvance(tr("t = %1 s").arg(1000.0, 0, 'f', 3)) + 4);
-    m_stepCount->setFixedWidth(metrics.horizontalAdvance(tr("step %1").arg(100'000)) + 4);
+    // Of a fixed height as well: a new text then leaves the layout of the window alone.
+    const auto fix = [&metrics](QLabel *label, const QString &longest) {
+        label->setFixedSize(metrics.horizontalAdvance(longest) + 4, metrics.height());
+    };
+    fix(m_speedValue, speedText(slowestPower));
+    fix(m_time, tr("t = %1 s").arg(1000.0, 0, 'f', 3));
+    fix(m_stepCount, tr("step %1").arg(100'000));
 }
 
 void TransportBar::retranslate()

@@ -31,26 +31,36 @@ inline QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Turns the wheel over \p place of a chart: a notch is 120.
+/// Turns the wheel over \p place of a widget: a notch is 120.
+inline void turnWheel(QWidget *widget, QPointF place, int turned,
+                      Qt::KeyboardModifiers modifiers = {})
+{
+    QWheelEvent event(place, widget->mapToGlobal(place), {}, {0, turned}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(widget, &event);
+}
+
 inline void turnWheel(const ChartPane &chart, QPointF place, int turned,
                       Qt::KeyboardModifiers modifiers = {})
 {
-    QWidget *viewport = chart.plot().viewport();
-    QWheelEvent event(place, viewport->mapToGlobal(place), {}, {0, turned}, Qt::NoButton, modifiers,
-                      Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(viewport, &event);
+    turnWheel(chart.plot().viewport(), place, turned, modifiers);
 }
 
 /// Drags with a button held from \p from to \p to.
+inline void drag(QWidget *widget, QPoint from, QPoint to, Qt::MouseButton button,
+                 Qt::KeyboardModifiers modifiers = {})
+{
+    QTest::mousePress(widget, button, modifiers, from);
+    QMouseEvent move(QEvent::MouseMove, to, widget->mapToGlobal(QPointF(to)), Qt::NoButton, button,
+                     modifiers);
+    QCoreApplication::sendEvent(widget, &move);
+    QTest::mouseRelease(widget, button, modifiers, to);
+}
+
 inline void drag(const ChartPane &chart, QPoint from, QPoint to, Qt::MouseButton button,
                  Qt::KeyboardModifiers modifiers = {})
 {
-    QWidget *viewport = chart.plot().viewport();
-    QTest::mousePress(viewport, button, modifiers, from);
-    QMouseEvent move(QEvent::MouseMove, to, viewport->mapToGlobal(QPointF(to)), Qt::NoButton,
-                     button, modifiers);
-    QCoreApplication::sendEvent(viewport, &move);
-    QTest::mouseRelease(viewport, button, modifiers, to);
+    drag(chart.plot().viewport(), from, to, button, modifiers);
 }
 
 /// The action of \p menu whose text contains \p part; null if none does.

@@ -43,10 +43,12 @@ inline Difference compare(const QImage &a, const QImage &b)
     return found;
 }
 
-/// \p image so coarse that how glyphs are smoothed no longer shows, but whether they are there.
-inline QImage coarse(const QImage &image)
+/// \p image so coarse that how glyphs are smoothed no longer shows, but whether they are there: an
+/// eighth of its size where \p scale pixels are one in width.
+inline QImage coarse(const QImage &image, double scale)
 {
-    return image.scaled(image.size() / 8, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return image.scaled(image.size() / (8.0 * scale), Qt::IgnoreAspectRatio,
+                        Qt::SmoothTransformation);
 }
 
 /// How many different colours \p image shows.

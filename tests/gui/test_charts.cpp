@@ -34,75 +34,19 @@ class TestCharts final : public QObject
 {
     Q_OBJECT
 private slots:
-    void curvesFollowTheRecording();
-    void curvesBeginAnewWithTheRun();
-    void energyIsKeptOrCountedAsDissipated();
-    void manyCirclesHaveOnlyTheirSum();
     void eachCircleHasItsTotal();
     void integratorsMakeOrKeepEnergy();
     void integratorsAreComparedWhereTheyDiffer();
     void choiceOfTheStudentWins();
-    void curvesStayWithinTheirMemory();
     void labelsNeverOverlap_data();
     void labelsNeverOverlap();
     void labelsNameTheCurvesAndTheValueOfTheSum();
     void noiseIsNotBlownUp();
-    void rangeGrowsAtOnceAndRests();
     void seriesHaveAtMostTwoPointsPerColumn();
     void clickAsksForThatTime();
     void hiddenChartDrawsNothing();
-    void niceStepsAre125();
-    void numbersAreWritten_data();
-    void numbersAreWritten();
     void pastIsShownBeforeTheMoment();
 };
-
-void TestCharts::curvesFollowTheRecording()
-{
-    Simulation simulation(glancing());
-    RunCurves curves(simulation);
-    run(simulation, 200);
-    const Recording &recording = simulation.recording();
-    for (qint64 i = 0; i <= recording.last(); ++i) {
-        const Totals sum = measure(recording.circles(i), {}, 4.0);
-        QCOMPARE(curves.sum().momentum[0].valueAt(recording.time(i)), sum.momentum.x);
-        const Circle &first = recording.circles(i)[0];
-        QCOMPARE(curves.circle(0).kinetic.valueAt(recording.time(i)),
-                 measure(first, {}, 4.0).kinetic);
-    }
-}
-
-void TestCharts::curvesBeginAnewWithTheRun()
-{
-    Simulation simulation(glancing());
-    RunCurves curves(simulation);
-    run(simulation, 50);
-    simulation.restart();
-    QCOMPARE(curves.total().lastTime(), 0.0);
-    simulation.setPreset(falling(3));
-    QCOMPARE(curves.circleCount(), std::size_t{3});
-    QCOMPARE(curves.dissipated().lastValue(), 0.0);
-}
-
-void TestCharts::energyIsKeptOrCountedAsDissipated()
-{
-    Simulation simulation(falling(2));
-    RunCurves curves(simulation);
-    run(simulation, 300);
-    const double start = curves.total().valueAt(0.0);
-    const double end = curves.total().lastValue() + curves.dissipated().lastValue();
-    QVERIFY(curves.dissipated().lastValue() > 0.1 * start);
-    QVERIFY2(std::abs(end - start) < 1e-6 * start, qPrintable(QString::number(end - start)));
-}
-
-void TestCharts::manyCirclesHaveOnlyTheirSum()
-{
-    Simulation simulation(falling(9));
-    RunCurves curves(simulation);
-    QCOMPARE(curves.circleCount(), std::size_t{0});
-    run(simulation, 3);
-    QCOMPARE(curves.sum().kinetic.lastTime(), simulation.time());
-}
 
 void TestCharts::eachCircleHasItsTotal()
 {
@@ -193,17 +137,6 @@ void TestCharts::choiceOfTheStudentWins()
     QVERIFY(!chart.isShown(EnergyChart::ByIntegrator));
 }
 
-void TestCharts::curvesStayWithinTheirMemory()
-{
-    constexpr qint64 bound = 30'000;
-    Simulation simulation(falling(2));
-    RunCurves curves(simulation, nullptr, bound);
-    run(simulation, 3000);
-    QVERIFY(curves.bytes() <= bound);
-    QCOMPARE(curves.total().lastTime(), simulation.time());
-    QVERIFY(curves.total().firstTime() > 0.0);
-}
-
 void TestCharts::labelsNeverOverlap_data()
 {
     QTest::addColumn<int>("circles");
@@ -275,19 +208,6 @@ void TestCharts::noiseIsNotBlownUp()
     QVERIFY(range.scale(5, 0.0).low < range.scale(5, 0.0).high);
 }
 
-void TestCharts::rangeGrowsAtOnceAndRests()
-{
-    SteadyRange range;
-    range.fit(0.0, 90.0, 90.0);
-    const AxisScale first = range.scale(5, 0.0);
-    range.fit(0.0, 60.0, 90.0);
-    QCOMPARE(range.scale(5, 0.0), first);
-    range.fit(0.0, 150.0, 150.0);
-    QVERIFY(range.scale(5, 0.0).high >= 150.0);
-    range.fit(0.0, 10.0, 150.0);
-    QVERIFY(range.scale(5, 0.0).high < 20.0);
-}
-
 void TestCharts::seriesHaveAtMostTwoPointsPerColumn()
 {
     Simulation simulation(falling(3));
@@ -336,42 +256,6 @@ void TestCharts::hiddenChartDrawsNothing()
     QVERIFY(chart.plot().labels().empty());
     chart.show();
     QTRY_VERIFY(!chart.plot().labels().empty());
-}
-
-void TestCharts::niceStepsAre125()
-{
-    QCOMPARE(niceStep(0.03), 0.05);
-    QCOMPARE(niceStep(1.0), 1.0);
-    QCOMPARE(niceStep(1.1), 2.0);
-    QCOMPARE(niceStep(700.0), 1000.0);
-    QCOMPARE(niceStep(0.0), 1.0);
-}
-
-void TestCharts::numbersAreWritten_data()
-{
-    QTest::addColumn<QString>("written");
-    QTest::addColumn<QString>("wanted");
-    QTest::newRow("fixed") << fixedNumber(1.73494) << QStringLiteral("1.7349");
-    QTest::newRow("no minus zero") << fixedNumber(-1e-9) << QStringLiteral("0.0000");
-    QTest::newRow("narrow") << fixedNumber(-123.45678, 8) << QStringLiteral("-123.457");
-    QTest::newRow("large") << fixedNumber(-1234567.0) << QStringLiteral("-1.235e+06");
-    QTest::newRow("short") << shortNumber(522.7612) << QStringLiteral("522.8");
-    QTest::newRow("one decimal") << shortNumber(-31815.23) << QStringLiteral("−31815.2");
-    QTest::newRow("no decimal") << shortNumber(131815.2) << QStringLiteral("131815");
-    QTest::newRow("four digits") << fourDigits(261.3805) << QStringLiteral("261.4");
-    QTest::newRow("four digits, large") << fourDigits(123456.0) << QStringLiteral("1.2e+05");
-    QTest::newRow("full") << fullNumber(-1.9973) << QStringLiteral("−1.9973");
-    QTest::newRow("short, small") << shortNumber(0.0123456) << QStringLiteral("0.012");
-    QTest::newRow("noise") << shortNumber(1e-12, 500.0) << QStringLiteral("0");
-    QTest::newRow("tick") << tickNumber(0.6000000001, 0.2) << QStringLiteral("0.6");
-    QTest::newRow("tick at zero") << tickNumber(-1e-17, 0.2) << QStringLiteral("0");
-}
-
-void TestCharts::numbersAreWritten()
-{
-    QFETCH(QString, written);
-    QFETCH(QString, wanted);
-    QCOMPARE(written, wanted);
 }
 
 void TestCharts::pastIsShownBeforeTheMoment()

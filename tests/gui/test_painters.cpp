@@ -7,6 +7,7 @@
 #include "views/scene/raster_canvas.h"
 #include "views/theme.h"
 
+#include <QProcess>
 #include <QtTest>
 
 #include <memory>
@@ -50,6 +51,7 @@ private slots:
     void cleanup() { applyTheme(ThemeChoice::Light); }
     void stepsOfTheLabLookAlike_data();
     void stepsOfTheLabLookAlike();
+    void theyDoAtTwiceTheScale();
 
 private:
     struct Pictures {
@@ -108,8 +110,10 @@ void TestPainters::stepsOfTheLabLookAlike()
     QVERIFY(picture.list.lines.size() > 30);
     const Pictures whole = paint(picture);
     QCOMPARE(whole.byGl.size(), whole.byRaster.size());
-    const pictures::Difference ofAll =
-        pictures::compare(pictures::coarse(whole.byGl), pictures::coarse(whole.byRaster));
+    const double scale = scene.view.devicePixelRatio();
+    QCOMPARE(whole.byGl.size(), (picture.camera.viewport() * scale).toSize());
+    const pictures::Difference ofAll = pictures::compare(pictures::coarse(whole.byGl, scale),
+                                                         pictures::coarse(whole.byRaster, scale));
     QVERIFY2(ofAll.greatest <= greatestOfCoarse, qPrintable(QString::number(ofAll.greatest)));
 
     picture.list.labels.clear();
@@ -123,8 +127,31 @@ void TestPainters::stepsOfTheLabLookAlike()
     QVERIFY2(ofShapes.mean <= meanOfShapes && part <= visibleOfShapes,
              qPrintable(QStringLiteral("mean %1, visible %2").arg(ofShapes.mean).arg(part)));
     // The measure tells a label that is missing.
-    QVERIFY(pictures::compare(pictures::coarse(whole.byGl), pictures::coarse(shapes.byGl)).greatest
-            > 2 * greatestOfCoarse);
+    QVERIFY(
+        pictures::compare(pictures::coarse(whole.byGl, scale), pictures::coarse(shapes.byGl, scale))
+            .greatest
+        > 2 * greatestOfCoarse);
+}
+
+/// The scale is chosen when a program starts: another one makes the same comparisons.
+void TestPainters::theyDoAtTwiceTheScale()
+{
+    if (!glSupport().usable)
+        QSKIP(qPrintable(QStringLiteral("nothing to compare with: ") + glSupport().reason));
+    if (qFuzzyCompare(qApp->devicePixelRatio(), 2.0))
+        QSKIP("they are compared at this scale");
+    QProcess other;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
+    other.setProcessEnvironment(environment);
+    other.setProcessChannelMode(QProcess::MergedChannels);
+    other.start(QCoreApplication::applicationFilePath());
+    QVERIFY(other.waitForFinished(240'000));
+    const QByteArray said = other.readAll();
+    QVERIFY2(other.exitStatus() == QProcess::NormalExit && other.exitCode() == 0,
+             said.right(2000).constData());
+    // All were compared, and only this one was left out.
+    QVERIFY2(said.contains(" 0 failed, 1 skipped"), said.right(200).constData());
 }
 
 TestPainters::Pictures TestPainters::paint(const ScenePicture &picture)

@@ -6,15 +6,12 @@
 #include "tests/gui/open_window.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
-#include "views/charts/phase_chart.h"
-#include "views/charts/phase_plot.h"
 #include "views/charts/pin_legend.h"
 
 #include "model/measurements.h"
 
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QTabWidget>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -38,7 +35,6 @@ private slots:
     void branchIsUndone();
     void impossibleBranchIsRefused();
     void sceneOffersTheBranch();
-    void phaseShowsPinnedRuns();
 
 private:
     void settle() { QTest::qWait(80); } ///< longer than the views hold back
@@ -284,37 +280,6 @@ void TestPinnedRuns::sceneOffersTheBranch()
     emit m_open->window.scene().newRunRequested();
     QVERIFY(simulation().atStart());
     QCOMPARE(pins().runs().size(), std::size_t{1});
-}
-
-void TestPinnedRuns::phaseShowsPinnedRuns()
-{
-    PhaseChart &phase = m_open->window.phaseChart();
-    phase.setAxes({Quantity::Y, 1}, {Quantity::X, 1});
-    auto *tabs = qobject_cast<QTabWidget *>(phase.parentWidget()->parentWidget());
-    QVERIFY(tabs);
-    tabs->setCurrentWidget(&phase);
-    settle();
-    QCOMPARE(phase.plot().picture().curves.size(), std::size_t{1});
-    QVERIFY(phase.plot().picture().isEqual);
-    const World last = simulation().recording().world(180);
-    QCOMPARE(phase.plot().picture().curves[0].points.last(),
-             QPointF(last.circles[1].position.x, last.circles[1].position.y));
-    QCOMPARE(*phase.plot().picture().moment, phase.plot().picture().curves[0].points.last());
-    m_open->window.pinRun();
-    simulation().restart();
-    simulation().goTo(10);
-    settle();
-    QCOMPARE(phase.plot().picture().curves.size(), std::size_t{2});
-    // A click near the curve goes to the moment there.
-    m_open->window.pins().clear();
-    simulation().goTo(180);
-    settle();
-    const World then = simulation().recording().world(150);
-    const QPointF place =
-        phase.plot().placeOf({then.circles[1].position.x, then.circles[1].position.y});
-    QTest::mouseClick(const_cast<PhasePlot *>(&phase.plot()), Qt::LeftButton, {}, place.toPoint());
-    QVERIFY2(std::abs(simulation().current() - 150) <= 1,
-             qPrintable(QString::number(simulation().current())));
 }
 
 QTEST_MAIN(TestPinnedRuns)

@@ -77,7 +77,8 @@ void TestSceneEditing::dragOfTheTipChangesTheVelocity()
 void TestSceneEditing::circleAtRestHasAGrip()
 {
     Scene scene;
-    const Vec2 grip = gripPosition(scene.circle(1), 4.0, scene.view.camera().pixelsPerMetre());
+    const Vec2 grip = gripPosition(scene.circle(1), scene.document.preset(),
+                                   scene.view.camera().pixelsPerMetre());
     QVERIFY(length(grip - scene.circle(1).position) > 0.2);
     scene.drag(grip, grip + Vec2{-0.75, 0.0});
     QCOMPARE(scene.circle(1).velocity, (Vec2{-1.0, 0.0}));

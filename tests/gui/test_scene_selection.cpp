@@ -61,6 +61,7 @@ private slots:
     void plainDragStillPans();
     void keysSelectAllAndTheNext();
     void allSelectedMoveTogether();
+    void velocitiesOfAllChangeTogether();
     void theFirstAtAWallStopsAll();
     void aClickSinglesOut();
     void escapeUndoesTheDrag();
@@ -161,6 +162,27 @@ void TestSceneSelection::allSelectedMoveTogether()
     QCOMPARE(scene.view.selected(), 0);
     QCOMPARE(scene.document.undoStack().count(), 1);
     QCOMPARE(scene.document.undoStack().undoText(), QStringLiteral("Move 2 circles"));
+    scene.document.undoStack().undo();
+    QCOMPARE(scene.document.preset(), threeCircles());
+}
+
+void TestSceneSelection::velocitiesOfAllChangeTogether()
+{
+    ThreeCircles scene;
+    scene.click({-2.0, 2.3});
+    scene.click({2.0, 2.0}, Qt::ControlModifier);
+    const Vec2 before = scene.circle(1).velocity;
+    const double scale = arrowScale(scene.document.preset());
+    const Vec2 tip = scene.circle(0).position + scale * scene.circle(0).velocity;
+    scene.press(tip);
+    scene.moveTo(tip + scale * Vec2{0.5, 1.0});
+    QVERIFY2(scene.chips().contains(QStringLiteral("changed by (0.50, 1.00) m/s")),
+             qPrintable(scene.chips().join(u'|')));
+    scene.release(tip + scale * Vec2{0.5, 1.0});
+    QCOMPARE(scene.circle(0).velocity, (Vec2{2.5, 1.0}));
+    QCOMPARE(scene.circle(1).velocity, before + (Vec2{0.5, 1.0}));
+    QCOMPARE(scene.document.undoStack().undoText(),
+             QStringLiteral("Change velocities of 2 circles"));
     scene.document.undoStack().undo();
     QCOMPARE(scene.document.preset(), threeCircles());
 }

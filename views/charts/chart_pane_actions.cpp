@@ -9,15 +9,11 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
-#include <cmath>
-
 namespace cradle {
 
 namespace {
 
 constexpr double keyZoom = 1.5; ///< of a press of a key
-/// A zoom of the values reaches no deeper: the digits of a double end soon after.
-constexpr double deepest = 1e-9;
 
 } // namespace
 
@@ -65,12 +61,8 @@ void ChartPane::zoomTo(const std::optional<ValueSpan> &values)
 
 void ChartPane::zoomValues(double factor, double about)
 {
-    const ValueSpan shown = m_plot->valueSpan();
-    const ValueSpan zoomed{about + factor * (shown.low - about),
-                           about + factor * (shown.high - about)};
-    const double size = std::max(std::abs(zoomed.low), std::abs(zoomed.high));
-    if (zoomed.high - zoomed.low > deepest * size && std::isfinite(size))
-        zoomTo(zoomed);
+    if (const auto values = zoomed(m_plot->valueSpan(), factor, about))
+        zoomTo(values);
 }
 
 void ChartPane::zoomIn()

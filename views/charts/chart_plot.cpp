@@ -3,6 +3,7 @@
 #include "views/charts/chart_plot.h"
 
 #include "views/charts/hit_columns.h"
+#include "views/charts/needed_points.h"
 #include "views/charts/number_text.h"
 #include "views/charts/subscript_text.h"
 #include "views/theme.h"
@@ -19,7 +20,7 @@ namespace cradle {
 namespace {
 
 constexpr int textPixels = 11;
-constexpr double flat = 0.05;        ///< px that a level line may be off
+constexpr double straight = 0.05;    ///< px that a line may be off
 constexpr double leastGutter = 42.0; ///< px for the values left of the plot
 constexpr double rightRoom = 14.0;   ///< px
 constexpr double topRoom = 4.0;      ///< px
@@ -27,21 +28,6 @@ constexpr double axisRoom = 22.0;    ///< px for the times below the plot
 constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
 constexpr int leastTicks = 4;        ///< however low the plot is
 constexpr double margin = 0.08;      ///< of the height, above and below the range
-
-/// Leaves out the points within level stretches: rounding would make beads of a thick line, and
-/// every point costs.
-void dropLevel(QList<QPointF> &points, double tolerance)
-{
-    qsizetype kept = 0;
-    for (qsizetype i = 0; i < points.size(); ++i) {
-        const bool level = kept > 0 && i + 1 < points.size()
-                           && std::abs(points[i].y() - points[kept - 1].y()) < tolerance
-                           && std::abs(points[i + 1].y() - points[kept - 1].y()) < tolerance;
-        if (!level)
-            points[kept++] = points[i];
-    }
-    points.resize(kept);
-}
 
 /// A curve that is longer than so many widths of the plot fills its columns from top to bottom.
 constexpr double denseLength = 8.0;
@@ -54,15 +40,9 @@ double lengthOf(const QList<QPointF> &pixels)
     return sum;
 }
 
-/// A dense curve gets a hairline: the outline of a wide one is laid around every segment, which
-/// costs twenty times as much and looks the same.
-QPen penOf(const ChartCurve &curve, bool dense)
+QPen penOf(const ChartCurve &curve)
 {
-    if (!dense)
-        return QPen(curve.colour, curve.width, curve.dash, Qt::FlatCap, Qt::MiterJoin);
-    QPen pen(curve.colour, 1.0);
-    pen.setCosmetic(true);
-    return pen;
+    return {curve.colour, curve.width, curve.dash, Qt::FlatCap, Qt::MiterJoin};
 }
 
 } // namespace
@@ -125,9 +105,10 @@ void ChartPlot::setCurves(const std::vector<ChartCurve> &curves)
         delete series;
     }
     m_series.clear();
+    m_windows.assign(curves.size(), {});
     for (const ChartCurve &curve : curves) {
         auto *series = new QLineSeries;
-        series->setPen(penOf(curve, false));
+        series->setPen(penOf(curve));
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
         series->attachAxis(m_valueAxis);
@@ -163,26 +144,34 @@ void ChartPlot::fillSeries()
     m_profiles.clear();
     m_lines.clear();
     m_areas.clear();
+    m_dense.clear();
     QList<QPointF> floor{{m_area.left(), yOf(0.0)}, {m_area.right(), yOf(0.0)}};
     const int columns = std::max(1, static_cast<int>(m_area.width()));
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         const ChartCurve &curve = m_curves[i];
-        QList<QPointF> points = curve.samples->decimate(m_moment.from + curve.shift,
-                                                        m_moment.to + curve.shift, columns);
-        for (QPointF &point : points)
-            point += QPointF(-curve.shift, curve.lift);
-        dropLevel(points, flat * (m_scale.high - m_scale.low) / m_area.height());
+        curve.samples->decimate(m_windows[i], m_moment.from + curve.shift,
+                                m_moment.to + curve.shift, columns);
+        // Relative to the left end: the axis of QtCharts rests while the window slides.
+        QList<QPointF> points = m_windows[i].points();
         QList<QPointF> pixels;
         pixels.reserve(points.size());
-        // Relative to the left end: the axis of QtCharts rests while the window slides.
         for (QPointF &point : points) {
+            point += QPointF(-curve.shift, curve.lift);
             pixels.emplaceBack(xOf(point.x()), yOf(point.y()));
             point.rx() -= m_moment.from;
         }
-        m_series[i]->replace(points);
-        const QPen pen = penOf(curve, lengthOf(pixels) > denseLength * m_area.width());
-        if (pen != m_series[i]->pen())
-            m_series[i]->setPen(pen);
+        qsizetype kept = 0;
+        for (const qsizetype index : neededPoints(pixels, straight)) {
+            points[kept] = points[index];
+            pixels[kept++] = pixels[index];
+        }
+        points.resize(kept);
+        pixels.resize(kept);
+        m_dense.push_back(lengthOf(pixels) > denseLength * m_area.width());
+        if (!m_dense.back())
+            m_series[i]->replace(points);
+        else if (m_series[i]->count() > 0)
+            m_series[i]->clear();
         m_profiles.emplace_back(pixels, m_area);
         m_lines.push_back(pixels);
         if (curve.isFilled && !pixels.isEmpty()) {

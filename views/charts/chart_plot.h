@@ -36,14 +36,6 @@ struct ChartCurve {
     friend bool operator==(const ChartCurve &, const ChartCurve &) = default;
 };
 
-/// A part of the axis of values.
-struct ValueSpan {
-    double low = 0.0;
-    double high = 1.0;
-
-    friend bool operator==(const ValueSpan &, const ValueSpan &) = default;
-};
-
 /// What of a run a chart shows.
 struct ChartMoment {
     double from = 0.0;               ///< left end, s
@@ -59,8 +51,10 @@ struct ChartMoment {
 /// or a drag picks a moment, or a hit that is near; the wheel zooms, a drag with Shift zooms to a
 /// box, the middle button pans, a double click ends the zoom.
 ///
-/// The curves are series of QtCharts. The axes' texts and grid are drawn here: those of QtCharts
-/// are laid out as rich text again whenever a range changes, which takes most of a frame.
+/// The curves are series of QtCharts, but for those that fill their columns of pixels: QtCharts
+/// makes the outline of every series for picking, at a cost of all its corners. The axes' texts and
+/// grid are drawn here too: those of QtCharts are laid out as rich text again whenever a range
+/// changes, which takes most of a frame.
 class ChartPlot final : public QChartView
 {
     Q_OBJECT
@@ -131,6 +125,7 @@ private:
     void drawHits(QPainter &painter) const;
     void drawLabels(QPainter &painter) const;
     void drawAreas(QPainter &painter) const;
+    void drawDense(QPainter &painter) const;
     void drawBox(QPainter &painter) const;
     void pick(double x);
     void chooseBox();
@@ -156,8 +151,10 @@ private:
     std::vector<CurveProfile> m_profiles;
     std::vector<QString> m_labelTexts;
     std::vector<QRectF> m_labelRects;
-    std::vector<QList<QPointF>> m_lines; ///< the curves, px
-    std::vector<QPolygonF> m_areas;      ///< under the filled curves, px
+    std::vector<MinMaxPyramid::Window> m_windows; ///< the curves, as sampled
+    std::vector<QList<QPointF>> m_lines;          ///< the curves, px
+    std::vector<bool> m_dense;                    ///< those that fill their columns
+    std::vector<QPolygonF> m_areas;               ///< under the filled curves, px
     std::vector<HitMark> m_hitMarks;
     std::optional<double> m_nearestHit; ///< px
 };

@@ -75,6 +75,30 @@ void ChartPlot::drawBackground(QPainter *painter, const QRectF &rect)
     drawTicks(*painter);
     painter->setRenderHint(QPainter::Antialiasing, true);
     drawAreas(*painter);
+    drawDense(*painter);
+}
+
+/// Columns that a curve fills from top to bottom, each as one upright line.
+void ChartPlot::drawDense(QPainter &painter) const
+{
+    const bool smooth = painter.testRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    QList<QLineF> columns;
+    for (std::size_t i = 0; i < m_dense.size(); ++i) {
+        if (!m_dense[i])
+            continue;
+        columns.clear();
+        for (int x = 0; x < static_cast<int>(m_area.width()); ++x) {
+            const double top = std::max(m_profiles[i].top(x), m_area.top());
+            const double bottom = std::min(m_profiles[i].bottom(x), m_area.bottom());
+            if (m_profiles[i].covers(x) && top <= bottom)
+                columns.emplaceBack(sharp(m_area.left() + x), top, sharp(m_area.left() + x),
+                                    std::max(bottom, top + 1.0));
+        }
+        painter.setPen(QPen(m_curves[i].colour, 1.0, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(columns);
+    }
+    painter.setRenderHint(QPainter::Antialiasing, smooth);
 }
 
 void ChartPlot::drawAreas(QPainter &painter) const
@@ -163,7 +187,10 @@ void ChartPlot::paint(QPainter &painter) const
         ++area;
     }
     painter.setBrush(Qt::NoBrush);
+    drawDense(painter);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        if (m_dense[i])
+            continue;
         painter.setPen(m_series[i]->pen());
         for (const QPolygonF &line : clippedLines(m_lines[i], m_area))
             painter.drawPolyline(line);

@@ -9,9 +9,22 @@ namespace cradle {
 
 namespace {
 
+using HitIterator = std::deque<Hit>::const_iterator;
+
 bool isBefore(const Hit &hit, double time)
 {
     return hit.time < time;
+}
+
+/// The first hit not before \p time, which is likely to be near: looks twice as far each time.
+HitIterator gallop(HitIterator from, HitIterator end, double time)
+{
+    std::ptrdiff_t stride = 1;
+    while (end - from > stride && isBefore(from[stride], time)) {
+        from += stride;
+        stride *= 2;
+    }
+    return std::lower_bound(from, end - from > stride ? from + stride : end, time, isBefore);
 }
 
 } // namespace
@@ -25,7 +38,7 @@ std::vector<HitColumn> hitColumns(const std::deque<Hit> &hits, double t0, double
     auto hit = std::lower_bound(hits.begin(), hits.end(), t0, isBefore);
     while (hit != hits.end() && hit->time <= t1) {
         const int x = std::clamp(static_cast<int>(std::floor((hit->time - t0) / pixel)), 0, width);
-        auto next = std::lower_bound(hit, hits.end(), t0 + (x + 1) * pixel, isBefore);
+        auto next = gallop(hit, hits.end(), t0 + (x + 1) * pixel);
         if (next == hit)
             ++next;
         columns.push_back({x, static_cast<std::size_t>(hit - hits.begin()),

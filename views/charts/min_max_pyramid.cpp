@@ -3,6 +3,7 @@
 #include "views/charts/min_max_pyramid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace cradle {
@@ -20,6 +21,12 @@ void MinMaxPyramid::append(double time, double value)
     }
     m_samples.emplace_back(time, value);
     closeGroups();
+}
+
+quint64 MinMaxPyramid::newStamp()
+{
+    static std::atomic<quint64> last = 0;
+    return ++last;
 }
 
 void MinMaxPyramid::clear()
@@ -40,6 +47,7 @@ void MinMaxPyramid::dropBefore(double time)
     }
     m_samples.erase(m_samples.begin(), m_samples.begin() + (keep - m_first));
     m_first = keep;
+    m_stamp = newStamp();
     qint64 span = 1;
     for (Level &level : m_levels) {
         span *= groupSize;
@@ -82,25 +90,48 @@ double MinMaxPyramid::maximum() const
 
 QList<QPointF> MinMaxPyramid::decimate(double t0, double t1, int columns) const
 {
-    QList<QPointF> points;
-    if (isEmpty() || columns <= 0 || !(t0 < t1))
-        return points;
-    const qint64 from = firstNotBefore(t0, m_first);
-    const qint64 to = firstAfter(t1, from);
-    const qint64 before = std::max(from - 1, m_first);
-    const qint64 after = std::min(to + 1, end());
-    points.reserve(std::min(after - before, qint64{2} * (columns + 2)));
-    if (to - from <= qint64{2} * columns) {
-        for (qint64 i = before; i < after; ++i)
-            points.append(sample(i));
-        return points;
+    Window window;
+    decimate(window, t0, t1, columns);
+    return window.m_points;
+}
+
+void MinMaxPyramid::decimate(Window &window, double t0, double t1, int columns) const
+{
+    const bool goesOn = window.m_stamp == m_stamp && window.m_t0 == t0 && window.m_t1 == t1
+                        && window.m_columns == columns && window.m_settled > 0;
+    if (!goesOn) {
+        window = {};
+        window.m_stamp = m_stamp;
+        window.m_t0 = t0;
+        window.m_t1 = t1;
+        window.m_columns = columns;
     }
-    if (before < from)
-        points.append(sample(before));
+    QList<QPointF> &points = window.m_points;
+    points.resize(window.m_settled);
+    if (isEmpty() || columns <= 0 || !(t0 < t1))
+        return;
+    const qint64 from = goesOn ? window.m_next : firstNotBefore(t0, m_first);
+    const qint64 to = firstAfter(t1, from);
+    const qint64 after = std::min(to + 1, end());
+    if (!goesOn) {
+        const qint64 before = std::max(from - 1, m_first);
+        points.reserve(std::min(after - before, qint64{2} * (columns + 2)));
+        if (to - from <= qint64{2} * columns) {
+            for (qint64 i = before; i < after; ++i)
+                points.append(sample(i));
+            return;
+        }
+        if (before < from)
+            points.append(sample(before));
+    }
     const double width = (t1 - t0) / columns;
     for (qint64 i = from; i < to;) {
         const double edge = (std::floor(sample(i).x() / width) + 1.0) * width;
         const qint64 next = std::clamp(firstNotBefore(edge, i), i + 1, to);
+        if (next < end()) {
+            window.m_settled = points.size();
+            window.m_next = i;
+        }
         const Extremes e = extremes(i, next);
         points.append(sample(std::min(e.least, e.greatest)));
         if (e.least != e.greatest)
@@ -109,7 +140,6 @@ QList<QPointF> MinMaxPyramid::decimate(double t0, double t1, int columns) const
     }
     if (to < after)
         points.append(sample(to));
-    return points;
 }
 
 qint64 MinMaxPyramid::bytes() const

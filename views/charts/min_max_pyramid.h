@@ -44,6 +44,27 @@ public:
     /// \return at most 2 (columns + 2) points
     [[nodiscard]] QList<QPointF> decimate(double t0, double t1, int columns) const;
 
+    /// The points of a window, from one time to the next: the columns that lie behind the newest
+    /// sample stay as they are while the window does.
+    class Window
+    {
+    public:
+        [[nodiscard]] const QList<QPointF> &points() const { return m_points; }
+
+    private:
+        friend class MinMaxPyramid;
+        quint64 m_stamp = 0; ///< of the samples, when the points were made
+        double m_t0 = 0.0;   ///< s
+        double m_t1 = 0.0;   ///< s
+        int m_columns = 0;
+        QList<QPointF> m_points;
+        qsizetype m_settled = 0; ///< points that stay
+        qint64 m_next = 0;       ///< the first sample after them
+    };
+    /// Makes the points of decimate() in \p window, at the cost of what is new since they were made
+    /// there for the same times and columns.
+    void decimate(Window &window, double t0, double t1, int columns) const;
+
     [[nodiscard]] qint64 bytes() const; ///< memory held
 
 private:
@@ -74,10 +95,13 @@ private:
     }
     void join(Extremes &sum, const Extremes &part) const;
     void closeGroups();
+    [[nodiscard]] static quint64 newStamp();
 
     std::deque<QPointF> m_samples;
     qint64 m_first = 0; ///< index of the first sample kept
     std::vector<Level> m_levels;
+    /// Another one wherever samples do not just follow those that were there.
+    quint64 m_stamp = newStamp();
 };
 
 } // namespace cradle

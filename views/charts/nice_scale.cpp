@@ -16,7 +16,18 @@ constexpr double boundSteps = 8.0;
 /// A range that is used less than this is made anew: seldom, so that the picture rests.
 constexpr double shrinkBelow = 1.0 / 3.0;
 
+/// A zoom reaches no deeper: the digits of a double end soon after.
+constexpr double deepest = 1e-9;
+
 } // namespace
+
+std::optional<ValueSpan> zoomed(const ValueSpan &span, double factor, double about)
+{
+    const ValueSpan zoom{about + factor * (span.low - about), about + factor * (span.high - about)};
+    const double size = std::max(std::abs(zoom.low), std::abs(zoom.high));
+    const bool holds = zoom.high - zoom.low > deepest * size && std::isfinite(size);
+    return holds ? std::optional(zoom) : std::nullopt;
+}
 
 double niceStep(double rough)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace cradle {
@@ -19,6 +20,18 @@ struct AxisScale {
     [[nodiscard]] std::vector<double> ticks() const;
     friend bool operator==(const AxisScale &, const AxisScale &) = default;
 };
+
+/// A part of an axis of values.
+struct ValueSpan {
+    double low = 0.0;
+    double high = 1.0;
+
+    friend bool operator==(const ValueSpan &, const ValueSpan &) = default;
+};
+
+/// \p span \p factor times as long, where \p about keeps its place; nullopt where the digits of a
+/// double would end.
+[[nodiscard]] std::optional<ValueSpan> zoomed(const ValueSpan &span, double factor, double about);
 
 /// The range of a vertical axis: contains zero, grows at once to round numbers, and shrinks only
 /// when the values need a third of it or less, or when it is reset.

@@ -6,7 +6,7 @@
 
 namespace cradle {
 
-inline constexpr int numberRowHeight = 26; ///< px
+inline constexpr int numberRowHeight = 22; ///< px
 
 /// A table of numbers of \p model with symbols and units over its columns.
 /// \param unitRole  of the model's header data

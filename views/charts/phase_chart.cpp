@@ -6,7 +6,6 @@
 #include "views/charts/phase_plot.h"
 #include "views/charts/pinned_runs.h"
 #include "views/charts/quiet_button.h"
-#include "views/charts/time_window.h"
 #include "views/theme.h"
 
 #include <QEvent>
@@ -74,10 +73,10 @@ PhaseChart::PhaseChart(const Simulation &simulation, QWidget *parent)
     };
     addMenu(m_upButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_up); });
     addMenu(m_acrossButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_across); });
-    addMenu(m_moreButton, false, [this](QMenu &menu) { addExports(menu); });
+    addMenu(m_moreButton, false, [this](QMenu &menu) { fillMenu(menu); });
     m_moreButton->setText(QStringLiteral("⋯"));
     connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
-    connect(m_plot, &PhasePlot::picked, this, &PhaseChart::seekNear);
+    wirePlot();
     connect(m_throttle, &FrameThrottle::due, this, &PhaseChart::redraw);
     connect(&simulation, &Simulation::restarted, this, [this] {
         suggest();
@@ -129,6 +128,8 @@ void PhaseChart::changed()
     m_plot->setAccessibleName(
         tr("%1 against %2").arg(nameOf(m_up.quantity), nameOf(m_across.quantity)));
     m_plot->forgetRanges();
+    m_acrossZoom.reset();
+    m_upZoom.reset();
     reset();
 }
 
@@ -156,14 +157,13 @@ std::optional<QPointF> PhaseChart::pointAt(qint64 index) const
 void PhaseChart::read()
 {
     const Recording &recording = m_simulation.recording();
-    const bool overTime = m_across.quantity == Quantity::Time;
-    const qint64 oldest = overTime ? 0 : recording.last() - mostSteps + 1;
+    const qint64 oldest = isOverTime() ? 0 : recording.last() - mostSteps + 1;
     for (qint64 i = std::max({m_nextFrame, recording.first(), oldest}); i <= recording.last();
          ++i) {
         const auto point = pointAt(i);
         if (!point)
             continue;
-        if (overTime)
+        if (isOverTime())
             m_overTime.append(point->x(), point->y());
         else
             m_samples.push_back({recording.time(i), *point});
@@ -186,14 +186,16 @@ void PhaseChart::redraw()
     }
     const double first = recording.time(recording.first());
     const double last = recording.time(recording.last());
-    const double end = std::max(last, m_pins ? m_pins->end() : 0.0);
-    const TimeWindow::Span span = m_window->choose({first, last}, end, m_simulation.time());
+    const TimeWindow::Span span =
+        m_window->choose({first, last}, std::max(last, pinnedEnd()), m_simulation.time());
     PhasePicture picture;
     addPinned(picture, span.from, span.to);
     PhasePicture::Curve curve;
     curve.pen = QPen(colour(), 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
-    if (m_across.quantity == Quantity::Time) {
-        picture.across = {span.from, span.to};
+    picture.up = m_upZoom;
+    picture.across = m_acrossZoom;
+    if (isOverTime()) {
+        picture.across = ValueSpan{span.from, span.to};
         curve.points = m_overTime.decimate(span.from, span.to, std::max(1, m_plot->width()));
     }
     for (const Sample &sample : m_samples) {
@@ -210,6 +212,11 @@ void PhaseChart::redraw()
     picture.upText = axisText(m_up);
     picture.acrossText = axisText(m_across);
     m_plot->showPicture(picture);
+}
+
+double PhaseChart::pinnedEnd() const
+{
+    return m_pins ? m_pins->end() : 0.0;
 }
 
 /// Pale and broken beneath.
@@ -247,12 +254,9 @@ QColor PhaseChart::colour() const
 
 void PhaseChart::seekNear(QPointF pixel)
 {
-    if (m_across.quantity == Quantity::Time) {
-        const QRectF area = m_plot->plotArea();
-        const auto &ends = m_plot->picture().across;
-        const double part = std::clamp((pixel.x() - area.left()) / area.width(), 0.0, 1.0);
-        if (ends)
-            emit seekRequested(ends->first + part * (ends->second - ends->first));
+    if (isOverTime()) {
+        const ValueSpan times = m_plot->acrossSpan();
+        emit seekRequested(std::clamp(m_plot->valuesAt(pixel).x(), times.low, times.high));
         return;
     }
     double least = reach;
@@ -285,7 +289,7 @@ void PhaseChart::retranslate()
     setWindowTitle(tr("Phase"));
     m_heading->setText(tr("Phase").toUpper());
     m_against->setText(tr("against"));
-    m_moreButton->setToolTip(tr("Copy and export"));
+    m_moreButton->setToolTip(tr("Zoom and export"));
     m_moreButton->setAccessibleName(m_moreButton->toolTip());
     changed();
 }

@@ -6,7 +6,9 @@
 #include "model/simulation.h"
 #include "views/charts/chart_export.h"
 #include "views/charts/min_max_pyramid.h"
+#include "views/charts/nice_scale.h"
 #include "views/charts/phase_quantity.h"
+#include "views/charts/time_window.h"
 
 #include <QWidget>
 
@@ -24,7 +26,6 @@ class PhasePlot;
 struct PhasePicture;
 class PinnedRuns;
 class QuietButton;
-class TimeWindow;
 
 /// Any quantity of a run against any other, over the time that the charts show. Against time it is
 /// drawn however long the run is, against others its newest 20,000 steps. Its window title is the
@@ -48,8 +49,15 @@ public:
     [[nodiscard]] ChartPicture picture() const;
     /// Both quantities at every step within the window, as CSV.
     [[nodiscard]] QByteArray table() const;
+    /// What can be done with the chart, anew for each time that it is shown.
+    void fillMenu(QMenu &menu);
     void addExports(QMenu &menu);
     [[nodiscard]] QSize sizeHint() const override { return {344, 240}; }
+
+public slots:
+    void zoomIn(); ///< about the moment shown
+    void zoomOut();
+    void resetZoom();
 
 signals:
     void seekRequested(double time);
@@ -73,6 +81,13 @@ private:
     void suggest();
     void changed();
     void seekNear(QPointF pixel);
+    void wirePlot();
+    void zoomBy(QPointF about, double across, double up);
+    void panBy(QPointF way);
+    [[nodiscard]] bool isOverTime() const { return m_across.quantity == Quantity::Time; }
+    [[nodiscard]] double pinnedEnd() const; ///< s
+    [[nodiscard]] TimeWindow::Span whole() const;
+    [[nodiscard]] TimeWindow::Span timesShown() const; ///< where the horizontal axis is the time
     void fillAxisMenu(QMenu &menu, PhaseVariable &axis);
     void addPinned(PhasePicture &picture, double from, double to) const;
     [[nodiscard]] std::optional<QPointF> pointAt(qint64 index) const;
@@ -94,6 +109,8 @@ private:
     std::deque<Sample> m_samples;
     MinMaxPyramid m_overTime; ///< where the horizontal axis is the time
     qint64 m_nextFrame = 0;
+    std::optional<ValueSpan> m_acrossZoom; ///< never of the time, which the charts share
+    std::optional<ValueSpan> m_upZoom;
 };
 
 } // namespace cradle

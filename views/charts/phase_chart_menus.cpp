@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Menus of PhaseChart: what is drawn, and what leaves it.
+// Menus of PhaseChart: what is drawn, how near, and what leaves it.
 #include "views/charts/phase_chart.h"
 
 #include "model/shortest_number.h"
+#include "views/charts/frame_throttle.h"
 #include "views/charts/phase_plot.h"
-#include "views/charts/time_window.h"
 #include "views/theme.h"
 
 #include <QContextMenuEvent>
@@ -18,7 +18,8 @@ namespace cradle {
 
 namespace {
 
-constexpr int mostListed = 20; ///< circles in a menu
+constexpr int mostListed = 20;  ///< circles in a menu
+constexpr double keyZoom = 1.5; ///< of a choice in the menu
 
 } // namespace
 
@@ -95,10 +96,102 @@ void PhaseChart::addExports(QMenu &menu)
     addExportActions(menu, exports, m_simulation.recording().last() > 0);
 }
 
+void PhaseChart::wirePlot()
+{
+    connect(m_plot, &PhasePlot::picked, this, &PhaseChart::seekNear);
+    connect(m_plot, &PhasePlot::zoomed, this, &PhaseChart::zoomBy);
+    connect(m_plot, &PhasePlot::panned, this, &PhaseChart::panBy);
+    connect(m_plot, &PhasePlot::resetRequested, this, &PhaseChart::resetZoom);
+    connect(m_plot, &PhasePlot::boxChosen, this,
+            [this](const ValueSpan &across, const ValueSpan &up) {
+                m_upZoom = up;
+                if (isOverTime())
+                    m_window->zoomTo({across.low, across.high}, whole());
+                else
+                    m_acrossZoom = across;
+                m_throttle->request();
+            });
+}
+
+/// Times are zoomed in all charts together and without the values, as in the others.
+void PhaseChart::zoomBy(QPointF about, double across, double up)
+{
+    if (isOverTime() && across != 1.0) {
+        m_window->zoomBy(across, about.x(), timesShown(), whole());
+        return;
+    }
+    const auto right = zoomed(m_plot->acrossSpan(), across, about.x());
+    const auto high = zoomed(m_plot->upSpan(), up, about.y());
+    if (!right || !high)
+        return;
+    m_upZoom = high;
+    if (across != 1.0)
+        m_acrossZoom = right;
+    m_throttle->request();
+}
+
+void PhaseChart::panBy(QPointF way)
+{
+    const auto moved = [](const ValueSpan &span, double by) {
+        return ValueSpan{span.low + by, span.high + by};
+    };
+    if (!isOverTime()) {
+        m_acrossZoom = moved(m_plot->acrossSpan(), way.x());
+        m_upZoom = moved(m_plot->upSpan(), way.y());
+    } else {
+        if (m_upZoom)
+            m_upZoom = moved(*m_upZoom, way.y());
+        m_window->panBy(way.x(), timesShown(), whole());
+    }
+    m_throttle->request();
+}
+
+TimeWindow::Span PhaseChart::timesShown() const
+{
+    return {m_plot->acrossSpan().low, m_plot->acrossSpan().high};
+}
+
+TimeWindow::Span PhaseChart::whole() const
+{
+    const Recording &recording = m_simulation.recording();
+    return TimeWindow::whole(recording.time(recording.first()),
+                             std::max(recording.time(recording.last()), pinnedEnd()));
+}
+
+void PhaseChart::zoomIn()
+{
+    zoomBy(pointAt(m_simulation.current()).value_or(QPointF()), 1.0 / keyZoom, 1.0 / keyZoom);
+}
+
+void PhaseChart::zoomOut()
+{
+    zoomBy(pointAt(m_simulation.current()).value_or(QPointF()), keyZoom, keyZoom);
+}
+
+void PhaseChart::resetZoom()
+{
+    m_acrossZoom.reset();
+    m_upZoom.reset();
+    if (isOverTime())
+        m_window->reset();
+    m_throttle->request();
+}
+
+void PhaseChart::fillMenu(QMenu &menu)
+{
+    const bool isZoomed =
+        m_acrossZoom || m_upZoom || (isOverTime() && m_window->kind() == TimeWindow::Kind::Zoomed);
+    menu.addAction(tr("Zoom &in"), this, &PhaseChart::zoomIn)->setEnabled(m_plot->showsRun());
+    menu.addAction(tr("Zoom &out"), this, &PhaseChart::zoomOut)->setEnabled(m_plot->showsRun());
+    menu.addAction(tr("&Reset zoom"), this, &PhaseChart::resetZoom)->setEnabled(isZoomed);
+    menu.addSeparator();
+    addExports(menu);
+}
+
 void PhaseChart::contextMenuEvent(QContextMenuEvent *event)
 {
     QMenu menu(this);
-    addExports(menu);
+    fillMenu(menu);
     menu.exec(event->globalPos());
 }
 

@@ -7,7 +7,6 @@
 #include "views/theme.h"
 
 #include <QFontMetricsF>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +30,12 @@ constexpr qsizetype fewPoints = 4000; ///< of more a smooth line would cost too 
 double sharp(double x)
 {
     return std::floor(x) + 0.5;
+}
+
+void setEnds(AxisScale &axis, const std::optional<ValueSpan> &span, int ticks)
+{
+    if (span)
+        axis = {span->low, span->high, niceStep((span->high - span->low) / std::max(1, ticks))};
 }
 
 /// Makes \p axis \p factor times as long, about its middle.
@@ -91,7 +96,9 @@ void PhasePlot::layOut()
     m_acrossRange.fit(left, right, std::max(right, -left));
     m_upRange.fit(low, high, std::max(high, -low));
     const double height = this->height() - topRoom - axisRoom;
-    m_up = m_upRange.scale(static_cast<int>(height / tickHeight), margin);
+    const int rows = static_cast<int>(height / tickHeight);
+    m_up = m_upRange.scale(rows, margin);
+    setEnds(m_up, m_picture.up, rows);
     const QFontMetricsF metrics(smallFont());
     double gutter = leastGutter;
     for (const double tick : m_up.ticks())
@@ -101,9 +108,7 @@ void PhasePlot::layOut()
         QRectF(gutter, topRoom, std::max(1.0, width() - gutter - rightRoom), std::max(1.0, height));
     const int columns = static_cast<int>(m_area.width() / tickWidth);
     m_across = m_acrossRange.scale(columns, margin);
-    if (const auto &ends = m_picture.across)
-        m_across = {ends->first, ends->second,
-                    niceStep((ends->second - ends->first) / std::max(1, columns))};
+    setEnds(m_across, m_picture.across, columns);
     if (m_picture.isEqual) {
         const double across = m_area.width() / (m_across.high - m_across.low);
         const double up = m_area.height() / (m_up.high - m_up.low);
@@ -118,6 +123,14 @@ QPointF PhasePlot::placeOf(QPointF values) const
             m_area.bottom() - (values.y() - m_up.low) / (m_up.high - m_up.low) * m_area.height()};
 }
 
+QPointF PhasePlot::valuesAt(QPointF pixel) const
+{
+    const double right = (pixel.x() - m_area.left()) / m_area.width();
+    const double up = (m_area.bottom() - pixel.y()) / m_area.height();
+    return {m_across.low + right * (m_across.high - m_across.low),
+            m_up.low + up * (m_up.high - m_up.low)};
+}
+
 void PhasePlot::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -129,6 +142,13 @@ void PhasePlot::paintEvent(QPaintEvent *)
         return;
     }
     paint(painter);
+    if (m_drag == Drag::Box) {
+        QColor fill = theme().accent;
+        fill.setAlphaF(0.15F);
+        painter.setPen(QPen(theme().accent, 1.0));
+        painter.setBrush(fill);
+        painter.drawRect(box());
+    }
 }
 
 void PhasePlot::paint(QPainter &painter) const
@@ -136,7 +156,7 @@ void PhasePlot::paint(QPainter &painter) const
     painter.setFont(smallFont());
     drawAxes(painter);
     drawCurves(painter);
-    if (m_picture.moment) {
+    if (m_picture.moment && m_area.contains(placeOf(*m_picture.moment))) {
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(QPen(theme().panel, 1.5));
         painter.setBrush(m_picture.momentColour);
@@ -205,18 +225,6 @@ void PhasePlot::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     layOut();
-}
-
-void PhasePlot::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton && !m_picture.curves.empty())
-        emit picked(event->position());
-}
-
-void PhasePlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if ((event->buttons() & Qt::LeftButton) != 0 && !m_picture.curves.empty())
-        emit picked(event->position());
 }
 
 } // namespace cradle

@@ -19,17 +19,18 @@ struct PhasePicture {
         QPen pen{};
     };
 
-    std::vector<Curve> curves{};     ///< the lowest first
-    std::optional<QPointF> moment{}; ///< that is shown
-    std::optional<std::pair<double, double>>
-        across{};         ///< ends of the horizontal axis; else as fits
-    bool isEqual = false; ///< both axes have the same scale
-    QString acrossText{}; ///< with the unit
+    std::vector<Curve> curves{};       ///< the lowest first
+    std::optional<QPointF> moment{};   ///< that is shown
+    std::optional<ValueSpan> across{}; ///< the horizontal axis; else as fits
+    std::optional<ValueSpan> up{};     ///< the vertical axis; else as fits
+    bool isEqual = false;              ///< both axes have the same scale
+    QString acrossText{};              ///< with the unit
     QString upText{};
     QColor momentColour{};
 };
 
-/// Curves of one quantity over another, with axes and a dot at the moment shown.
+/// Curves of one quantity over another, with axes and a dot at the moment shown. The pointer does
+/// what it does in a ChartPlot.
 class PhasePlot final : public QWidget
 {
     Q_OBJECT
@@ -44,7 +45,11 @@ public:
 
     [[nodiscard]] const PhasePicture &picture() const { return m_picture; }
     [[nodiscard]] QPointF placeOf(QPointF values) const; ///< px
+    [[nodiscard]] QPointF valuesAt(QPointF pixel) const;
     [[nodiscard]] QRectF plotArea() const { return m_area; }
+    [[nodiscard]] ValueSpan acrossSpan() const { return {m_across.low, m_across.high}; }
+    [[nodiscard]] ValueSpan upSpan() const { return {m_up.low, m_up.high}; }
+    [[nodiscard]] bool showsRun() const { return !m_picture.curves.empty(); }
     void paint(QPainter &painter) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {344, 180}; }
@@ -52,15 +57,27 @@ public:
 
 signals:
     void picked(QPointF pixel); ///< a click or a drag
+    /// By the wheel, about \p values: the axes by these factors.
+    void zoomed(QPointF values, double across, double up);
+    void boxChosen(const cradle::ValueSpan &across, const cradle::ValueSpan &up);
+    void panned(QPointF values); ///< what is shown is to move by
+    void resetRequested();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
 
 private:
+    /// What a drag with a button does.
+    enum class Drag { None, Pick, Box, Pan };
+
     void layOut();
+    [[nodiscard]] QRectF box() const; ///< px: that is dragged
     void drawAxes(QPainter &painter) const;
     void drawCurves(QPainter &painter) const;
     [[nodiscard]] QFont smallFont() const;
@@ -72,6 +89,9 @@ private:
     AxisScale m_across;
     AxisScale m_up;
     QRectF m_area; ///< px
+    Drag m_drag = Drag::None;
+    QPointF m_dragStart; ///< px
+    QPointF m_dragEnd;   ///< px
 };
 
 } // namespace cradle

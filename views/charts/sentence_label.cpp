@@ -4,13 +4,15 @@
 
 #include <QFontMetrics>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
 
 constexpr int sidePad = 14; ///< px
 constexpr int pad = 10;     ///< px above and below
-constexpr int shortPad = 4; ///< px above and below a sentence that is cut off
+constexpr int shortPad = 3; ///< px above and below where room is scarce
 
 } // namespace
 
@@ -44,9 +46,10 @@ void SentenceLabel::fit()
     const int width = std::max(1, m_room.width() - 2 * sidePad);
     const QRect column(0, 0, width, 100 * metrics.lineSpacing());
     const int needed = metrics.boundingRect(column, Qt::TextWordWrap, m_sentence).height();
-    const bool fits = needed + 2 * pad <= m_room.height();
+    const bool fits = needed + 2 * shortPad <= m_room.height();
     const QString line = metrics.elidedText(m_sentence, Qt::ElideRight, width);
-    const int room = fits ? pad : shortPad;
+    const int spare = (m_room.height() - needed) / 2;
+    const int room = fits ? std::min(spare, pad) : shortPad;
     setWordWrap(fits);
     setContentsMargins(sidePad, room, sidePad, room);
     setText(fits ? m_sentence : line);

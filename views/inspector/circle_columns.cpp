@@ -80,6 +80,12 @@ int CircleTableModel::columnOf(const QString &pointer)
     return key == QStringLiteral("density") ? Density : Name;
 }
 
+QString CircleTableModel::integratorCell(Integrator integrator) const
+{
+    return m_isBrief && integrator == Integrator::SymplecticEuler ? tr("Sympl. Euler")
+                                                                  : integratorText(integrator);
+}
+
 QString CircleTableModel::integratorText(Integrator integrator)
 {
     switch (integrator) {

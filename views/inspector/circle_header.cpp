@@ -7,12 +7,14 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
 
 constexpr int margin = 4;       ///< px, as in the cells
-constexpr int unitGap = 4;      ///< px between symbol and unit
+constexpr int symbolTop = 1;    ///< px
 constexpr double lowered = 0.2; ///< of the line's height
 constexpr double indexSize = 0.8;
 
@@ -45,14 +47,14 @@ int CircleHeader::widthOf(int section) const
     const Parts parts = partsOf(section);
     const QFontMetrics large(font());
     const QFontMetrics small(smallFont());
-    const int unit = parts.unit.isEmpty() ? 0 : unitGap + small.horizontalAdvance(parts.unit);
-    return large.horizontalAdvance(parts.symbol) + small.horizontalAdvance(parts.index) + unit
-           + 2 * margin;
+    const int symbol = large.horizontalAdvance(parts.symbol) + small.horizontalAdvance(parts.index);
+    return std::max(symbol, small.horizontalAdvance(parts.unit)) + 2 * margin;
 }
 
 QSize CircleHeader::sectionSizeFromContents(int logicalIndex) const
 {
-    return {widthOf(logicalIndex), fontMetrics().height() + 8};
+    const int unitHeight = QFontMetrics(smallFont()).height();
+    return {widthOf(logicalIndex), symbolTop + fontMetrics().height() + unitHeight + 2};
 }
 
 void CircleHeader::paintSection(QPainter *painter, const QRect &rect, int logicalIndex) const
@@ -63,22 +65,24 @@ void CircleHeader::paintSection(QPainter *painter, const QRect &rect, int logica
     painter->setPen(theme().border);
     painter->drawLine(rect.bottomLeft(), rect.bottomRight());
     const auto alignment = model()->headerData(logicalIndex, Qt::Horizontal, Qt::TextAlignmentRole);
-    int x = rect.left() + margin;
-    if (alignment.toInt() & Qt::AlignRight)
-        x = rect.right() + 1 - widthOf(logicalIndex) + margin;
-    const auto draw = [&](const QString &text, const QFont &textFont, int drop) {
-        painter->setFont(textFont);
-        const int width = QFontMetrics(textFont).horizontalAdvance(text);
-        painter->drawText(QRect(x, rect.top() + drop, width + 1, rect.height()),
-                          Qt::AlignLeft | Qt::AlignVCenter, text);
-        x += width;
+    const bool right = (alignment.toInt() & Qt::AlignRight) != 0;
+    const QFontMetrics large(font());
+    const QFontMetrics small(smallFont());
+    const auto leftOf = [&](int width) {
+        return right ? rect.right() + 1 - margin - width : rect.left() + margin;
     };
+    const int symbol = large.horizontalAdvance(parts.symbol);
+    const int x = leftOf(symbol + small.horizontalAdvance(parts.index));
+    const int baseline = rect.top() + symbolTop + large.ascent();
     painter->setPen(theme().text);
-    draw(parts.symbol, font(), 0);
-    draw(parts.index, smallFont(), static_cast<int>(lowered * rect.height()));
-    x += unitGap;
+    painter->setFont(font());
+    painter->drawText(x, baseline, parts.symbol);
+    painter->setFont(smallFont());
+    painter->drawText(x + symbol, baseline + static_cast<int>(lowered * large.height()),
+                      parts.index);
     painter->setPen(theme().mutedText);
-    draw(parts.unit, smallFont(), 1);
+    painter->drawText(leftOf(small.horizontalAdvance(parts.unit)),
+                      baseline + large.descent() + small.ascent(), parts.unit);
     painter->restore();
 }
 

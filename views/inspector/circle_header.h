@@ -6,7 +6,7 @@
 
 namespace cradle {
 
-/// The header of the table of circles: a symbol with its index lowered (v_x) and its unit.
+/// The header of the table of circles: a symbol with its index lowered (v_x), over its unit.
 class CircleHeader final : public QHeaderView
 {
     Q_OBJECT

@@ -97,9 +97,9 @@ QVariant CircleTableModel::text(const PresetCircle &circle, int column) const
     if (column == Name)
         return shownCircleName(circle.name);
     if (column == IntegratorColumn)
-        return integratorText(circle.integrator);
+        return integratorCell(circle.integrator);
     if (column == Mass)
-        return QString::number(mass(circle.body), 'g', 6);
+        return QString::number(mass(circle.body), 'g', 5);
     return {};
 }
 
@@ -134,8 +134,11 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
             return why;
         [[fallthrough]];
     case Qt::AccessibleTextRole: {
-        const QString shown =
-            column == Colour ? circles[row].colour : text(circles[row], column).toString();
+        QString shown = text(circles[row], column).toString();
+        if (column == Colour)
+            shown = circles[row].colour;
+        else if (column == IntegratorColumn)
+            shown = integratorText(circles[row].integrator);
         const QString unit = unitOf(column);
         return unit.isEmpty() ? shown : shown + QLatin1Char(' ') + unit;
     }

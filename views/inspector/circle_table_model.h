@@ -51,6 +51,10 @@ public:
     /// The column of a JSON pointer as /circles/3/velocity/1; Name if it is of the whole circle.
     [[nodiscard]] static int columnOf(const QString &pointer);
     [[nodiscard]] static QString integratorText(Integrator integrator);
+    /// What a cell shows of it.
+    [[nodiscard]] QString integratorCell(Integrator integrator) const;
+    /// Lets cells abbreviate what is long, where room is scarce.
+    void setBrief(bool brief) { m_isBrief = brief; }
 
     /// Marks the cell of a JSON pointer as the one at fault; an empty pointer marks none.
     void setFault(const QString &pointer);
@@ -67,6 +71,7 @@ private:
 
     PresetDocument &m_document;
     int m_rows = 0;
+    bool m_isBrief = false;
     int m_faultRow = -1;
     int m_faultColumn = -1;
 };

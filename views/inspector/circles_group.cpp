@@ -21,9 +21,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int rowHeight = 26;  ///< px
 constexpr int rowsAtLeast = 2; ///< that can be seen
-constexpr int slack = 4;       ///< px left free, so that no scroll bar comes and goes
 
 } // namespace
 
@@ -89,7 +87,7 @@ void CirclesGroup::makeTable()
     m_table->setWordWrap(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setMinimumHeight(m_header->sizeHint().height() + rowsAtLeast * rowHeight + 12);
+    m_table->setMinimumHeight(m_header->sizeHint().height() + rowsAtLeast * rowHeight);
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
     layout()->addWidget(m_table);
@@ -139,6 +137,7 @@ void CirclesGroup::nameButtons()
 void CirclesGroup::reload()
 {
     m_model->reload();
+    layOutColumns();
     m_reset->setEnabled(!m_document.isOriginal());
     enableButtons();
 }
@@ -204,34 +203,6 @@ void CirclesGroup::remove()
         return;
     m_document.edit(tr("Remove circle"), withoutCircle(m_document.preset(), circle));
     select(std::min(circle, m_model->rowCount() - 1));
-}
-
-/// Numbers as wide as they need to be; what is left goes to the names.
-void CirclesGroup::layOutColumns()
-{
-    const QFontMetrics numbers(numericFont());
-    const int number = numbers.horizontalAdvance(QStringLiteral("-0.000")) + 14;
-    const int name = fontMetrics().horizontalAdvance(QStringLiteral("circle 10")) + 8;
-    const int integrator = fontMetrics().horizontalAdvance(
-                               CircleTableModel::integratorText(Integrator::SymplecticEuler))
-                           + 10;
-    int taken = 0;
-    for (int column = 0; column < CircleTableModel::ColumnCount; ++column) {
-        int width = m_header->widthOf(column);
-        if (column == CircleTableModel::Colour)
-            width = rowHeight;
-        else if (column == CircleTableModel::IntegratorColumn)
-            width = std::max(width, integrator);
-        else if (column != CircleTableModel::Name)
-            width = std::max(width, number);
-        if (column != CircleTableModel::Name) {
-            m_table->setColumnWidth(column, width);
-            taken += width;
-        }
-    }
-    m_table->setColumnWidth(
-        CircleTableModel::Name,
-        std::clamp(m_table->viewport()->width() - taken - slack, name, 2 * name));
 }
 
 /// Delete removes a circle; Space and Return, which belong to shortcuts, begin no text.

@@ -43,6 +43,8 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    static constexpr int rowHeight = 26; ///< px
+
     void makeTable();
     void makeButtons();
     void retranslate();
@@ -50,6 +52,8 @@ private:
     void reload();
     void enableButtons();
     void layOutColumns();
+    [[nodiscard]] int columnWidth(int column) const;
+    [[nodiscard]] int othersWidth() const;
     void selectLast();
     void addCircle();
     void duplicate();

@@ -57,7 +57,7 @@ void Inspector::makeLayout()
     m_laws = new LawsGroup(m_document, content);
     m_circles = new CirclesGroup(m_document, content);
     m_groups = new QBoxLayout(QBoxLayout::TopToBottom, content);
-    m_groups->setContentsMargins(margin, 8, margin, 4);
+    m_groups->setContentsMargins(margin, 8, margin, 0);
     m_groups->setSpacing(6);
     m_top = new QBoxLayout(QBoxLayout::LeftToRight);
     m_top->addWidget(m_world);

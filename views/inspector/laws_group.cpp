@@ -85,11 +85,11 @@ void LawsGroup::arrange(Arrangement arrangement)
         return;
     m_arrangement = arrangement;
     const bool row = arrangement == Row;
-    m_grid->addWidget(m_heading, 0, 0, 1, 3);
+    m_grid->addWidget(m_heading, 0, 0, 1, row ? 1 : 3);
     QComboBox *const lists[] = {m_walls, m_circles, m_timing};
     for (int i = 0; i < 3; ++i) {
-        m_grid->addWidget(m_captions[i], row ? 1 : i + 1, row ? i : 0);
-        m_grid->addWidget(lists[i], row ? 2 : i + 1, row ? i : 1);
+        m_grid->addWidget(m_captions[i], row ? 0 : i + 1, row ? i + 1 : 0);
+        m_grid->addWidget(lists[i], row ? 1 : i + 1, row ? i + 1 : 1);
     }
     m_grid->setRowStretch(4, row ? 0 : 1);
 }
@@ -108,7 +108,7 @@ int LawsGroup::columnWidth() const
 
 int LawsGroup::rowWidth() const
 {
-    int width = 2 * gap;
+    int width = m_heading->sizeHint().width() + 3 * gap;
     const QComboBox *const lists[] = {m_walls, m_circles, m_timing};
     for (int i = 0; i < 3; ++i)
         width += std::max(m_captions[i]->sizeHint().width(), lists[i]->sizeHint().width());

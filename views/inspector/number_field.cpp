@@ -109,6 +109,19 @@ void NumberField::spin(int steps)
     selectAll();
 }
 
+/// Where nothing has been typed, Undo and Redo are those of the scene.
+bool NumberField::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && text() == textOf(m_value)) {
+        const auto &key = *static_cast<QKeyEvent *>(event);
+        if (key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
 void NumberField::keyPressEvent(QKeyEvent *event)
 {
     switch (event->key()) {

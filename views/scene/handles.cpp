@@ -13,10 +13,12 @@ namespace cradle {
 
 namespace {
 
-constexpr double longestArrow = 2.0; ///< half widths
-constexpr double gripReach = 9.0;    ///< px around a tip that take hold of it
-constexpr double gripGap = 9.0;      ///< px from a circle's edge to the grip of a slow one
-constexpr double smallestDisc = 8.0; ///< px around a centre that take hold of a tiny circle
+constexpr double usualScale = 3.0 / 16.0; ///< of the half width, m per m/s
+constexpr double fallenArrow = 1.5;       ///< half widths, of what fell through the whole square
+constexpr double longestArrow = 2.0;      ///< half widths
+constexpr double gripReach = 9.0;         ///< px around a tip that take hold of it
+constexpr double gripGap = 9.0;           ///< px from a circle's edge to the grip of a slow one
+constexpr double smallestDisc = 8.0;      ///< px around a centre that take hold of a tiny circle
 
 double distanceInPixels(QPointF pixel, Vec2 place, const Camera &camera)
 {
@@ -29,20 +31,35 @@ double snapped(double value)
     return std::round(value / HandleDrag::snapStep) / std::round(1.0 / HandleDrag::snapStep);
 }
 
+/// Sums of tenths stay tenths.
+Vec2 tidy(Vec2 value)
+{
+    return {std::round(value.x * 1e9) / 1e9, std::round(value.y * 1e9) / 1e9};
+}
+
 } // namespace
 
-Vec2 arrowTip(Vec2 from, Vec2 velocity, double halfWidth)
+double arrowScale(const Preset &scene)
 {
-    Vec2 shaft = arrowScale(halfWidth) * velocity;
-    const double longest = longestArrow * halfWidth;
+    const double height = 2.0 * scene.halfWidth;
+    const double fallen = std::sqrt(2.0 * length(scene.gravity) * height); // m/s
+    const double usual = usualScale * scene.halfWidth;
+    const double longest = fallenArrow * scene.halfWidth;
+    return usual * fallen > longest ? longest / fallen : usual;
+}
+
+Vec2 arrowTip(Vec2 from, Vec2 velocity, const Preset &scene)
+{
+    Vec2 shaft = arrowScale(scene) * velocity;
+    const double longest = longestArrow * scene.halfWidth;
     if (const double l = length(shaft); l > longest)
         shaft = (longest / l) * shaft;
     return from + shaft;
 }
 
-Vec2 gripPosition(const Circle &circle, double halfWidth, double pixelsPerMetre)
+Vec2 gripPosition(const Circle &circle, const Preset &scene, double pixelsPerMetre)
 {
-    const Vec2 shaft = arrowTip({}, circle.velocity, halfWidth);
+    const Vec2 shaft = arrowTip({}, circle.velocity, scene);
     const double shortest = circle.radius + gripGap / pixelsPerMetre;
     if (length(shaft) >= shortest)
         return circle.position + shaft;
@@ -50,14 +67,14 @@ Vec2 gripPosition(const Circle &circle, double halfWidth, double pixelsPerMetre)
     return circle.position + shortest * (direction == Vec2{} ? Vec2{1.0, 0.0} : direction);
 }
 
-Handle handleAt(QPointF pixel, std::span<const Circle> circles, double halfWidth,
+Handle handleAt(QPointF pixel, std::span<const Circle> circles, const Preset &scene,
                 const Camera &camera, int selected, bool velocities)
 {
     const double scale = camera.pixelsPerMetre();
     const auto onGrip = [&](int i) {
         const Circle &c = circles[static_cast<std::size_t>(i)];
         return velocities
-               && distanceInPixels(pixel, gripPosition(c, halfWidth, scale), camera) <= gripReach;
+               && distanceInPixels(pixel, gripPosition(c, scene, scale), camera) <= gripReach;
     };
     const auto onDisc = [&](int i) {
         const Circle &c = circles[static_cast<std::size_t>(i)];
@@ -110,18 +127,18 @@ Vec2 withinWalls(const Preset &preset, int index)
     return {std::clamp(circle.position.x, -room, room), std::clamp(circle.position.y, -room, room)};
 }
 
-HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together)
+HandleDrag::HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together,
+                       double scale)
     : m_handle(handle)
+    , m_dragged(std::move(together))
     , m_start(start)
     , m_pressed(pressed)
+    , m_scale(scale)
 {
     static int serial = 0;
     m_serial = ++serial;
-    if (handle.kind != Handle::Kind::Circle)
-        return;
-    m_moved = std::move(together);
-    if (std::find(m_moved.begin(), m_moved.end(), handle.index) == m_moved.end())
-        m_moved = {handle.index};
+    if (std::find(m_dragged.begin(), m_dragged.end(), handle.index) == m_dragged.end())
+        m_dragged = {handle.index};
 }
 
 Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
@@ -131,13 +148,17 @@ Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
     const Circle &body = m_start.circles[static_cast<std::size_t>(m_handle.index)].body;
     const bool moves = m_handle.kind == Handle::Kind::Circle;
     const Vec2 way = pointer - m_pressed;
-    Vec2 value = moves ? body.position + way : body.velocity + way / arrowScale(m_start.halfWidth);
+    Vec2 value = moves ? body.position + way : body.velocity + way / m_scale;
     if (snap)
         value = {snapped(value.x), snapped(value.y)};
-    if (moves)
+    if (moves) {
         moveTo(changed, value);
-    else
-        changed.circles[static_cast<std::size_t>(m_handle.index)].body.velocity = value;
+        return changed;
+    }
+    for (const int index : m_dragged) {
+        Vec2 &velocity = changed.circles[static_cast<std::size_t>(index)].body.velocity;
+        velocity = index == m_handle.index ? value : tidy(velocity + (value - body.velocity));
+    }
     return changed;
 }
 
@@ -145,13 +166,11 @@ Preset HandleDrag::candidate(Vec2 pointer, bool snap) const
 void HandleDrag::moveTo(Preset &changed, Vec2 target) const
 {
     const Vec2 from = m_start.circles[static_cast<std::size_t>(m_handle.index)].body.position;
-    const Vec2 way = withinReach(m_start, m_moved, target - from);
-    for (const int index : m_moved) {
+    const Vec2 way = withinReach(m_start, m_dragged, target - from);
+    for (const int index : m_dragged) {
         Vec2 &position = changed.circles[static_cast<std::size_t>(index)].body.position;
-        // Sums of tenths stay tenths.
-        const auto tidy = [](double value) { return std::round(value * 1e9) / 1e9; };
-        position = {tidy(position.x + way.x), tidy(position.y + way.y)};
-        if (index == m_handle.index && m_moved.size() == 1)
+        position = tidy(position + way);
+        if (index == m_handle.index && m_dragged.size() == 1)
             position = target;
         position = withinWalls(changed, index);
     }
@@ -160,9 +179,7 @@ void HandleDrag::moveTo(Preset &changed, Vec2 target) const
 std::vector<Circle> HandleDrag::dragged(const Preset &candidate) const
 {
     std::vector<Circle> circles;
-    if (m_moved.empty())
-        circles.push_back(candidate.circles[static_cast<std::size_t>(m_handle.index)].body);
-    for (const int index : m_moved)
+    for (const int index : m_dragged)
         circles.push_back(candidate.circles[static_cast<std::size_t>(index)].body);
     return circles;
 }
@@ -170,10 +187,11 @@ std::vector<Circle> HandleDrag::dragged(const Preset &candidate) const
 QString HandleDrag::editText() const
 {
     const QString name = circleName(m_start, m_handle.index);
-    if (m_moved.size() > 1)
-        return tr("Move %n circles", nullptr, static_cast<int>(m_moved.size()));
-    return m_handle.kind == Handle::Kind::Circle ? tr("Move %1").arg(name)
-                                                 : tr("Change velocity of %1").arg(name);
+    const auto count = static_cast<int>(m_dragged.size());
+    if (m_handle.kind == Handle::Kind::Circle)
+        return count > 1 ? tr("Move %n circles", nullptr, count) : tr("Move %1").arg(name);
+    return count > 1 ? tr("Change velocities of %n circles", nullptr, count)
+                     : tr("Change velocity of %1").arg(name);
 }
 
 QString HandleDrag::mergeKey() const
@@ -185,10 +203,14 @@ QString HandleDrag::valueText(const Preset &candidate) const
 {
     const auto index = static_cast<std::size_t>(m_handle.index);
     const Circle &body = candidate.circles[index].body;
+    const bool several = m_dragged.size() > 1;
+    if (m_handle.kind == Handle::Kind::Velocity && several)
+        return tr("changed by %1 m/s")
+            .arg(pairText(body.velocity - m_start.circles[index].body.velocity));
     if (m_handle.kind == Handle::Kind::Velocity)
         return tr("%1 m/s, speed %2 m/s")
             .arg(pairText(body.velocity), QString::number(length(body.velocity), 'f', 2));
-    if (m_moved.size() > 1)
+    if (several)
         return tr("moved by %1 m")
             .arg(pairText(body.position - m_start.circles[index].body.position));
     return tr("%1 m").arg(pairText(body.position));

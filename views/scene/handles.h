@@ -26,22 +26,21 @@ struct Handle {
     friend constexpr bool operator==(const Handle &, const Handle &) = default;
 };
 
-/// Metres that an arrow is long per m/s: 0.75 in the usual square of half width 4 m.
-[[nodiscard]] constexpr double arrowScale(double halfWidth)
-{
-    return halfWidth * 3.0 / 16.0;
-}
+/// Metres that an arrow is long per m/s: 0.75 in the usual square of half width 4 m; with gravity
+/// so much less that what has fallen through the whole square has an arrow of 1.5 half widths. It
+/// does not depend on the circles, so that an arrow that is dragged stays under the pointer.
+[[nodiscard]] double arrowScale(const Preset &scene);
 
 /// The end of the arrow that stands for \p velocity at \p from: at most two half widths away.
-[[nodiscard]] Vec2 arrowTip(Vec2 from, Vec2 velocity, double halfWidth);
+[[nodiscard]] Vec2 arrowTip(Vec2 from, Vec2 velocity, const Preset &scene);
 
 /// Where the velocity of \p circle is taken hold of: the tip of its arrow, but always outside
 /// the circle, so that one at rest can be given a velocity.
-[[nodiscard]] Vec2 gripPosition(const Circle &circle, double halfWidth, double pixelsPerMetre);
+[[nodiscard]] Vec2 gripPosition(const Circle &circle, const Preset &scene, double pixelsPerMetre);
 
 /// The handle under \p pixel; \p velocities tells whether arrows can be taken hold of. The arrow
 /// and the disc of \p selected come before others.
-[[nodiscard]] Handle handleAt(QPointF pixel, std::span<const Circle> circles, double halfWidth,
+[[nodiscard]] Handle handleAt(QPointF pixel, std::span<const Circle> circles, const Preset &scene,
                               const Camera &camera, int selected, bool velocities);
 
 /// "(−2.00, 2.30)", with a true minus sign.
@@ -62,8 +61,10 @@ public:
     static constexpr double snapStep = 0.1; ///< m or m/s
 
     /// \param pressed  where the pointer took hold, m
-    /// \param together  circles that move along with the one that is taken hold of
-    HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together = {});
+    /// \param together  circles that change along with the one that is taken hold of, by as much
+    /// \param scale     arrowScale() of the scene that is seen
+    HandleDrag(Handle handle, const Preset &start, Vec2 pressed, std::vector<int> together,
+               double scale);
 
     [[nodiscard]] Handle handle() const { return m_handle; }
     [[nodiscard]] const Preset &start() const { return m_start; }
@@ -82,9 +83,10 @@ private:
     void moveTo(Preset &changed, Vec2 target) const;
 
     Handle m_handle;
-    std::vector<int> m_moved; ///< circles that move; none where a velocity is dragged
+    std::vector<int> m_dragged; ///< circles
     Preset m_start;
-    Vec2 m_pressed;
+    Vec2 m_pressed; ///< m
+    double m_scale; ///< m of an arrow per m/s
     int m_serial;
 };
 

@@ -100,11 +100,11 @@ struct HitCircle {
 class HitArrows
 {
 public:
-    HitArrows(SceneDraft &draft, ArrowLanes &lanes, double halfWidth, double opacity,
+    HitArrows(SceneDraft &draft, ArrowLanes &lanes, const Preset &scene, double opacity,
               const Camera &camera)
         : m_draft(draft)
         , m_lanes(lanes)
-        , m_halfWidth(halfWidth)
+        , m_scene(scene)
         , m_opacity(opacity)
         , m_camera(camera)
     {
@@ -144,7 +144,7 @@ private:
     void addArrow(const HitCircle &circle, Vec2 velocity, const QColor &colour,
                   const QColor &labelColour, int rank, const QString &text)
     {
-        const Stretch place = m_lanes.place(circle.body, arrowTip({}, velocity, m_halfWidth));
+        const Stretch place = m_lanes.place(circle.body, arrowTip({}, velocity, m_scene));
         m_draft.list.arrows.push_back({.from = place.from,
                                        .to = place.to,
                                        .colour = faded(colour, m_opacity),
@@ -167,7 +167,7 @@ private:
 
     SceneDraft &m_draft;
     ArrowLanes &m_lanes;
-    double m_halfWidth;
+    const Preset &m_scene;
     double m_opacity;
     const Camera &m_camera;
 };
@@ -242,7 +242,7 @@ void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &s
     for (const HitCircle &circle : circles)
         discs.push_back(circle.body);
     ArrowLanes lanes(discs, pixelsPerMetre);
-    HitArrows arrows(draft, lanes, moment.preset.halfWidth, shown.opacity, camera);
+    HitArrows arrows(draft, lanes, moment.preset, shown.opacity, camera);
 
     const Circle &last = discs.back();
     const double reach = last.radius + normalReach * moment.preset.halfWidth;

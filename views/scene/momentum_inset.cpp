@@ -138,7 +138,7 @@ QRectF bestCorner(const SceneMoment &moment, const Camera &camera, QSizeF size,
             sum += frame.intersects(other) ? 100.0 : 0.0;
         for (const Circle &circle : moment.recording.circles(moment.current)) {
             const double reach = circle.radius * camera.pixelsPerMetre() + discRoom;
-            const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth);
+            const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset);
             const QRectF near = frame.adjusted(-reach, -reach, reach, reach);
             sum += near.contains(camera.toPixels(circle.position)) ? 1.0 : 0.0;
             sum += frame.contains(camera.toPixels(tip)) ? 0.5 : 0.0;
@@ -224,11 +224,13 @@ std::optional<MomentumInset> momentumInset(const SceneMoment &moment, const Came
                            + QPointF(MomentumInset::padding + drawingSize.width() / 2,
                                      MomentumInset::padding + row + drawingSize.height() / 2);
     const QPointF move = middle - joints.boundingRect().center();
+    QPointF inside; // the mean of the ends lies within the chain, however narrow that is
     for (MomentumInset::Arrow &arrow : inset.arrows) {
         arrow.from += move;
         arrow.to += move;
+        inside += (arrow.from + arrow.to) / (2.0 * static_cast<double>(chain.size()));
     }
-    placeLabels(inset, chain, aside, gap, middle);
+    placeLabels(inset, chain, aside, gap, inside);
     inset.scaleMomentum = niceBelow(longestBar / scale);
     inset.scaleLength = scale * inset.scaleMomentum;
     return inset;

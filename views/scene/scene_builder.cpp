@@ -119,7 +119,7 @@ void addVelocity(SceneDraft &draft, const SceneMoment &moment, const Circle &cir
 {
     if (circle.velocity == Vec2{})
         return;
-    const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth);
+    const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset);
     draft.list.arrows.push_back(
         {.from = circle.position, .to = tip, .colour = arrowColour(colour), .width = 2.5});
     if (!labelled)
@@ -145,7 +145,7 @@ void addMarks(DrawList &list, const Circle &circle, const SceneMoment &moment,
     const QColor ring = selected ? theme().accent : faded(theme().accent, 0.5);
     addRing(list, circle, look.camera, ring);
     if (look.grips) {
-        const Vec2 grip = gripPosition(circle, moment.preset.halfWidth, scale);
+        const Vec2 grip = gripPosition(circle, moment.preset, scale);
         list.discs.push_back({grip, 6.0 / scale, theme().panel, ring, 1.5});
     }
 }
@@ -155,10 +155,9 @@ void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
     list.discs.push_back(
         {circle.position, circle.radius, faded(theme().warning, 0.25), theme().warning, 2.0});
     if (circle.velocity != Vec2{})
-        list.arrows.push_back(
-            {.from = circle.position,
-             .to = arrowTip(circle.position, circle.velocity, moment.preset.halfWidth),
-             .colour = theme().warning});
+        list.arrows.push_back({.from = circle.position,
+                               .to = arrowTip(circle.position, circle.velocity, moment.preset),
+                               .colour = theme().warning});
 }
 
 /// Turns the wishes of \p draft into labels.

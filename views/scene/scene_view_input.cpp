@@ -21,7 +21,7 @@ Handle SceneView::handleUnder(QPointF pixel) const
     const Simulation &simulation = m_document.simulation();
     const bool grips = m_options.velocities && simulation.atStart();
     return handleAt(pixel, simulation.recording().circles(simulation.current()),
-                    simulation.preset().halfWidth, m_camera, m_editor.selected(), grips);
+                    simulation.preset(), m_camera, m_editor.selected(), grips);
 }
 
 void SceneView::setHovered(Handle handle)
@@ -104,7 +104,7 @@ void SceneView::beginMove()
     }
     simulation.pause();
     m_drag.emplace(m_press.handle, m_document.preset(), m_camera.toMetres(m_press.start),
-                   m_editor.selection());
+                   m_editor.selection(), arrowScale(simulation.preset()));
     setHovered(m_press.handle);
 }
 

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the student has chosen to see, and keeps from one session to the next.
+#include "app/main_window.h"
+
+#include "app/workbench.h"
+#include "views/scene/scene_view.h"
+
+#include <QSettings>
+
+namespace cradle {
+
+namespace {
+
+constexpr QLatin1String exactKey("exactMotion");
+constexpr QLatin1String pauseKey("pauseAtHits");
+constexpr QLatin1String followKey("followCentreOfMass");
+
+struct OptionKey {
+    const char *key;
+    bool SceneOptions::*option;
+};
+
+constexpr OptionKey optionKeys[] = {{"scene/velocities", &SceneOptions::velocities},
+                                    {"scene/trails", &SceneOptions::trails},
+                                    {"scene/grid", &SceneOptions::grid},
+                                    {"scene/names", &SceneOptions::names},
+                                    {"scene/hitParts", &SceneOptions::hitParts},
+                                    {"scene/programDrawings", &SceneOptions::programDrawings},
+                                    {"scene/momenta", &SceneOptions::momenta},
+                                    {"scene/centreOfMass", &SceneOptions::centreOfMass}};
+
+} // namespace
+
+void MainWindow::restoreChoices()
+{
+    Simulation &simulation = m_workbench.simulation();
+    simulation.setShadowed(m_settings.value(exactKey).toBool());
+    simulation.setPausesAtHits(m_settings.value(pauseKey).toBool());
+    m_scene->followCentreOfMass(m_settings.value(followKey).toBool());
+    SceneOptions options;
+    for (const auto &[key, option] : optionKeys)
+        options.*option = m_settings.value(QLatin1String(key), options.*option).toBool();
+    m_scene->setOptions(options);
+}
+
+void MainWindow::showExactMotion(bool shown)
+{
+    m_settings.setValue(exactKey, shown);
+    m_workbench.simulation().setShadowed(shown);
+}
+
+void MainWindow::pauseAtHits(bool on)
+{
+    m_settings.setValue(pauseKey, on);
+    m_workbench.simulation().setPausesAtHits(on);
+}
+
+void MainWindow::followCentreOfMass(bool on)
+{
+    m_settings.setValue(followKey, on);
+    m_scene->followCentreOfMass(on);
+}
+
+void MainWindow::showInScene(const SceneOptions &options)
+{
+    for (const auto &[key, option] : optionKeys)
+        m_settings.setValue(QLatin1String(key), options.*option);
+    m_scene->setOptions(options);
+}
+
+} // namespace cradle

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+QT_BEGIN_NAMESPACE
+class QMenu;
+class QUndoStack;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class CodeEditor;
+
+/// Undo and Redo of what the student works on: of the program while its editor has the keyboard,
+/// else of the scene. Their texts say which.
+class UndoActions final : public QObject
+{
+    Q_OBJECT
+public:
+    /// Adds both to \p menu, which owns them. \p scene and \p program are borrowed.
+    UndoActions(QUndoStack &scene, CodeEditor &program, QMenu &menu);
+
+private:
+    void follow(QWidget *focused);
+    void show();
+
+    QUndoStack &m_scene;
+    CodeEditor &m_program;
+    QAction *m_undo;
+    QAction *m_redo;
+    bool m_ofProgram = false;
+};
+
+} // namespace cradle
