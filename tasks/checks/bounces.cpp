@@ -18,6 +18,8 @@ struct BounceText {
 /// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
 /// then a program may well keep it there.
 constexpr double restingSteps = 3.0;
+/// A circle that comes to a wall slower than this has been stopped by it, m/s.
+constexpr double stopped = 1e-6;
 /// Steps within which a circle at a wall must be turned: one may show it beyond the wall, and the
 /// next answer.
 constexpr int patience = 3;
@@ -164,7 +166,9 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
             const double into = dot(c.velocity, n);
             const double resting = restingSteps * length(gravity) * o.timestep();
             const bool passes = motion::wallGap(o, c, wall) < into * o.timestep();
-            held = passes && into > resting && !motion::isKicked(o, i, k, gravity) ? held + 1 : 0;
+            held = passes && into > resting + stopped && !motion::isKicked(o, i, k, gravity)
+                       ? held + 1
+                       : 0;
             if (held < patience)
                 continue;
             return Fault{.message = BounceText::tr("At step %1 circle %2 is still moving into the "
