@@ -38,7 +38,7 @@ double difference(const std::vector<Circle> &made, std::span<const Circle> wante
 } // namespace
 
 OneStep::OneStep(const QString &program, const Variant &scene, std::optional<double> restitution)
-    : m_program(program, {.pinned = scene.pinned, .quiet = true})
+    : m_program(program, {.pinned = scene.pinned, .quiet = true, .locked = {}})
     , m_start(scene.preset)
 {
     m_runs = !m_program.begin(m_start) && m_program.moves();
