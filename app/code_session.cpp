@@ -44,13 +44,11 @@ void CodeSession::open(const Lab &lab, int index)
     m_applySoon.stop();
     m_pinned = false;
     m_taskId = lab.tasks[static_cast<std::size_t>(index)].id;
+    m_locked = lab.tasks[static_cast<std::size_t>(index)].locked;
     m_text = m_workspace.textOf(lab, index);
     m_fault = findSyntaxError(m_text);
     m_running = m_fault ? QString() : m_text;
-    auto script = std::make_unique<StudentScript>(m_running);
-    if (m_active)
-        m_simulation.setProgram(script.get());
-    m_script = std::move(script);
+    run();
     emit textReplaced(m_text);
     emit stateChanged();
 }
@@ -118,17 +116,18 @@ void CodeSession::apply()
     if (!isOpen())
         return;
     m_fault = findSyntaxError(m_text);
-    if (!m_fault && m_text != m_script->source())
+    if (!m_fault && m_text != m_script->source()) {
+        m_running = m_text;
         run();
+    }
     emit stateChanged();
 }
 
 /// The old program lives until the simulation has let go of it.
 void CodeSession::run()
 {
-    m_running = m_text;
-    auto script =
-        std::make_unique<StudentScript>(m_running, StudentScript::Options{.pinned = m_pinned});
+    auto script = std::make_unique<StudentScript>(
+        m_running, StudentScript::Options{.pinned = m_pinned, .locked = m_locked});
     if (m_active)
         m_simulation.setProgram(script.get());
     m_script = std::move(script);

@@ -69,6 +69,7 @@ private:
     Workspace m_workspace;
     QString m_taskId;
     QString m_text;
+    QStringList m_locked;                    ///< what the step fixes
     QString m_running;                       ///< the text of what runs
     std::unique_ptr<StudentScript> m_script; ///< what runs: the last text that could be read
     std::optional<ProgramError> m_fault;

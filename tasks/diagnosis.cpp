@@ -68,8 +68,9 @@ std::optional<Fit> fitOfAll(const QString &program, const std::vector<std::vecto
     Fit sum;
     for (const std::vector<Evidence> &evidence : all) {
         const Fit fit = fitOf(program, evidence, places);
-        // The first failure it must explain, the others it must not contradict.
-        if (&evidence == &all.front() ? !fit.explains() : fit.isContradicted())
+        // The first failure it must explain, the others it must not contradict. Where the student
+        // answers a hit rightly, it must not say that he does not.
+        if (&evidence == &all.front() ? !fit.explains() : fit.isContradicted() || fit.deniesHits())
             return std::nullopt;
         sum.oddMissed += fit.oddMissed;
         sum.evenMissed += fit.evenMissed;

@@ -4,6 +4,8 @@
 
 #include "tasks/checks/motion.h"
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -47,22 +49,22 @@ std::size_t strangeStarts(const Preset &start, const Observation &run)
 Evidence compareWithReference(const QString &solution, const Variant &scene, const Observation &run,
                               OneStep::Places places, std::optional<double> restitution)
 {
-    Evidence evidence{&scene, &run, restitution, {}, {}, 0};
+    Evidence evidence{&scene, &run, restitution, {}, {}, {}, 0, {}};
     OneStep reference(solution, scene, restitution);
     if (!reference.runs())
         return evidence;
-    std::vector<qint64> quiet;
     for (qint64 k = 0; k < run.steps(); ++k) {
-        if (!reference.agrees(run, k, places))
+        if (!reference.agrees(run, k, places)) {
             evidence.odd.push_back(k);
-        else
-            (isEventful(run, k) ? evidence.even : quiet).push_back(k);
+            continue;
+        }
+        evidence.evenInAll.push_back(k);
+        (isEventful(run, k) ? evidence.events : evidence.quiet).push_back(k);
     }
     evidence.oddInAll = evidence.odd.size();
     evidence.odd = thinned(evidence.odd, mostOdd);
-    evidence.even = thinned(evidence.even, mostEven / 2);
-    for (const qint64 k : thinned(quiet, mostEven / 2))
-        evidence.even.push_back(k);
+    evidence.events = thinned(evidence.events, mostEven / 2);
+    evidence.quiet = thinned(evidence.quiet, mostEven / 2);
     return evidence;
 }
 
@@ -73,18 +75,37 @@ Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Pla
         OneStep known(program, *evidence.scene, evidence.restitution);
         if (!known.runs())
             continue;
-        for (const qint64 k : evidence.odd)
-            fit.oddMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
+        const auto missed = [&](const std::vector<qint64> &steps) {
+            return static_cast<std::size_t>(
+                std::count_if(steps.begin(), steps.end(),
+                              [&](qint64 k) { return !known.agrees(*evidence.run, k, places); }));
+        };
+        const std::size_t oddMissed = missed(evidence.odd);
+        fit.oddMissed += oddMissed;
         // What cannot explain the odd steps is not worth more time.
         fit.odd += evidence.odd.size();
         if (2 * fit.oddMissed > fit.odd + 2)
             return fit;
-        for (const qint64 k : evidence.even)
-            fit.evenMissed += known.agrees(*evidence.run, k, places) ? 0 : 1;
-        fit.even += evidence.even.size();
+        const std::size_t eventsMissed = missed(evidence.events);
+        fit.events += evidence.events.size();
+        fit.eventsMissed += eventsMissed;
+        fit.evenMissed += eventsMissed + missed(evidence.quiet);
+        fit.even += evidence.events.size() + evidence.quiet.size();
+        if (!evidence.odd.empty())
+            fit.shared += static_cast<double>(evidence.oddInAll * (evidence.odd.size() - oddMissed))
+                          / static_cast<double>(evidence.odd.size());
         // In the student's own scene a mistake that starts as he does fits better.
         if (!evidence.scene->pinned)
             fit.strange += strangeStarts(known.start(), *evidence.run);
+    }
+    if (!fit.explains())
+        return fit;
+    for (const Evidence &evidence : all) {
+        OneStep known(program, *evidence.scene, evidence.restitution);
+        if (!known.runs())
+            continue;
+        for (const qint64 k : evidence.evenInAll)
+            fit.claimed += known.agrees(*evidence.run, k, places) ? 0.0 : 1.0;
     }
     return fit;
 }

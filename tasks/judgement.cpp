@@ -42,7 +42,8 @@ struct Plan {
     QString missing{};
 };
 
-Plan planOf(const CheckSpec &check, const Preset &submission, qint64 seed)
+Plan planOf(const CheckSpec &check, const Preset &submission, const QStringList &locked,
+            qint64 seed)
 {
     Plan plan{&check, {}, {}};
     const int last = *std::max_element(check.circles.begin(), check.circles.end());
@@ -60,6 +61,8 @@ Plan planOf(const CheckSpec &check, const Preset &submission, qint64 seed)
         return plan;
     }
     plan.variants = makeVariants(submission, check, seed);
+    for (Variant &variant : plan.variants)
+        variant.locked = locked;
     for (const Variant &variant : plan.variants) {
         if (variant.duration / variant.preset.timestep > mostSteps) {
             plan.missing = CheckerText::tr("The timestep %1 s is too short to be judged; %2 s or "
@@ -87,7 +90,8 @@ int lineOf(const Submission &submission, const Variant &variant, qint64 step)
 {
     if (!submission.script || step < 1)
         return 0;
-    StudentScript program(*submission.script, {.pinned = variant.pinned, .quiet = true});
+    StudentScript program(*submission.script,
+                          {.pinned = variant.pinned, .quiet = true, .locked = {}});
     Preset scene = variant.preset;
     if (program.begin(scene) || !program.moves())
         return 0;
@@ -122,7 +126,7 @@ public:
         std::vector<Plan> plans;
         int total = 0;
         for (const CheckSpec &check : m_task.checks) {
-            plans.push_back(planOf(check, m_submission.preset, m_seed));
+            plans.push_back(planOf(check, m_submission.preset, m_task.locked, m_seed));
             total += static_cast<int>(plans.back().variants.size());
         }
         int done = 0;
@@ -164,7 +168,8 @@ private:
     {
         if (!m_submission.script)
             return;
-        StudentScript program(*m_submission.script, {.pinned = false, .quiet = true});
+        StudentScript program(*m_submission.script,
+                              {.pinned = false, .quiet = true, .locked = m_task.locked});
         Preset scene = m_submission.preset;
         report.error = program.begin(scene);
     }
@@ -231,8 +236,11 @@ private:
     {
         FailedCheck failed{plan.check, {plan.variants[i]}, {}};
         failed.runs.push_back(std::move(run));
-        for (std::size_t j = i + 1; j < plan.variants.size() && failed.runs.size() < mostScenes;
-             ++j) {
+        // From all over the check: a scene in which the student is right speaks, too.
+        const std::size_t all = plan.variants.size();
+        const std::size_t most = std::min(all, mostScenes);
+        for (std::size_t n = 1; n < most; ++n) {
+            const std::size_t j = (i + n * all / most) % all;
             Observation more = observe(plan.variants[j], m_submission.program(),
                                        [this] { return isCancelled() || isLate(); });
             if (more.error)

@@ -37,6 +37,27 @@ QJsonObject translationOf(const LabSource &source, const QString &path, const QS
     return {};
 }
 
+/// Tells what keeps a translation from being shown, in whatever language the lab is read.
+void findTranslationFaults(const LabSource &source, const QString &step, const QJsonObject &json,
+                           const QString &language, Lab &lab)
+{
+    const QString start = step + QStringLiteral("/task.");
+    const QMap<QString, QByteArray> &files = source.files().contents;
+    for (auto it = files.lowerBound(start); it != files.end() && it.key().startsWith(start); ++it) {
+        if (!it.key().endsWith(QLatin1String(".json"))
+            || it.key() == start + QStringLiteral("json"))
+            continue;
+        const Result<QJsonObject> words = source.readJson(it.key(), "translation.schema.json");
+        const QString fault = words ? translationFault(json, *words) : QString();
+        if (!fault.isEmpty())
+            lab.findings.push_back({.message = fault,
+                                    .file = source.fullPath(it.key()),
+                                    .pointer = QStringLiteral("/prediction/answers")});
+        else if (!words && it.key() != start + language + QStringLiteral(".json"))
+            lab.findings.push_back(words.error()); // that of the language has been told
+    }
+}
+
 QString textOf(const LabSource &source, const QString &step, const QString &language, Lab &lab)
 {
     const QString own = step + QStringLiteral("/instructions.md");
@@ -148,6 +169,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
         lab.findings.push_back({.message = fault,
                                 .file = source.fullPath(path),
                                 .pointer = QStringLiteral("/prediction/right")});
+    findTranslationFaults(source, step, *json, language, lab);
     readScripts(source, step, *json, words, task, lab);
     lab.tasks.push_back(task);
 }

@@ -36,7 +36,9 @@ Observation observe(const Variant &variant, const QString *script,
     Observation o{variant, Recording(maxBytes)};
     std::optional<StudentScript> program;
     if (script) {
-        program.emplace(*script, StudentScript::Options{.pinned = variant.pinned, .quiet = true});
+        program.emplace(*script, StudentScript::Options{.pinned = variant.pinned,
+                                                        .quiet = true,
+                                                        .locked = variant.locked});
         o.error = program->begin(o.variant.preset);
     }
     World world = initialWorld(o.variant.preset);

@@ -38,7 +38,7 @@ double difference(const std::vector<Circle> &made, std::span<const Circle> wante
 } // namespace
 
 OneStep::OneStep(const QString &program, const Variant &scene, std::optional<double> restitution)
-    : m_program(program, {.pinned = scene.pinned, .quiet = true})
+    : m_program(program, {.pinned = scene.pinned, .quiet = true, .locked = {}})
     , m_start(scene.preset)
 {
     m_runs = !m_program.begin(m_start) && m_program.moves();
@@ -59,10 +59,27 @@ bool OneStep::agrees(const Observation &o, qint64 k, Places places)
     const auto made = update(o.states.world(k), o.timestep());
     if (!made || made->size() != static_cast<std::size_t>(o.circleCount()))
         return false;
+    if (places != Places::Only && isFarFrom(o, k, *made))
+        return false;
     bool all = true;
     for (std::size_t i = 0; i < made->size() && all; ++i)
         all = agreesFreely(o, k, *made, i, places);
     return all || (places != Places::Only && agreesAtSomeNormal(o, k));
+}
+
+/// Whether one of the two puts a circle where no way of handling a hit brings it.
+bool OneStep::isFarFrom(const Observation &o, qint64 k, const Circles &made) const
+{
+    const Vec2 gravity = o.variant.preset.gravity;
+    double way = 0.0;
+    for (int i = 0; i < o.circleCount(); ++i)
+        way += motion::recentTravel(o, i, k, gravity);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Vec2 after = o.circle(static_cast<int>(i), k + 1).position;
+        if (length(made[i].position - after) > motion::longestLeap * way)
+            return true;
+    }
+    return false;
 }
 
 /// One circle. Where it was hit, how far it comes in that step depends on how the hit is handled.

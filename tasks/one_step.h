@@ -40,6 +40,7 @@ private:
     using Circles = std::vector<Circle>;
 
     [[nodiscard]] std::optional<Circles> update(const World &world, double dt);
+    [[nodiscard]] bool isFarFrom(const Observation &o, qint64 k, const Circles &made) const;
     [[nodiscard]] bool agreesFreely(const Observation &o, qint64 k, const Circles &made,
                                     std::size_t i, Places places) const;
     [[nodiscard]] bool agreesAtSomeNormal(const Observation &o, qint64 k);

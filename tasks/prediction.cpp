@@ -42,6 +42,19 @@ QString predictionFault(const QJsonObject &json)
         .arg(answers);
 }
 
+QString translationFault(const QJsonObject &json, const QJsonObject &words)
+{
+    const QJsonObject part = partOf(words);
+    const auto answers = partOf(json).value(QStringLiteral("answers")).toArray().size();
+    const auto translated = part.value(QStringLiteral("answers")).toArray().size();
+    if (part.isEmpty() || answers == translated)
+        return {};
+    return PredictionText::tr("%1 answers, as many as the task.json has, are right, not %2; the "
+                              "question is shown untranslated")
+        .arg(answers)
+        .arg(translated);
+}
+
 std::optional<Prediction> readPrediction(const QJsonObject &json, const QJsonObject &words)
 {
     const QJsonObject part = partOf(json);

@@ -41,6 +41,10 @@ struct Guess {
 [[nodiscard]] std::optional<Prediction> readPrediction(const QJsonObject &json,
                                                        const QJsonObject &words);
 
+/// What is wrong with its translation \p words, which is then not shown; empty if nothing, or if
+/// there is none.
+[[nodiscard]] QString translationFault(const QJsonObject &json, const QJsonObject &words);
+
 /// What is wrong with the prediction of a task.json that the schema lets pass; empty if nothing.
 [[nodiscard]] QString predictionFault(const QJsonObject &json);
 

@@ -12,6 +12,7 @@ struct Variant {
     Preset preset{};       ///< what runs
     double duration = 1.0; ///< s
     bool pinned = false;   ///< a program cannot change what it starts with
+    QStringList locked{};  ///< what a program must leave as it is; see locks.h
 };
 
 /// The scenes that \p check runs of \p submission. Kinds of scene:

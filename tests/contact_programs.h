@@ -182,6 +182,13 @@ inline constexpr Mistake mistakes[] = {
      },
      45.0},
     {"no reaction", "run into each other", [](Circles &c, double, double h) { move(c, h); }},
+    {"both in one place", "m at once",
+     [](Circles &c, double e, double h) {
+         const Vec2 place = c[0].position;
+         onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
+         if (c[0].position == place)
+             c[1].position = place;
+     }},
     {"hit again while separating", "moving apart", [](Circles &c, double, double h) {
          move(c, h);
          if (!touches(c))

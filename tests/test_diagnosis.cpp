@@ -218,6 +218,16 @@ void TestDiagnosis::unknownMistakeIsNotExplained_data()
                       "or math.abs(c.position.y) > room then "
                       "c.velocity = c.velocity:perpendicular() end");
     });
+    row("L42T2", "the left-hand wall holds it", [](OtherForm &f) {
+        f.walls = lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
+                      "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
+                      "if math.abs(c.position.y) > room then "
+                      "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
+    });
+    row("L42T2", "no ceiling", [](OtherForm &f) {
+        f.walls = clamp;
+        edit(f.walls, "y > room", "false");
+    });
     row("L42T3", "gravity of the Moon",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
     row("L42T3", "air",

@@ -85,6 +85,21 @@ double firstRise(const char *step)
     return seen.circle(0, k).position.y;
 }
 
+/// Of circle 1 in the scene of step 7, J.
+double energyAfterAMinute(Integrator integrator)
+{
+    const Lab lab = *readLab(QLatin1String(shippedLab));
+    Preset preset =
+        *readPreset(lab.tasks[static_cast<std::size_t>(lab.indexOf(QStringLiteral("L42T7")))].folder
+                    + QStringLiteral("/solution-preset.json"));
+    preset.circles[0].integrator = integrator;
+    const Observation seen =
+        observe({.name = QStringLiteral("own"), .preset = preset, .duration = 60.0});
+    const Circle &c = seen.circle(0, seen.steps());
+    const double height = c.position.y + preset.halfWidth;
+    return mass(c) * (0.5 * lengthSquared(c.velocity) - preset.gravity.y * height);
+}
+
 struct Outcome {
     const char *step;
     const char *answer;  ///< that comes true
@@ -102,14 +117,24 @@ const Outcome outcomes[] = {
     {"L42T2", "the momentum turns round, the energy stays", [] {
         return near(after("L42T2", 3.0).circles[0].velocity.x, -2.0, 1e-9); }},
     {"L42T3", "a little higher", [] { return near(firstRise("L42T3"), 2.36, 0.01); }},
+    {"L42T4", "exactly where circle 1 is", [] {
+        const Moment m = after("L42T4", 30.0);
+        return m.circles[0].position == m.circles[1].position && m.circles[0].velocity == m.circles[1].velocity; }},
     {"L42T5", "lower than circle 1", [] {
         const Moment m = after("L42T5", 1.0);
         return near(m.circles[0].position.y - m.circles[1].position.y, 0.1635, 1e-9); }},
     {"L42X6", "Verlet and Runge-Kutta 4", [] {
         return near(after("L42X6", 1.0).circles[1].position.y, -2.905, 1e-9); }},
+    {"L42T7", "symplectic Euler", [] {
+        return near(energyAfterAMinute(Integrator::SymplecticEuler), 15907.6, 640.0)
+               && near(energyAfterAMinute(Integrator::Euler), 41700.0, 50.0)
+               && near(energyAfterAMinute(Integrator::Verlet), 29100.0, 50.0)
+               && near(energyAfterAMinute(Integrator::RungeKutta4), 29100.0, 50.0); }},
     {"L42T8", "nothing: circle 1 keeps all of it", [] {
         const Moment m = after("L42T8", 2.0);
         return near(m.circles[0].velocity.x, 2.0, 1e-9) && near(m.circles[1].velocity.x, 0.0, 1e-9); }},
+    {"L42T9", "take all the momentum", [] {
+        return near(after("L42T9", 1.0).momentum().x, 522.8, 0.1) && after("L42T9", 2.0).momentum() == Vec2{}; }},
     {"L42T10", "circle 1 stops, circle 2 goes on with 2 m/s", [] {
         const Moment m = after("L42T10", 2.0);
         return near(m.circles[0].velocity.x, 0.0, 1e-9) && near(m.circles[1].velocity.x, 2.0, 1e-9); }},
@@ -245,6 +270,22 @@ void TestPrediction::readerNamesTheWrongPlace()
     QVERIFY(none[0].message.contains(QStringLiteral("from 1 to 3")));
     QCOMPARE(readLab(folder.path())->tasks.size(), std::size_t{1});
     QVERIFY(!readLab(folder.path())->tasks[0].prediction);
+    // The question is asked, in the language of the lab.
+    QFile german(folder.filePath(QStringLiteral("S1/task.de.json")));
+    QVERIFY(german.open(QIODevice::WriteOnly));
+    german.write(R"({"prediction": {"question": "Hoch?", "answers": ["ja", "nein"],
+                     "outcome": "Es fällt."}})");
+    german.close();
+    for (const char *language : {"en", "de"}) {
+        QVERIFY(findingsWith("right", 3).size() == 1);
+        const Lab read = *readLab(folder.path(), QLatin1String(language));
+        QCOMPARE(read.findings.size(), std::size_t{1});
+        QVERIFY(read.findings[0].file.endsWith(QStringLiteral("S1/task.de.json")));
+        QCOMPARE(read.findings[0].pointer, QStringLiteral("/prediction/answers"));
+        QVERIFY(read.findings[0].message.startsWith(QStringLiteral("3 answers")));
+        QCOMPARE(read.tasks[0].prediction->question, QStringLiteral("Up?"));
+    }
+    QVERIFY(german.remove());
     // What the schema refuses leaves the step out, as any other wrong place does.
     const std::vector<Error> single =
         findingsWith("answers", QJsonArray{QStringLiteral("only one")});

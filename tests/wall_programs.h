@@ -161,6 +161,15 @@ inline void absorbed(Circle &c, Vec2 gravity, double, double h)
     goBack(c, gravity, 0.0, h);
 }
 
+/// The right-hand wall sends back what leaves it, too.
+inline void turnedBack(Circle &c, Vec2 gravity, double e, double h)
+{
+    const bool leaves = c.velocity.x < 0.0;
+    goBack(c, gravity, e, h);
+    if (leaves && c.position.x > wall - 2.0 * c.radius)
+        c.velocity.x = -c.velocity.x;
+}
+
 inline constexpr Way mistakes[] = {{"whole velocity turned", wholeVelocity},
                                    {"only two walls", twoWalls},
                                    {"centre instead of rim", centre},
@@ -168,6 +177,7 @@ inline constexpr Way mistakes[] = {{"whole velocity turned", wholeVelocity},
                                    {"stuck in the wall", stuck},
                                    {"e twice", twiceRestitution},
                                    {"e along the wall, too", restitutionOnBothParts},
-                                   {"no rebound", absorbed}};
+                                   {"no rebound", absorbed},
+                                   {"turned back as it leaves", turnedBack}};
 
 } // namespace cradle::programs::walls

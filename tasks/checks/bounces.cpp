@@ -18,12 +18,11 @@ struct BounceText {
 /// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
 /// then a program may well keep it there.
 constexpr double restingSteps = 3.0;
+/// A circle that comes to a wall slower than this has been stopped by it, m/s.
+constexpr double stopped = 1e-6;
 /// Steps within which a circle at a wall must be turned: one may show it beyond the wall, and the
 /// next answer.
 constexpr int patience = 3;
-/// How far handling a wall may move a circle, in the ways of the step and the one before: back to
-/// the old position, onto the wall or as far inside as it was outside.
-constexpr double longestLeap = 3.0;
 
 /// One look at a circle that changed its velocity by more than gravity.
 struct Turn {
@@ -97,7 +96,8 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double after = dot(o.circle(circle, step + 1).velocity, n);
     const double pull = dot(gravity, n) * dt;
     const double slack = tolerance * (1.0 + length(o.circle(circle, step).velocity));
-    if (into + std::max(pull, 0.0) <= restingSteps * std::abs(pull) + slack
+    const double resting = restingSteps * std::abs(pull) + slack;
+    if (into >= -resting && into + std::max(pull, 0.0) <= resting
         && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
         return std::nullopt;
     if (std::max(into, into + pull) <= slack) {
@@ -166,7 +166,9 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
             const double into = dot(c.velocity, n);
             const double resting = restingSteps * length(gravity) * o.timestep();
             const bool passes = motion::wallGap(o, c, wall) < into * o.timestep();
-            held = passes && into > resting && !motion::isKicked(o, i, k, gravity) ? held + 1 : 0;
+            held = passes && into > resting + stopped && !motion::isKicked(o, i, k, gravity)
+                       ? held + 1
+                       : 0;
             if (held < patience)
                 continue;
             return Fault{.message = BounceText::tr("At step %1 circle %2 is still moving into the "
@@ -190,19 +192,8 @@ std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gra
     for (qint64 k = 0; k < o.steps(); ++k) {
         if (collisions && motion::isNearCircle(o, i, k, gravity))
             continue;
-        const double way = motion::travel(o, i, k, gravity)
-                           + motion::travel(o, i, std::max<qint64>(0, k - 1), gravity);
-        const double moved = length(o.circle(i, k + 1).position - o.circle(i, k).position);
-        if (moved <= longestLeap * way)
-            continue;
-        return Fault{.message = BounceText::tr("At step %1 circle %2 moved by %3 m at once; with "
-                                               "its velocity it comes %4 m far")
-                                    .arg(QString::number(k + 1), QString::number(i + 1),
-                                         motion::figure(moved), motion::figure(way / 2.0)),
-                     .expected = way / 2.0,
-                     .observed = moved,
-                     .unit = QStringLiteral("m"),
-                     .step = k + 1};
+        if (auto fault = motion::leap(o, i, k, motion::recentTravel(o, i, k, gravity)))
+            return fault;
     }
     return std::nullopt;
 }

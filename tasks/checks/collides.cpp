@@ -223,6 +223,17 @@ double slackOf(const Observation &o, Vec2 gravity)
     return length(gravity) * dt * dt;
 }
 
+/// A circle that the hit puts somewhere else, such as onto the other one. Moving them apart by
+/// what they overlap is none.
+std::optional<Fault> leapIn(const Answer &answer, Vec2 gravity)
+{
+    const qint64 k = answer.contact.step;
+    const double way = motion::recentTravel(answer.o, answer.a, k, gravity)
+                       + motion::recentTravel(answer.o, answer.b, k, gravity);
+    const auto fault = motion::leap(answer.o, answer.a, k, way);
+    return fault ? fault : motion::leap(answer.o, answer.b, k, way);
+}
+
 using JudgeAnswer = std::function<std::optional<Fault>(const Answer &)>;
 
 /// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
@@ -243,6 +254,8 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
         if (auto fault = untimely(answer, gapAllowed + slackOf(o, gravity)))
             return fault;
         if (auto fault = judge(answer))
+            return fault;
+        if (auto fault = leapIn(answer, gravity))
             return fault;
     }
     if (missedStep >= 0)

@@ -62,6 +62,26 @@ double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
     return (length(o.circle(i, k).velocity) + length(gravity) * dt) * dt + samePosition;
 }
 
+double recentTravel(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    return travel(o, i, k, gravity) + travel(o, i, std::max<qint64>(0, k - 1), gravity);
+}
+
+std::optional<Fault> leap(const Observation &o, int i, qint64 k, double way)
+{
+    const double moved = length(o.circle(i, k + 1).position - o.circle(i, k).position);
+    if (moved <= longestLeap * way)
+        return std::nullopt;
+    return Fault{.message = MotionText::tr("At step %1 circle %2 moved by %3 m at once; with its "
+                                           "velocity it comes %4 m far")
+                                .arg(QString::number(k + 1), QString::number(i + 1), figure(moved),
+                                     figure(way / 2.0)),
+                 .expected = way / 2.0,
+                 .observed = moved,
+                 .unit = QStringLiteral("m"),
+                 .step = k + 1};
+}
+
 double wallGap(const Observation &o, const Circle &c, Wall wall)
 {
     return o.variant.preset.halfWidth - c.radius - dot(c.position, outwardNormal(wall));

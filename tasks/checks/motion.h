@@ -31,6 +31,17 @@ inline constexpr double samePosition = 1e-9;
 /// The furthest that circle \p i can come in the step after \p k, m.
 [[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);
 
+/// The same in that step and the one before, m.
+[[nodiscard]] double recentTravel(const Observation &o, int i, qint64 k, Vec2 gravity);
+
+/// How far handling a hit may move a circle, in the ways of the step and the one before: back to
+/// the old position, onto the wall or as far inside as it was outside.
+inline constexpr double longestLeap = 3.0;
+
+/// What is wrong if circle \p i goes on somewhere else after step \p k.
+/// \param way  how far it may have come in two steps, m
+[[nodiscard]] std::optional<Fault> leap(const Observation &o, int i, qint64 k, double way);
+
 /// From the rim to \p wall, m; negative beyond it.
 [[nodiscard]] double wallGap(const Observation &o, const Circle &c, Wall wall);
 

@@ -3,6 +3,7 @@
 #include "tasks/script/circle_binding.h"
 
 #include "tasks/script/circle_list.h"
+#include "tasks/script/locked_value.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/world_binding.h"
@@ -185,15 +186,23 @@ int setField(lua_State *L)
     case Field::Velocity: {
         const Vec2 value = newVector(L, circle, key);
         note(L, host, circle);
-        if (!startPinned)
-            (*key == 'p' ? c.position : c.velocity) = value;
+        if (startPinned)
+            return 0;
+        Vec2 &old = *key == 'p' ? c.position : c.velocity;
+        if (host.loading && value != old)
+            refuseIfLocked(L, circle, key);
+        old = value;
         return 0;
     }
     case Field::Radius:
     case Field::Density: {
         const double value = newNumber(L, circle, key);
-        if (!host.pinned)
-            (*key == 'r' ? c.radius : c.density) = value;
+        if (host.pinned)
+            return 0;
+        double &old = *key == 'r' ? c.radius : c.density;
+        if (value != old)
+            refuseIfLocked(L, circle, key);
+        old = value;
         return 0;
     }
     case Field::Index:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/error_message.h"
 
+#include "tasks/script/lua_message.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/script/vector_binding.h"
 
@@ -17,43 +18,6 @@ struct MessageText {
 };
 
 constexpr std::size_t longestMessage = 2000; ///< bytes of an error that are shown
-
-/// "local 'x'", "field 'x'", "global 'x'" of Lua's messages: the name.
-QString nameIn(const QString &message)
-{
-    static const QRegularExpression pattern(
-        QStringLiteral("\\((?:local|field|global|upvalue|method|constant) '([^']*)'\\)"));
-    const QString name = pattern.match(message).captured(1);
-    return name == QLatin1String("?") ? QString() : name;
-}
-
-QString typeIn(const QString &message, const QString &verb)
-{
-    const QRegularExpression pattern(verb + QStringLiteral(" (?:a |an )?(\\w+) value"));
-    return pattern.match(message).captured(1);
-}
-
-/// Lua's own message in plainer words; unchanged if it is not one of the usual ones.
-QString plain(const QString &message)
-{
-    const QString name = nameIn(message);
-    const QString what =
-        name.isEmpty() ? MessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
-    if (const QString type = typeIn(message, QStringLiteral("attempt to index")); !type.isEmpty())
-        return MessageText::tr("%1 is %2, so it has no fields").arg(what, type);
-    if (const QString type = typeIn(message, QStringLiteral("attempt to call")); !type.isEmpty())
-        return MessageText::tr("%1 is %2, not a function that can be called").arg(what, type);
-    if (const QString type = typeIn(message, QStringLiteral("attempt to perform arithmetic on"));
-        !type.isEmpty())
-        return MessageText::tr("%1 is %2, not a number to calculate with").arg(what, type);
-    if (message.startsWith(QLatin1String("attempt to compare")))
-        return MessageText::tr("%1; only numbers compare with numbers (the length of a vector is "
-                               "v:length())")
-            .arg(message);
-    if (message.contains(QLatin1String("stack overflow")))
-        return MessageText::tr("a function calls itself without end (stack overflow)");
-    return message;
-}
 
 } // namespace
 
@@ -90,11 +54,11 @@ ProgramError errorAtTop(lua_State *L, int status)
     if (message.startsWith(QLatin1String("attempt to load a binary chunk")))
         message = MessageText::tr("this is no text, so it is no program");
     if (status != LUA_ERRSYNTAX)
-        error.message = plain(message);
+        error.message = plainRuntimeMessage(message);
     else
         error.message = message.contains(QLatin1String("stack overflow"))
                             ? MessageText::tr("parentheses, blocks or terms are nested too deeply")
-                            : message;
+                            : plainSyntaxMessage(message);
     return error;
 }
 

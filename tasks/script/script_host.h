@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <locale.h>
+#include <map>
 
 namespace cradle {
 
@@ -35,6 +36,8 @@ struct ScriptHost {
     /// The scene keeps its values: what on_load assigns is ignored, and so are gravity,
     /// restitution, radii and densities ever after.
     bool pinned = false;
+    /// What the step fixes, by the names of locks.h, with what people call it.
+    std::map<QString, QString> locked{};
 
     // What was shown.
     bool quiet = false; ///< nobody looks: count it and drop it

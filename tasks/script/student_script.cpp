@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/student_script.h"
 
+#include "tasks/locks.h"
 #include "tasks/script/error_message.h"
 #include "tasks/script/lua_library.h"
 #include "tasks/script/sandbox.h"
@@ -56,7 +57,7 @@ struct StudentScript::Engine {
 
 StudentScript::StudentScript(QString source, Options options)
     : m_source(std::move(source))
-    , m_options(options)
+    , m_options(std::move(options))
 {
 }
 
@@ -76,6 +77,8 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.restitution = scene.restitution;
     host.halfWidth = scene.halfWidth;
     host.circles = initialWorld(scene).circles;
+    for (const QString &field : m_options.locked)
+        host.locked[field] = lockedName(field, scene);
     m_engine->state = newLuaState(host.memory);
     lua_State *L = m_engine->state.get();
     if (!L)

@@ -5,6 +5,8 @@
 #include "model/program.h"
 #include "tasks/script/circle_field.h"
 
+#include <QStringList>
+
 #include <memory>
 
 struct lua_State;
@@ -19,6 +21,8 @@ public:
     struct Options {
         bool pinned = false; ///< the scene keeps its values whatever on_load sets
         bool quiet = false;  ///< nobody looks at what it prints, plots and draws
+        /// What it must not change; see locks.h. Places and velocities are fixed at the start only.
+        QStringList locked{};
     };
 
     explicit StudentScript(QString source, Options options);

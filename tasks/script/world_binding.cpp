@@ -3,6 +3,7 @@
 #include "tasks/script/world_binding.h"
 
 #include "tasks/script/circle_binding.h"
+#include "tasks/script/locked_value.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
 
@@ -141,8 +142,11 @@ void setGravity(lua_State *L)
         raise(L, WorldText::tr("gravity would be %1 m/s²; at most %2 is right")
                      .arg(describeValue(L, 3))
                      .arg(limits::maxAcceleration));
-    if (!host.pinned)
-        host.gravity = *v;
+    if (host.pinned)
+        return;
+    if (*v != host.gravity)
+        refuseIfLocked(L, QStringLiteral("gravity"));
+    host.gravity = *v;
 }
 
 void setRestitution(lua_State *L)
@@ -154,8 +158,11 @@ void setRestitution(lua_State *L)
         raise(
             L,
             WorldText::tr("restitution must be a number from 0 to 1, not %1").arg(nameValue(L, 3)));
-    if (!host.pinned)
-        host.restitution = value;
+    if (host.pinned)
+        return;
+    if (value != host.restitution)
+        refuseIfLocked(L, QStringLiteral("restitution"));
+    host.restitution = value;
 }
 
 /// "on_updat" is hardly a name of the program's own.

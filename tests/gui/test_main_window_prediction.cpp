@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "tasks/authoring/lab_edits.h"
 #include "tests/gui/open_window.h"
 #include "views/task_pane/prediction_card.h"
 
@@ -163,7 +164,11 @@ void TestMainWindowPrediction::sceneWithoutAStepAsksNothing()
     QVERIFY(!card()->isVisible());
     m_open->press(Qt::Key_Right);
     QVERIFY(m_open->bench.guess() == Guess{});
-    open("L42T4");
+    const QString plain = m_folder->filePath(QStringLiteral("plain"));
+    const LabFiles lab = newLab(QStringLiteral("lab"), QStringLiteral("Lab"), {});
+    QVERIFY(!saveLabFiles(lab, {}, plain));
+    QVERIFY(!m_open->bench.openLab(plain, QStringLiteral("en")));
+    QVERIFY(m_open->bench.task() && !m_open->bench.task()->prediction);
     QVERIFY2(!card()->isVisible(), "this step has no question");
 }
 

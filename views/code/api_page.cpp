@@ -28,9 +28,9 @@ constexpr int listWidth = 210;            ///< px
 constexpr int narrow = 480;               ///< px; a narrower page has no list of headings
 constexpr int chapterLevel = 2;
 
-QString pageText()
+QString pageText(const QString &path)
 {
-    QFile file(QStringLiteral(":/help/lua-api.md"));
+    QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
@@ -49,8 +49,6 @@ ApiPage::ApiPage(QWidget *parent, FormulaRenderer *renderer)
     , m_view(new MarkdownView(nullptr, renderer))
 {
     makeLayout();
-    m_view->setMarkdown(pageText(), {});
-    listHeadings();
     retranslate();
     m_search->installEventFilter(this);
     m_headings->installEventFilter(this);
@@ -88,6 +86,9 @@ void ApiPage::makeLayout()
 
 void ApiPage::retranslate()
 {
+    //: The file of the page in your language: docs/lua-api.LANGUAGE.md, if there is one
+    m_view->setMarkdown(pageText(tr(":/help/lua-api.md")), {});
+    listHeadings();
     setWindowTitle(tr("API reference"));
     m_search->setPlaceholderText(tr("Search (Return: next place in the text)"));
     m_search->setAccessibleName(tr("Search the API reference"));
@@ -98,6 +99,8 @@ void ApiPage::retranslate()
 
 void ApiPage::listHeadings()
 {
+    const int row = m_headings->currentRow();
+    m_headings->clear();
     int number = 0;
     const QTextDocument *page = m_view->document();
     for (QTextBlock block = page->begin(); block.isValid(); block = block.next()) {
@@ -112,6 +115,7 @@ void ApiPage::listHeadings()
         item->setToolTip(block.text());
         item->setData(headingRole, number++);
     }
+    m_headings->setCurrentRow(row);
 }
 
 bool ApiPage::showWord(const QString &word)

@@ -1,8 +1,8 @@
--- The masses take no part in the hit
+-- The circles answer as if they were equally heavy
 --
 -- The circles leave with −1 and 1 m/s: their parts along the normal still change places as in
 -- step 13. The total momentum jumps from −261.5 to +261.5 kg m/s, since circle 2 is twice as
--- heavy. Look at where the masses enter your answer.
+-- heavy. Look at where the masses enter your answer, and `print` them: is one twice the other?
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- The circle turns 0.2 m before the wall
+-- The circle turns before it is at the wall
 --
--- Your circle turned round with its centre at about $x = 3.6$ m, when its rim was still 0.2 m
--- from the wall. From the centre to the rim it is one radius, 0.2 m; the distance that your
--- program uses is twice that. Look at how you work out where the rim is.
+-- Your circle turned round while its rim was still some way from the wall. From the centre to
+-- the rim it is one radius, 0.2 m; the distance that your program uses is larger: twice the
+-- radius, or a radius with something added. Look at how you work out where the rim is.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,0 +1,30 @@
+-- Only the right-hand wall turns it round
+--
+-- At the right-hand wall your circle turns round; at $t = 6.7$ s it comes to the left-hand one
+-- and goes through it. A square has four walls, and each needs its question: on which side of
+-- the rim it is, and which sign the velocity has that runs into it. Count the ones that your
+-- program asks about.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s.
+
+-- Runs once, when the scene is in place.
+function on_load()
+  circle1.velocity = vec(2, 0)
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, circle.radius
+  if p.x + r > square.right and v.x > 0 then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+end
+
+-- Runs every step; timestep is how long the step lasts.
+function on_update(timestep)
+  local old_position = circle1.position
+  circle1.position = circle1.position + circle1.velocity * timestep
+  bounce_off_walls(circle1, old_position)
+end
