@@ -1113,6 +1113,17 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>moved by %1 m</source>
         <translation>um %1 m verschoben</translation>
     </message>
+    <message numerus="yes">
+        <source>Change velocities of %n circles</source>
+        <translation>
+            <numerusform>Geschwindigkeit von %n Kreis ändern</numerusform>
+            <numerusform>Geschwindigkeiten von %n Kreisen ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>changed by %1 m/s</source>
+        <translation>um %1 m/s geändert</translation>
+    </message>
 </context>
 <context>
     <name>HitNote</name>
@@ -1267,6 +1278,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>cannot be read: there is no such file</source>
         <translation>nicht lesbar: diese Datei gibt es nicht</translation>
     </message>
+    <message>
+        <source>the lab has translations into this language; its own texts are in another</source>
+        <translation>das Lab hat Übersetzungen in diese Sprache; seine eigenen Texte sind in einer anderen</translation>
+    </message>
 </context>
 <context>
     <name>LabFiles</name>
@@ -1387,6 +1402,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>a number from 1 to %1, for there are so many answers, is right</source>
         <translation>eine Zahl von 1 bis %1 ist richtig, denn so viele Antworten gibt es</translation>
+    </message>
+    <message>
+        <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
+        <translation>Richtig sind %1 Antworten, so viele, wie task.json hat, nicht %2; die Frage wird unübersetzt gezeigt</translation>
     </message>
 </context>
 <context>
@@ -1970,14 +1989,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Add circle</source>
@@ -3389,6 +3400,131 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>this must be a whole number from %1 to %2, not %3</source>
         <translation>dies muss eine ganze Zahl von %1 bis %2 sein, nicht %3</translation>
     </message>
+    <message>
+        <source>the author of this step has fixed this: %1. It stays as the scene has it; take this line out</source>
+        <translation>Der Autor dieses Schritts hat das festgelegt: %1. Es bleibt, wie die Szene es hat; nimm diese Zeile heraus</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; expected (to close &apos;%2&apos; at line %3) near %4</source>
+        <translation>&apos;%1&apos; fehlt (es schließt &apos;%2&apos; aus Zeile %3) vor %4</translation>
+    </message>
+    <message>
+        <source>%1 expected near %2</source>
+        <translation>%1 fehlt bei %2</translation>
+    </message>
+    <message>
+        <source>unexpected symbol near %1</source>
+        <translation>unerwartetes Zeichen bei %1</translation>
+    </message>
+    <message>
+        <source>syntax error near %1</source>
+        <translation>Syntaxfehler bei %1</translation>
+    </message>
+    <message>
+        <source>unfinished string near %1</source>
+        <translation>ein Text endet nicht: %1</translation>
+    </message>
+    <message>
+        <source>unfinished long string (starting at line %1)</source>
+        <translation>ein langer Text, der in Zeile %1 beginnt, endet nicht</translation>
+    </message>
+    <message>
+        <source>unfinished long comment (starting at line %1)</source>
+        <translation>ein langer Kommentar, der in Zeile %1 beginnt, endet nicht</translation>
+    </message>
+    <message>
+        <source>malformed number near %1</source>
+        <translation>keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence near %1</source>
+        <translation>unbekanntes Zeichen nach \: %1</translation>
+    </message>
+    <message>
+        <source>break outside loop at line %1</source>
+        <translation>break außerhalb einer Schleife in Zeile %1</translation>
+    </message>
+    <message>
+        <source>no visible label &apos;%1&apos; for goto at line %2</source>
+        <translation>goto in Zeile %2 findet die Marke &apos;%1&apos; nicht</translation>
+    </message>
+    <message>
+        <source>label &apos;%1&apos; already defined on line %2</source>
+        <translation>die Marke &apos;%1&apos; gibt es schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>attempt to assign to const variable &apos;%1&apos;</source>
+        <translation>die Konstante &apos;%1&apos; lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>attempt to compare two %1 values</source>
+        <translation>zwei Werte der Art %1 lassen sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>attempt to compare %1 with %2</source>
+        <translation>%1 lässt sich nicht mit %2 vergleichen</translation>
+    </message>
+    <message>
+        <source>attempt to divide a whole number by zero</source>
+        <translation>eine ganze Zahl wurde durch null geteilt</translation>
+    </message>
+    <message>
+        <source>attempt to take the rest of a division by zero</source>
+        <translation>der Rest einer Division durch null wurde verlangt</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (%3 expected, got %4)</source>
+        <translation>falsches Argument Nr. %1 von &apos;%2&apos; (%3 erwartet, %4 bekommen)</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
+        <translation>falsches Argument Nr. %1 von &apos;%2&apos; (die Zahl ist nicht ganz)</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
+        <translation>falsches Argument Nr. %1 von &apos;%2&apos; (außerhalb des Bereichs)</translation>
+    </message>
+    <message>
+        <source>number has no integer representation</source>
+        <translation>die Zahl ist nicht ganz</translation>
+    </message>
+    <message>
+        <source>the first value of &apos;for&apos; must be a number</source>
+        <translation>der erste Wert von &apos;for&apos; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>the last value of &apos;for&apos; must be a number</source>
+        <translation>der letzte Wert von &apos;for&apos; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>the step of &apos;for&apos; must be a number</source>
+        <translation>die Schrittweite von &apos;for&apos; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>the step of &apos;for&apos; is zero</source>
+        <translation>die Schrittweite von &apos;for&apos; ist null</translation>
+    </message>
+    <message>
+        <source>assertion failed!</source>
+        <translation>assert ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>&lt;eof&gt;</source>
+        <extracomment>the end of the program</extracomment>
+        <translation>dem Ende des Programms</translation>
+    </message>
+    <message>
+        <source>&lt;name&gt;</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so .. cannot join it to a text</source>
+        <translation>%1 ist %2, also kann .. es nicht mit einem Text verbinden</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so it has no length</source>
+        <translation>%1 ist %2, hat also keine Länge</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -3460,6 +3596,11 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>Not found in the reference: %1</source>
         <translation>Nicht in der Referenz gefunden: %1</translation>
     </message>
+    <message>
+        <source>:/help/lua-api.md</source>
+        <extracomment>The file of the page in your language: docs/lua-api.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-api.de.md</translation>
+    </message>
 </context>
 <context>
     <name>cradle::AuthorDocument</name>
@@ -3505,10 +3646,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Take theirs</source>
         <translation>Die anderen übernehmen</translation>
-    </message>
-    <message>
-        <source>A new folder for the lab</source>
-        <translation>Ein neuer Ordner für das Lab</translation>
     </message>
     <message>
         <source>Folder:</source>
@@ -3643,10 +3780,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <source>This is a scene of the proof, at the moment where it went wrong.</source>
-        <translation>Dies ist eine Szene des Nachweises, in dem Moment, in dem es schiefging.</translation>
-    </message>
-    <message>
         <source>not saved yet</source>
         <translation>noch nicht gespeichert</translation>
     </message>
@@ -3693,6 +3826,18 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Parts of the step</source>
         <translation>Teile des Schritts</translation>
+    </message>
+    <message>
+        <source>A new or empty folder for the lab</source>
+        <translation>Ein neuer oder leerer Ordner für das Lab</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>&amp;Eigenschaften…</translation>
+    </message>
+    <message>
+        <source>A scene of the proof, at the moment where it went wrong: %1</source>
+        <translation>Eine Szene des Nachweises, im Augenblick, in dem es schiefging: %1</translation>
     </message>
 </context>
 <context>
@@ -3782,10 +3927,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten und Strichen</translation>
     </message>
     <message>
-        <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
-        <translation>Kreise: Richtig sind Nummern von 1 bis 100 wie „1, 2“</translation>
-    </message>
-    <message>
         <source>Points: a number from 0 to 1000 is right</source>
         <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
     </message>
@@ -3818,10 +3959,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Kreise</translation>
     </message>
     <message>
-        <source>Scenes</source>
-        <translation>Szenen</translation>
-    </message>
-    <message>
         <source>Title of the check</source>
         <translation>Titel der Prüfung</translation>
     </message>
@@ -3840,18 +3977,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Kind of the check</source>
         <translation>Art der Prüfung</translation>
-    </message>
-    <message>
-        <source>Circles that it looks at</source>
-        <translation>Kreise, die sie betrachtet</translation>
-    </message>
-    <message>
-        <source>Numbers of the circles, as “1, 2”</source>
-        <translation>Nummern der Kreise, wie „1, 2“</translation>
-    </message>
-    <message>
-        <source>Kind of the scenes</source>
-        <translation>Art der Szenen</translation>
     </message>
 </context>
 <context>
@@ -3882,15 +4007,7 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
-    <name>cradle::ChecksTab</name>
-    <message>
-        <source>Checks · %1</source>
-        <translation>Prüfungen · %1</translation>
-    </message>
-    <message>
-        <source>Edit a check</source>
-        <translation>Prüfung ändern</translation>
-    </message>
+    <name>cradle::CheckScript</name>
     <message>
         <source>-- Returns true, or false and what is wrong.
 </source>
@@ -3900,6 +4017,21 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Edit the program of a check</source>
         <translation>Programm einer Prüfung ändern</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>Programm der Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChecksTab</name>
+    <message>
+        <source>Checks · %1</source>
+        <translation>Prüfungen · %1</translation>
+    </message>
+    <message>
+        <source>Edit a check</source>
+        <translation>Prüfung ändern</translation>
     </message>
     <message>
         <source>New check</source>
@@ -3928,10 +4060,6 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>No check yet. Add one with the plus, then say what is right.</source>
         <translation>Noch keine Prüfung. Füge mit dem Plus eine hinzu und sage dann, was richtig ist.</translation>
-    </message>
-    <message>
-        <source>Program of the check</source>
-        <translation>Programm der Prüfung</translation>
     </message>
     <message>
         <source>Duplicate the check</source>
@@ -4060,6 +4188,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>Runge-Kutta 4</source>
         <translation>Runge-Kutta 4</translation>
     </message>
+    <message>
+        <source>Sympl. Euler</source>
+        <translation>Sympl. Euler</translation>
+    </message>
 </context>
 <context>
     <name>cradle::CirclesGroup</name>
@@ -4106,6 +4238,21 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Remove circle</source>
         <translation>Kreis entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CirclesLine</name>
+    <message>
+        <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
+        <translation>Kreise: Richtig sind Nummern von 1 bis 100 wie „1, 2“</translation>
+    </message>
+    <message>
+        <source>Circles that it looks at</source>
+        <translation>Kreise, die sie betrachtet</translation>
+    </message>
+    <message>
+        <source>Numbers of the circles, as “1, 2”</source>
+        <translation>Nummern der Kreise, wie „1, 2“</translation>
     </message>
 </context>
 <context>
@@ -4593,6 +4740,21 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>cradle::FindingsList</name>
+    <message>
+        <source>All files can be read</source>
+        <translation>Alle Dateien sind lesbar</translation>
+    </message>
+    <message>
+        <source>Findings · %1</source>
+        <translation>Befunde · %1</translation>
+    </message>
+    <message>
+        <source>Findings in the lab&apos;s files</source>
+        <translation>Befunde in den Dateien des Labs</translation>
+    </message>
+</context>
+<context>
     <name>cradle::FormulaRenderer</name>
     <message>
         <source>Cradle was built without MathJax, so formulas show as text.</source>
@@ -4759,6 +4921,49 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Hints</source>
         <translation>Hinweise</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LabDialog</name>
+    <message>
+        <source>Properties of the lab</source>
+        <translation>Eigenschaften des Labs</translation>
+    </message>
+    <message>
+        <source>The progress of students is kept by the id. A corrected lab keeps its id and gets a higher version; a new lab gets a new id.</source>
+        <translation>Der Fortschritt der Studierenden hängt an der Kennung. Ein berichtigtes Lab behält seine Kennung und bekommt eine höhere Version; ein neues Lab bekommt eine neue Kennung.</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <translation>Titel, %1</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes</source>
+        <translation>Buchstaben, Ziffern, Punkte und Striche</translation>
+    </message>
+    <message>
+        <source>The language of task.json and instructions.md; texts in others have files of their own</source>
+        <translation>Die Sprache von task.json und instructions.md; Texte in anderen haben eigene Dateien</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Written in</source>
+        <translation>Geschrieben in</translation>
+    </message>
+    <message>
+        <source>A title of 1 to 200 characters is right</source>
+        <translation>Richtig ist ein Titel von 1 bis 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>Edit the properties of the lab</source>
+        <translation>Eigenschaften des Labs ändern</translation>
     </message>
 </context>
 <context>
@@ -5189,8 +5394,20 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>über</translation>
     </message>
     <message>
-        <source>Copy and export</source>
-        <translation>Kopieren und exportieren</translation>
+        <source>Zoom and export</source>
+        <translation>Zoomen und exportieren</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>&amp;Zoom zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -5315,6 +5532,93 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::PredictionEditor</name>
+    <message>
+        <source>What will happen?</source>
+        <translation>Was wird geschehen?</translation>
+    </message>
+    <message>
+        <source>The first answer</source>
+        <translation>Die erste Antwort</translation>
+    </message>
+    <message>
+        <source>The second answer</source>
+        <translation>Die zweite Antwort</translation>
+    </message>
+    <message>
+        <source>What happens, and why.</source>
+        <translation>Was geschieht, und warum.</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Noch eine Antwort</translation>
+    </message>
+    <message>
+        <source>A question of 1 to %1 characters is right</source>
+        <translation>Richtig ist eine Frage von 1 bis %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>A text of 1 to %1 characters on what happens is right</source>
+        <translation>Richtig ist ein Text von 1 bis %1 Zeichen darüber, was geschieht</translation>
+    </message>
+    <message>
+        <source>An answer of 1 to 100 characters is right</source>
+        <translation>Richtig ist eine Antwort von 1 bis 100 Zeichen</translation>
+    </message>
+    <message>
+        <source>This step asks for no prediction. A question that is asked before the scene is watched, and answered after it, makes students look.</source>
+        <translation>Dieser Schritt fragt nach keiner Vorhersage. Wer vor dem Zusehen gefragt wird und danach die Antwort liest, sieht genauer hin.</translation>
+    </message>
+    <message>
+        <source>Ask for a prediction</source>
+        <translation>Nach einer Vorhersage fragen</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Answers: two to four that students truly believe; mark the one that comes true</source>
+        <translation>Antworten: zwei bis vier, an die Studierende wirklich glauben; markiert wird die, die eintrifft</translation>
+    </message>
+    <message>
+        <source>Answer %1 comes true</source>
+        <translation>Antwort %1 trifft ein</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>Remove answer %1</source>
+        <translation>Antwort %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Antwort hinzufügen</translation>
+    </message>
+    <message>
+        <source>What happens, and why; told after the step was passed</source>
+        <translation>Was geschieht, und warum; zu lesen, wenn der Schritt bestanden ist</translation>
+    </message>
+    <message>
+        <source>What happens, and why</source>
+        <translation>Was geschieht, und warum</translation>
+    </message>
+    <message>
+        <source>Remove the prediction</source>
+        <translation>Vorhersage entfernen</translation>
+    </message>
+    <message>
+        <source>What the student sees before</source>
+        <translation>Was Studierende vorher sehen</translation>
+    </message>
+    <message>
+        <source>And after</source>
+        <translation>Und nachher</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PresetDocument</name>
     <message>
         <source>This is a scene of the check; go back to your own scene to change it</source>
@@ -5330,7 +5634,31 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
-    <name>cradle::ProgramsTab</name>
+    <name>cradle::ProgramPage</name>
+    <message>
+        <source>Program %1</source>
+        <translation>Programm %1</translation>
+    </message>
+    <message>
+        <source>What a student&apos;s program starts from in this step.</source>
+        <translation>Womit das Programm in diesem Schritt anfängt.</translation>
+    </message>
+    <message>
+        <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
+        <translation>Kein eigener: Es geht mit der Lösung des vorigen Schritts weiter. Schreibe hier, um mit etwas anderem anzufangen.</translation>
+    </message>
+    <message>
+        <source>The reference: it passes every check, with every seed.</source>
+        <translation>Die Referenz: Sie besteht jede Prüfung, mit jedem Startwert.</translation>
+    </message>
+    <message>
+        <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
+        <translation>Ein ganzes Programm mit einem Fehler: Es scheitert an einer Prüfung, und wer dasselbe schrieb, liest den Kommentar an seinem Anfang.</translation>
+    </message>
+    <message>
+        <source>A whole program that passes and deserves a word.</source>
+        <translation>Ein ganzes Programm, das besteht und ein Wort verdient.</translation>
+    </message>
     <message>
         <source>Edit a program</source>
         <translation>Programm ändern</translation>
@@ -5339,6 +5667,33 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Edit what the student reads</source>
         <translation>Text für Studierende ändern</translation>
     </message>
+    <message>
+        <source>Edit a remark</source>
+        <translation>Bemerkung ändern</translation>
+    </message>
+    <message>
+        <source>What the student reads</source>
+        <translation>Was Studierende lesen</translation>
+    </message>
+    <message>
+        <source>How it is recognised</source>
+        <translation>Woran es erkannt wird</translation>
+    </message>
+    <message>
+        <source>About the program</source>
+        <translation>Über das Programm</translation>
+    </message>
+    <message>
+        <source>The comment that the program begins with, or its translation</source>
+        <translation>Der Kommentar, mit dem das Programm beginnt, oder seine Übersetzung</translation>
+    </message>
+    <message>
+        <source>What the student reads, translated</source>
+        <translation>Was Studierende lesen, übersetzt</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProgramsTab</name>
     <message>
         <source>-- What went wrong, in a few words
 --
@@ -5384,10 +5739,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Programme des Schritts</translation>
     </message>
     <message>
-        <source>Program %1</source>
-        <translation>Programm %1</translation>
-    </message>
-    <message>
         <source>Add a program</source>
         <translation>Programm hinzufügen</translation>
     </message>
@@ -5412,32 +5763,8 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Eine &amp;Bemerkung zu Arbeiten, die bestehen</translation>
     </message>
     <message>
-        <source>What the student reads: the comment that the program begins with, or its translation</source>
-        <translation>Was Studierende lesen: der Kommentar am Anfang des Programms oder seine Übersetzung</translation>
-    </message>
-    <message>
-        <source>What the student reads, translated</source>
-        <translation>Was Studierende lesen, übersetzt</translation>
-    </message>
-    <message>
-        <source>What a student&apos;s program starts from in this step.</source>
-        <translation>Womit das Programm in diesem Schritt anfängt.</translation>
-    </message>
-    <message>
-        <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
-        <translation>Kein eigener: Es geht mit der Lösung des vorigen Schritts weiter. Schreibe hier, um mit etwas anderem anzufangen.</translation>
-    </message>
-    <message>
-        <source>The reference: it passes every check, with every seed.</source>
-        <translation>Die Referenz: Sie besteht jede Prüfung, mit jedem Startwert.</translation>
-    </message>
-    <message>
-        <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
-        <translation>Ein ganzes Programm mit einem Fehler: Es scheitert an einer Prüfung, und wer dasselbe schrieb, liest den Kommentar an seinem Anfang.</translation>
-    </message>
-    <message>
-        <source>A whole program that passes and deserves a word.</source>
-        <translation>Ein ganzes Programm, das besteht und ein Wort verdient.</translation>
+        <source>F2</source>
+        <translation>F2</translation>
     </message>
 </context>
 <context>
@@ -5461,6 +5788,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Check %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>not recognised</source>
+        <translation>nicht erkannt</translation>
     </message>
 </context>
 <context>
@@ -5552,6 +5887,37 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
         <translation>Drücke „Diesen Schritt nachweisen“: Der Anfang soll an einer Prüfung scheitern, die Lösung mit jedem Startwert bestehen, und jeder Fehler soll scheitern und erkannt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RemarkEditor</name>
+    <message>
+        <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
+        <translation>Ein Programm, das besteht, läuft neben diesem und neben der Lösung. Wo diese beiden sich unterscheiden und es dasselbe tut wie dieses, erscheint die Bemerkung.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Was verglichen wird</translation>
+    </message>
+    <message>
+        <source>Velocities: they differ at a hit</source>
+        <translation>Geschwindigkeiten: sie unterscheiden sich bei einem Stoß</translation>
+    </message>
+    <message>
+        <source>Positions: they differ in many steps</source>
+        <translation>Positionen: sie unterscheiden sich in vielen Zeitschritten</translation>
+    </message>
+    <message>
+        <source>Fields: numbers that the program keeps with the circles, as mass</source>
+        <translation>Felder: Zahlen, die das Programm bei den Kreisen ablegt, wie mass</translation>
     </message>
 </context>
 <context>
@@ -5727,6 +6093,17 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
         <translation>Drücke Neustart (R), um den Anfang zu ändern, oder beginne hier einen neuen Lauf (Strg+Umschalt+R)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneForm</name>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>Kind of the scenes</source>
+        <translation>Art der Szenen</translation>
     </message>
 </context>
 <context>
@@ -5944,6 +6321,45 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::StepFields</name>
+    <message>
+        <source>Rename the step&apos;s folder</source>
+        <translation>Ordner des Schritts umbenennen</translation>
+    </message>
+    <message>
+        <source>Edit the step</source>
+        <translation>Schritt ändern</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Id of the step, and its folder</source>
+        <translation>Kennung des Schritts und sein Ordner</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes; also the name of the folder</source>
+        <translation>Buchstaben, Ziffern, Punkte und Striche; auch der Name des Ordners</translation>
+    </message>
+    <message>
+        <source>Commit message</source>
+        <translation>Commit-Nachricht</translation>
+    </message>
+    <message>
+        <source>What a student writes into the history after passing</source>
+        <translation>Was nach dem Bestehen in die Versionsgeschichte kommt</translation>
+    </message>
+    <message>
+        <source>Extra step</source>
+        <translation>Zusatzschritt</translation>
+    </message>
+    <message>
+        <source>Outside the lab&apos;s own count</source>
+        <translation>Außerhalb der Zählung des Labs</translation>
+    </message>
+</context>
+<context>
     <name>cradle::StepsList</name>
     <message>
         <source>extra</source>
@@ -6017,18 +6433,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Schritte des Labs</translation>
     </message>
     <message>
-        <source>All files can be read</source>
-        <translation>Alle Dateien sind lesbar</translation>
-    </message>
-    <message>
-        <source>Findings · %1</source>
-        <translation>Befunde · %1</translation>
-    </message>
-    <message>
-        <source>Findings in the lab&apos;s files</source>
-        <translation>Befunde in den Dateien des Labs</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Entf</translation>
     </message>
@@ -6048,13 +6452,17 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Alt+Down</source>
         <translation>Alt+Ab</translation>
     </message>
+    <message>
+        <source>New lab</source>
+        <translation>Neues Lab</translation>
+    </message>
+    <message>
+        <source>Title, version and id of the lab</source>
+        <translation>Titel, Version und Kennung des Labs</translation>
+    </message>
 </context>
 <context>
     <name>cradle::TextTab</name>
-    <message>
-        <source>Rename the step&apos;s folder</source>
-        <translation>Ordner des Schritts umbenennen</translation>
-    </message>
     <message>
         <source>No text in this language yet: students read it in the lab&apos;s own.</source>
         <translation>Noch kein Text in dieser Sprache: Gelesen wird der in der Sprache des Labs.</translation>
@@ -6082,10 +6490,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Change the hints</source>
         <translation>Hinweise ändern</translation>
-    </message>
-    <message>
-        <source>Edit the step</source>
-        <translation>Schritt ändern</translation>
     </message>
     <message>
         <source>Instructions</source>
@@ -6140,32 +6544,12 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Namen in Backticks, die weder in der Szene noch in den Programmen vorkommen</translation>
     </message>
     <message>
-        <source>Id</source>
-        <translation>Kennung</translation>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
     </message>
     <message>
-        <source>Id of the step, and its folder</source>
-        <translation>Kennung des Schritts und sein Ordner</translation>
-    </message>
-    <message>
-        <source>Letters, digits, dots and dashes; also the name of the folder</source>
-        <translation>Buchstaben, Ziffern, Punkte und Striche; auch der Name des Ordners</translation>
-    </message>
-    <message>
-        <source>Commit message</source>
-        <translation>Commit-Nachricht</translation>
-    </message>
-    <message>
-        <source>What a student writes into the history after passing</source>
-        <translation>Was nach dem Bestehen in die Versionsgeschichte kommt</translation>
-    </message>
-    <message>
-        <source>Extra step</source>
-        <translation>Zusatzschritt</translation>
-    </message>
-    <message>
-        <source>Outside the lab&apos;s own count</source>
-        <translation>Außerhalb der Zählung des Labs</translation>
+        <source>Edit the prediction</source>
+        <translation>Vorhersage ändern</translation>
     </message>
 </context>
 <context>
@@ -6313,6 +6697,21 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Back to the collision before, or to the start</source>
         <translation>Zurück zum vorigen Stoß oder zum Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::UndoActions</name>
+    <message>
+        <source>typing</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,13 @@
             <numerusform>Move %n circles</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Change velocities of %n circles</source>
+        <translation>
+            <numerusform>Change velocities of %n circle</numerusform>
+            <numerusform>Change velocities of %n circles</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Schema</name>
