@@ -6,6 +6,8 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/lab_dialog.h"
 #include "views/author/remark_editor.h"
+#include "views/code/code_editor.h"
+#include "views/markdown_view.h"
 
 #include <QJsonArray>
 #include <QLabel>
@@ -20,6 +22,8 @@ class TestAuthorFields : public QObject
 {
     Q_OBJECT
 private slots:
+    void stepHasATitleInEachLanguage();
+    void newMistakeKeepsItsCommentApart();
     void predictionIsAskedTranslatedAndRemoved();
     void predictionWithoutItsTextsIsNotTaken();
     void remarkSaysHowItIsRecognised();
@@ -69,7 +73,50 @@ QRadioButton *mark(OpenAuthor &author, const char *name)
 
 constexpr int predictionPart = 3;
 
+QString titleOf(OpenAuthor &author, const char *language)
+{
+    return taskForm(author.files(), author.document().step(), QLatin1String(language))->title;
+}
+
 } // namespace
+
+void TestAuthorFields::stepHasATitleInEachLanguage()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const LabFiles before = author.files();
+    openPart(author, 0);
+    author.fill("stepTitle", QStringLiteral("Let go"));
+    author.document().setLanguage(QStringLiteral("de"));
+    QVERIFY(author.find<QLineEdit>("stepTitle")->text() != QStringLiteral("Let go"));
+    author.fill("stepTitle", QStringLiteral("Loslassen"));
+    QCOMPARE(titleOf(author, "en"), QStringLiteral("Let go"));
+    QCOMPARE(titleOf(author, "de"), QStringLiteral("Loslassen"));
+    QVERIFY(author.find<QListWidget>("authorSteps")
+                ->item(0)
+                ->text()
+                .contains(QStringLiteral("Loslassen")));
+    author.undo();
+    author.undo();
+    QCOMPARE(author.files(), before);
+}
+
+/// Else the student would read the first comment of the solution, too.
+void TestAuthorFields::newMistakeKeepsItsCommentApart()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    author.window.showTab(AuthorWindow::Programs);
+    author.choose(QStringLiteral("A mistake that students make"));
+    const QString program = author.window.programsTab().editor().text();
+    QVERIFY(program.contains(QStringLiteral("where to look.\n\n-- Bouncing ball.")));
+    const QString read = author.window.programsTab().findChild<MarkdownView *>()->toPlainText();
+    QVERIFY2(read.contains(QStringLiteral("where to look"))
+                 && !read.contains(QStringLiteral("Bouncing")),
+             qPrintable(read));
+}
 
 void TestAuthorFields::predictionIsAskedTranslatedAndRemoved()
 {
