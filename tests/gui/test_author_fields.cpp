@@ -8,6 +8,7 @@
 #include "views/author/remark_editor.h"
 #include "views/code/code_editor.h"
 #include "views/markdown_view.h"
+#include "views/scene/scene_view.h"
 
 #include <QJsonArray>
 #include <QLabel>
@@ -24,6 +25,7 @@ class TestAuthorFields : public QObject
 private slots:
     void stepHasATitleInEachLanguage();
     void newMistakeKeepsItsCommentApart();
+    void sceneThatPassesIsMadeEditedAndRemoved();
     void predictionIsAskedTranslatedAndRemoved();
     void predictionWithoutItsTextsIsNotTaken();
     void remarkSaysHowItIsRecognised();
@@ -116,6 +118,53 @@ void TestAuthorFields::newMistakeKeepsItsCommentApart()
     QVERIFY2(read.contains(QStringLiteral("where to look"))
                  && !read.contains(QStringLiteral("Bouncing")),
              qPrintable(read));
+}
+
+void TestAuthorFields::sceneThatPassesIsMadeEditedAndRemoved()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const QString path = QStringLiteral("BALL1/solution-preset.json");
+    const LabFiles before = author.files();
+    const Preset start = *presetOf(before, QStringLiteral("BALL1"));
+    const Preset passes = *presetOf(before, QStringLiteral("BALL1"), StepPreset::Solution);
+    QVERIFY(start != passes);
+    author.window.showTab(AuthorWindow::Scene);
+    SceneTab &tab = author.window.sceneTab();
+    QVERIFY(tab.preset().preset() == start);
+    author.find<QComboBox>("whichScene")->setCurrentIndex(1);
+    QVERIFY(tab.preset().preset() == passes);
+
+    author.click(QStringLiteral("Remove this scene"));
+    QVERIFY(!author.files().contents.contains(path));
+    QVERIFY(!tab.scene().isVisible());
+    author.click(QStringLiteral("Make it from what the student finds"));
+    QVERIFY(tab.scene().isVisible());
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1"), StepPreset::Solution) == start);
+    Preset falling = tab.preset().preset();
+    falling.gravity = {0.0, -9.81};
+    QVERIFY(tab.preset().edit(QStringLiteral("gravity"), falling));
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1"), StepPreset::Solution) == falling);
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1")) == start);
+
+    // What the proof finds of it leads here: by Euler it does not pass.
+    author.window.showTab(AuthorWindow::Proof);
+    author.click(QStringLiteral("Verify this step"));
+    QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
+    const VerifiedTask *proof = author.window.proofTab().result();
+    QVERIFY(proof && !proof->findings.empty());
+    QCOMPARE(proof->findings.front().program, QStringLiteral("solution-preset"));
+    author.click(QStringLiteral("Show the run"));
+    QVERIFY(tab.preset().isVisiting());
+    QVERIFY(tab.preset().preset().gravity.y == -9.81);
+    author.click(QStringLiteral("Back to the step's scene"));
+
+    while (author.document().undoStack().canUndo())
+        author.document().undoStack().undo();
+    QCOMPARE(author.files(), before);
+    author.find<QComboBox>("whichScene")->setCurrentIndex(0);
+    QVERIFY(tab.preset().preset() == start);
 }
 
 void TestAuthorFields::predictionIsAskedTranslatedAndRemoved()
