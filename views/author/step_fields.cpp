@@ -66,10 +66,13 @@ void StepFields::reload()
     if (m_shownStep != m_document.step() || !m_id->isModified())
         m_id->setText(m_document.step());
     m_shownStep = m_document.step();
-    if (m_title->text() != form->title)
-        m_title->setText(form->title);
-    if (m_commit->text() != form->commit)
-        m_commit->setText(form->commit);
+    for (const auto &[line, text] :
+         {std::pair(m_title, form->title), std::pair(m_commit, form->commit)}) {
+        if (line->text() == text)
+            continue;
+        line->setText(text);
+        line->setCursorPosition(0); // a long one is read from its beginning
+    }
     m_extra->setChecked(form->extra);
 }
 
