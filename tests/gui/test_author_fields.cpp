@@ -179,7 +179,11 @@ void TestAuthorFields::predictionIsAskedTranslatedAndRemoved()
 
     author.click(QStringLiteral("Ask for a prediction"));
     retype(author.find<MarkdownEditor>("predictionQuestion"), QStringLiteral("How far?"));
-    author.fill("predictionAnswer1", QStringLiteral("2 m"));
+    // By Tab past the mark of what comes true.
+    QTest::keyClick(author.focus(), Qt::Key_Tab);
+    QTest::keyClick(author.focus(), Qt::Key_Tab);
+    QCOMPARE(author.focus(), author.find<QLineEdit>("predictionAnswer1"));
+    QTest::keyClicks(author.focus(), QStringLiteral("2 m"));
     author.fill("predictionAnswer2", QStringLiteral("4 m"));
     author.click(QStringLiteral("Add an answer"));
     author.fill("predictionAnswer3", QStringLiteral("8 m"));
