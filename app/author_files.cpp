@@ -184,7 +184,9 @@ void AuthorWindow::openAsStudent()
 {
     if (m_document.isModified() && !save())
         return;
-    emit studentRequested(m_document.folder());
+    m_document.readNow();
+    const Task *task = m_document.task();
+    emit studentRequested(m_document.folder(), task ? task->id : QString());
 }
 
 void AuthorWindow::editProperties()

@@ -100,6 +100,11 @@ void AuthorWindow::wire()
 void AuthorWindow::wireProof()
 {
     connect(m_proofTab, &ProofTab::programRequested, this, [this](const QString &program) {
+        if (program == QLatin1String("solution-preset")) {
+            showTab(Scene);
+            m_sceneTab->openSolution();
+            return;
+        }
         showTab(Programs);
         m_programsTab->openProgram(program + QStringLiteral(".lua"));
     });
@@ -193,6 +198,10 @@ void AuthorWindow::goTo(const Error &finding)
         m_programsTab->openProgram(file, finding.line);
     } else if (file.contains(QLatin1String("preset"))) {
         showTab(Scene);
+        if (file.startsWith(QLatin1String("solution-preset")))
+            m_sceneTab->openSolution();
+        else
+            m_sceneTab->openStart();
     } else if (part == QLatin1String("checks")) {
         showTab(Checks);
         if (form && index < form->checks.size())

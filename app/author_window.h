@@ -62,7 +62,8 @@ public slots:
     void showTab(int tab);
 
 signals:
-    void studentRequested(const QString &folder); ///< to open that lab as a student
+    /// To open that lab as a student, at the step with that id; empty if it cannot be read.
+    void studentRequested(const QString &folder, const QString &task);
 
 protected:
     void changeEvent(QEvent *event) override;

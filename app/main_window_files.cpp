@@ -107,13 +107,16 @@ std::optional<Error> MainWindow::openAuthor(const QString &folder)
     if (auto error = author->open(folder))
         return error;
     author->setAttribute(Qt::WA_DeleteOnClose);
-    connect(author.get(), &AuthorWindow::studentRequested, this, [this](const QString &lab) {
-        if (const auto error = m_workbench.openLab(lab, currentLanguage()))
-            report(*error);
-        show();
-        raise();
-        activateWindow();
-    });
+    connect(author.get(), &AuthorWindow::studentRequested, this,
+            [this](const QString &lab, const QString &task) {
+                if (const auto error = m_workbench.openLab(lab, currentLanguage()))
+                    report(*error);
+                else
+                    m_workbench.openTask(task);
+                show();
+                raise();
+                activateWindow();
+            });
     m_author = author.release();
     return std::nullopt;
 }

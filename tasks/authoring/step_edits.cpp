@@ -25,7 +25,7 @@ struct EditText {
 Result<QString> presetPath(const LabFiles &files, const QString &step, StepPreset which)
 {
     if (which == StepPreset::Solution)
-        return step + QStringLiteral("/solution-preset.json");
+        return solutionPresetPath(step);
     const Result<TaskForm> form = taskForm(files, step);
     if (!form)
         return form.error();
@@ -96,6 +96,11 @@ Result<LabFiles> withRemark(const LabFiles &files, const QString &step, const QS
 }
 
 } // namespace
+
+QString solutionPresetPath(const QString &step)
+{
+    return step + QStringLiteral("/solution-preset.json");
+}
 
 Result<Preset> presetOf(const LabFiles &files, const QString &step, StepPreset which)
 {

@@ -6,6 +6,9 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/lab_dialog.h"
 #include "views/author/remark_editor.h"
+#include "views/code/code_editor.h"
+#include "views/markdown_view.h"
+#include "views/scene/scene_view.h"
 
 #include <QJsonArray>
 #include <QLabel>
@@ -20,6 +23,9 @@ class TestAuthorFields : public QObject
 {
     Q_OBJECT
 private slots:
+    void stepHasATitleInEachLanguage();
+    void newMistakeKeepsItsCommentApart();
+    void sceneThatPassesIsMadeEditedAndRemoved();
     void predictionIsAskedTranslatedAndRemoved();
     void predictionWithoutItsTextsIsNotTaken();
     void remarkSaysHowItIsRecognised();
@@ -69,7 +75,97 @@ QRadioButton *mark(OpenAuthor &author, const char *name)
 
 constexpr int predictionPart = 3;
 
+QString titleOf(OpenAuthor &author, const char *language)
+{
+    return taskForm(author.files(), author.document().step(), QLatin1String(language))->title;
+}
+
 } // namespace
+
+void TestAuthorFields::stepHasATitleInEachLanguage()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const LabFiles before = author.files();
+    openPart(author, 0);
+    author.fill("stepTitle", QStringLiteral("Let go"));
+    author.document().setLanguage(QStringLiteral("de"));
+    QVERIFY(author.find<QLineEdit>("stepTitle")->text() != QStringLiteral("Let go"));
+    author.fill("stepTitle", QStringLiteral("Loslassen"));
+    QCOMPARE(titleOf(author, "en"), QStringLiteral("Let go"));
+    QCOMPARE(titleOf(author, "de"), QStringLiteral("Loslassen"));
+    QVERIFY(author.find<QListWidget>("authorSteps")
+                ->item(0)
+                ->text()
+                .contains(QStringLiteral("Loslassen")));
+    author.undo();
+    author.undo();
+    QCOMPARE(author.files(), before);
+}
+
+/// Else the student would read the first comment of the solution, too.
+void TestAuthorFields::newMistakeKeepsItsCommentApart()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    author.window.showTab(AuthorWindow::Programs);
+    author.choose(QStringLiteral("A mistake that students make"));
+    const QString program = author.window.programsTab().editor().text();
+    QVERIFY(program.contains(QStringLiteral("where to look.\n\n-- Bouncing ball.")));
+    const QString read = author.window.programsTab().findChild<MarkdownView *>()->toPlainText();
+    QVERIFY2(read.contains(QStringLiteral("where to look"))
+                 && !read.contains(QStringLiteral("Bouncing")),
+             qPrintable(read));
+}
+
+void TestAuthorFields::sceneThatPassesIsMadeEditedAndRemoved()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const QString path = QStringLiteral("BALL1/solution-preset.json");
+    const LabFiles before = author.files();
+    const Preset start = *presetOf(before, QStringLiteral("BALL1"));
+    const Preset passes = *presetOf(before, QStringLiteral("BALL1"), StepPreset::Solution);
+    QVERIFY(start != passes);
+    author.window.showTab(AuthorWindow::Scene);
+    SceneTab &tab = author.window.sceneTab();
+    QVERIFY(tab.preset().preset() == start);
+    author.find<QComboBox>("whichScene")->setCurrentIndex(1);
+    QVERIFY(tab.preset().preset() == passes);
+
+    author.click(QStringLiteral("Remove this scene"));
+    QVERIFY(!author.files().contents.contains(path));
+    QVERIFY(!tab.scene().isVisible());
+    author.click(QStringLiteral("Make it from what the student finds"));
+    QVERIFY(tab.scene().isVisible());
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1"), StepPreset::Solution) == start);
+    Preset falling = tab.preset().preset();
+    falling.gravity = {0.0, -9.81};
+    QVERIFY(tab.preset().edit(QStringLiteral("gravity"), falling));
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1"), StepPreset::Solution) == falling);
+    QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1")) == start);
+
+    // What the proof finds of it leads here: by Euler it does not pass.
+    author.window.showTab(AuthorWindow::Proof);
+    author.click(QStringLiteral("Verify this step"));
+    QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
+    const VerifiedTask *proof = author.window.proofTab().result();
+    QVERIFY(proof && !proof->findings.empty());
+    QCOMPARE(proof->findings.front().program, QStringLiteral("solution-preset"));
+    author.click(QStringLiteral("Show the run"));
+    QVERIFY(tab.preset().isVisiting());
+    QVERIFY(tab.preset().preset().gravity.y == -9.81);
+    author.click(QStringLiteral("Back to the step's scene"));
+
+    while (author.document().undoStack().canUndo())
+        author.document().undoStack().undo();
+    QCOMPARE(author.files(), before);
+    author.find<QComboBox>("whichScene")->setCurrentIndex(0);
+    QVERIFY(tab.preset().preset() == start);
+}
 
 void TestAuthorFields::predictionIsAskedTranslatedAndRemoved()
 {
@@ -83,7 +179,11 @@ void TestAuthorFields::predictionIsAskedTranslatedAndRemoved()
 
     author.click(QStringLiteral("Ask for a prediction"));
     retype(author.find<MarkdownEditor>("predictionQuestion"), QStringLiteral("How far?"));
-    author.fill("predictionAnswer1", QStringLiteral("2 m"));
+    // By Tab past the mark of what comes true.
+    QTest::keyClick(author.focus(), Qt::Key_Tab);
+    QTest::keyClick(author.focus(), Qt::Key_Tab);
+    QCOMPARE(author.focus(), author.find<QLineEdit>("predictionAnswer1"));
+    QTest::keyClicks(author.focus(), QStringLiteral("2 m"));
     author.fill("predictionAnswer2", QStringLiteral("4 m"));
     author.click(QStringLiteral("Add an answer"));
     author.fill("predictionAnswer3", QStringLiteral("8 m"));

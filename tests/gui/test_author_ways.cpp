@@ -35,6 +35,7 @@ private slots:
     void findingShowsItsRun();
     void suggestedMistakeIsTakenOver();
     void checkInLuaIsWritten();
+    void stepThatIsWrittenOpensAsAStudentSeesIt();
 };
 
 namespace {
@@ -251,7 +252,8 @@ void TestAuthorWays::suggestedMistakeIsTakenOver()
     QCOMPARE(author.window.tabs().currentIndex(), int{AuthorWindow::Programs});
     const QString program = author.window.programsTab().editor().text();
     QVERIFY(program.startsWith(QStringLiteral("-- ")));
-    const QString headline = program.section(QLatin1Char('\n'), 0, 0).mid(3);
+    const QString headline =
+        program.section(QLatin1Char('\n'), 0, 0).mid(3).remove(QLatin1Char('`'));
     QVERIFY2(said.contains(headline), qPrintable(said));
 
     // The proof recognises it.
@@ -304,6 +306,34 @@ void TestAuthorWays::checkInLuaIsWritten()
         }
     }
     QVERIFY(failed);
+}
+
+void TestAuthorWays::stepThatIsWrittenOpensAsAStudentSeesIt()
+{
+    const QTemporaryDir folder;
+    OpenWindow student(folder);
+    const QString place = folder.filePath(QStringLiteral("ball"));
+    const Result<LabFiles> ball =
+        readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
+    QVERIFY(ball && !saveLabFiles(*ball, {}, place));
+    QVERIFY(!student.window.openAuthor(place));
+    AuthorWindow *author = student.window.author();
+    author->show();
+    AuthorDocument &document = author->document();
+    document.setStep(QStringLiteral("BALL3"));
+    TaskForm form = *taskForm(document.files(), document.step());
+    form.title = QStringLiteral("Half as high");
+    QVERIFY(
+        document.edit(QStringLiteral("edit"), withTask(document.files(), document.step(), form)));
+    author->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(author));
+    QTest::keyClick(author, Qt::Key_F5);
+    // Saved, and open at the step that is written, as it is now.
+    QVERIFY(!document.isModified());
+    QCOMPARE(*readLabFiles(place), document.files());
+    QVERIFY(student.bench.task());
+    QCOMPARE(student.bench.task()->id, QStringLiteral("BALL3"));
+    QCOMPARE(student.bench.task()->title, QStringLiteral("Half as high"));
 }
 
 QTEST_MAIN(TestAuthorWays)

@@ -154,6 +154,10 @@ void TestAuthorWindow::stepsAreAddedRenamedMovedAndRemoved()
     const QString first = titles(author).front();
     auto *list = author.find<QListWidget>("authorSteps");
     author.click(QStringLiteral("Add a step"));
+    QTest::qWait(600); // the lab is read meanwhile, which takes nothing from who is typing
+    auto *field = list->viewport()->findChild<QLineEdit *>();
+    QVERIFY(field);
+    QCOMPARE(field->selectedText(), QStringLiteral("New step"));
     author.typeInPlace(list, QStringLiteral("Second"));
     author.click(QStringLiteral("Add a step"));
     author.typeInPlace(list, QStringLiteral("Third"));

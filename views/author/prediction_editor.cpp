@@ -94,6 +94,8 @@ void PredictionEditor::showCards()
 {
     m_before->setPrediction(m_prediction);
     m_after->setPrediction(m_prediction);
+    for (QRadioButton *answer : m_cards->findChildren<QRadioButton *>())
+        answer->setFocusPolicy(Qt::NoFocus); // of a picture
     m_after->setGuess({.answer = m_prediction->right, .watched = true, .revealed = true});
 }
 

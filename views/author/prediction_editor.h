@@ -54,7 +54,7 @@ private:
     void makeLayout(FormulaRenderer *renderer);
     QWidget *makeNothing(QWidget *parent);
     QWidget *makeForm(QWidget *parent);
-    QWidget *makeAnswer(int answer);
+    void makeAnswer(int answer);
     QWidget *makeCards(FormulaRenderer *renderer);
     void wire();
     void retranslate();

@@ -85,6 +85,10 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
     m_questionCaption->setBuddy(m_question);
     m_answersCaption = new QLabel(m_form);
     m_answersCaption->setWordWrap(true);
+    // In the order in which Tab goes through them.
+    m_right = new QButtonGroup(m_form);
+    for (int i = 0; i < mostAnswers; ++i)
+        makeAnswer(i);
     m_add = new QPushButton(m_form);
     setKind(m_add, "link");
     m_outcomeCaption = new QLabel(m_form);
@@ -101,9 +105,8 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
     column->addWidget(m_question);
     column->addSpacing(4);
     column->addWidget(m_answersCaption);
-    m_right = new QButtonGroup(m_form);
-    for (int i = 0; i < mostAnswers; ++i)
-        column->addWidget(makeAnswer(i));
+    for (const AnswerRow &row : m_rows)
+        column->addWidget(row.widget);
     column->addWidget(m_add, 0, Qt::AlignLeft);
     column->addSpacing(4);
     column->addWidget(m_outcomeCaption);
@@ -114,7 +117,7 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
     return m_form;
 }
 
-QWidget *PredictionEditor::makeAnswer(int answer)
+void PredictionEditor::makeAnswer(int answer)
 {
     AnswerRow &row = m_rows[static_cast<std::size_t>(answer)];
     row.widget = new QWidget(m_form);
@@ -130,12 +133,12 @@ QWidget *PredictionEditor::makeAnswer(int answer)
     line->addWidget(row.right);
     line->addWidget(row.text, 1);
     line->addWidget(row.remove);
-    return row.widget;
 }
 
 QWidget *PredictionEditor::makeCards(FormulaRenderer *renderer)
 {
     m_cards = new QWidget;
+    m_cards->setAttribute(Qt::WA_TransparentForMouseEvents); // they are to be looked at
     m_beforeCaption = makeMutedText(m_cards);
     m_before = new PredictionCard(renderer, m_cards);
     m_afterCaption = makeMutedText(m_cards);

@@ -167,7 +167,8 @@ void ProgramsTab::addKnown(KnownKind kind)
     const QString solution = textOf(files, m_document.step() + QStringLiteral("/solution.lua"));
     m_program = fileOfProgram(kind, name);
     if (m_document.edit(mistake ? tr("Add a mistake") : tr("Add a remark"),
-                        withKnownAdded(files, m_document.step(), kind, name, comment + solution)))
+                        withKnownAdded(files, m_document.step(), kind, name,
+                                       comment + QLatin1Char('\n') + solution)))
         renameProgram();
 }
 

@@ -14,7 +14,8 @@ namespace cradle {
 
 namespace {
 
-constexpr int nameWidth = 230; ///< px
+constexpr int leastName = 230; ///< px
+constexpr int mostName = 330;  ///< px
 constexpr int saidWidth = 200; ///< px, at least
 constexpr int leastCell = 44;  ///< px
 constexpr int mostCell = 130;  ///< px
@@ -103,6 +104,7 @@ void ProofMatrix::fitColumns()
     const auto checks = static_cast<int>(m_task.checks.size());
     if (columnCount() == 0)
         return;
+    const int nameWidth = std::clamp(sizeHintForColumn(0) + cellMargin, leastName, mostName);
     setColumnWidth(0, nameWidth);
     const int room = (viewport()->width() - nameWidth - saidWidth) / std::max(checks, 1);
     for (int i = 1; i <= checks; ++i) {

@@ -100,15 +100,16 @@ void ProofTab::addSuggestion(const Suggestion &suggestion)
 {
     const bool passes = suggestion.kind == Suggestion::Kind::Passes;
     const Mutant &mutant = suggestion.mutant;
-    const QString headline = mutant.message.section(QLatin1Char('\n'), 0, 0);
-    const QString text = passes ? tr("Passes every check, so one is missing: %1 (line %2: %3)")
-                                      .arg(headline)
-                                      .arg(mutant.line)
-                                      .arg(mutant.change)
-                                : tr("Fails by “%1” without a word on why: %2 (line %3: %4)")
-                                      .arg(suggestion.check, headline)
-                                      .arg(mutant.line)
-                                      .arg(mutant.change);
+    const QString headline =
+        mutant.message.section(QLatin1Char('\n'), 0, 0).remove(QLatin1Char('`'));
+    const QString line = QString::number(mutant.line);
+    const QString change = mutant.change.trimmed();
+    const QString where =
+        change.isEmpty() ? tr("line %1").arg(line) : tr("line %1: %2").arg(line, change);
+    const QString text =
+        passes ? tr("Passes every check, so one is missing: %1 (%2)").arg(headline, where)
+               : tr("Fails by “%1” without a word on why: %2 (%3)")
+                     .arg(suggestion.check, headline, where);
     QPushButton *button = addRow(text, passes, tr("Add as a mistake"));
     button->setEnabled(!m_document.isReadOnly());
     connect(button, &QPushButton::clicked, this, [this, suggestion, button] {

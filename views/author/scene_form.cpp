@@ -72,7 +72,7 @@ void SceneForm::setReadOnly(bool readOnly)
 
 void SceneForm::retranslate()
 {
-    m_caption->setText(tr("Scenes"));
+    m_caption->setText(tr("Kind"));
     m_kind->setAccessibleName(tr("Kind of the scenes"));
     fillKindList(m_kind, sceneKinds());
 }

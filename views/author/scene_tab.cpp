@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/scene_tab.h"
 
-#include "tasks/authoring/lab_edits.h"
-#include "tasks/locks.h"
 #include "tasks/script/student_script.h"
-#include "views/author/scene_templates.h"
+#include "views/author/form_rows.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
@@ -15,6 +13,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
@@ -46,6 +45,9 @@ SceneTab::SceneTab(AuthorDocument &document, QWidget *parent)
         chooseMover();
     });
     connect(m_mover, &QComboBox::activated, this, &SceneTab::chooseMover);
+    connect(m_which, &QComboBox::currentIndexChanged, this, &SceneTab::reload);
+    connect(m_make, &QPushButton::clicked, this, &SceneTab::makeSolution);
+    connect(m_remove, &QPushButton::clicked, this, &SceneTab::removeSolution);
     reload();
 }
 
@@ -62,6 +64,8 @@ void SceneTab::makeLayout()
     m_lockButton = new QPushButton(this);
     m_fromMoment = new QPushButton(this);
     m_leave = new QPushButton(this);
+    m_remove = new QPushButton(this);
+    m_which = new QComboBox(this);
     m_mover = new QComboBox(this);
     m_templates = new QMenu(m_templateButton);
     m_locks = new QMenu(m_lockButton);
@@ -70,7 +74,8 @@ void SceneTab::makeLayout()
     auto *top = new QHBoxLayout;
     top->setSpacing(8);
     top->setContentsMargins(12, 8, 12, 0);
-    for (QPushButton *button : {m_templateButton, m_fromMoment, m_lockButton, m_leave}) {
+    top->addWidget(m_which);
+    for (QPushButton *button : {m_templateButton, m_fromMoment, m_lockButton, m_remove, m_leave}) {
         setKind(button, "small");
         top->addWidget(button);
     }
@@ -79,6 +84,7 @@ void SceneTab::makeLayout()
     top->addStretch(1);
     top->addWidget(m_mover);
     m_mover->setObjectName(QStringLiteral("mover"));
+    m_which->setObjectName(QStringLiteral("whichScene"));
 
     m_scene = new SceneView(m_preset, this);
     m_inspector = new Inspector(m_preset, this);
@@ -90,10 +96,21 @@ void SceneTab::makeLayout()
     m_splitter->setStretchFactor(0, 1);
     m_splitter->setSizes({560, 440});
 
+    m_missing = new QWidget(this);
+    m_missingText = makeMutedText(m_missing);
+    m_make = new QPushButton(m_missing);
+    auto *missing = new QVBoxLayout(m_missing);
+    missing->setContentsMargins(12, 12, 12, 12);
+    missing->setSpacing(8);
+    missing->addWidget(m_missingText);
+    missing->addWidget(m_make, 0, Qt::AlignLeft);
+    missing->addStretch(1);
+
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(top);
+    column->addWidget(m_missing, 1);
     column->addWidget(m_transport);
     column->addWidget(m_splitter, 1);
     column->addWidget(m_timeline);
@@ -102,12 +119,12 @@ void SceneTab::makeLayout()
 /// An edit made here comes back as it was; anything else begins the scene anew.
 void SceneTab::reload()
 {
-    const QString &step = m_document.step();
-    const Result<Preset> preset = presetOf(m_document.files(), step);
-    setEnabled(preset.ok());
-    if (preset && (step != m_shownStep || *preset != m_preset.own())) {
+    const QString shown = m_document.step() + QString::number(m_which->currentIndex());
+    const Result<Preset> preset = presetOf(m_document.files(), m_document.step(), which());
+    setEnabled(preset.ok() || isMissing());
+    if (preset && (shown != m_shown || *preset != m_preset.own())) {
         ++m_openings;
-        m_shownStep = step;
+        m_shown = shown;
         m_preset.open(*preset);
         chooseMover();
     }
@@ -115,12 +132,50 @@ void SceneTab::reload()
     enableControls();
 }
 
+StepPreset SceneTab::which() const
+{
+    return m_which->currentIndex() == 1 ? StepPreset::Solution : StepPreset::Start;
+}
+
+/// Whether the step could have the scene that is asked for, and has none.
+bool SceneTab::isMissing() const
+{
+    const QString &step = m_document.step();
+    return which() == StepPreset::Solution && !step.isEmpty()
+           && !m_document.files().contents.contains(solutionPresetPath(step));
+}
+
+void SceneTab::openStart()
+{
+    m_which->setCurrentIndex(0);
+}
+
+void SceneTab::openSolution()
+{
+    m_which->setCurrentIndex(1);
+}
+
+void SceneTab::makeSolution()
+{
+    const LabFiles &files = m_document.files();
+    if (const Result<Preset> start = presetOf(files, m_document.step()))
+        m_document.edit(tr("Add the scene that passes"),
+                        withPreset(files, m_document.step(), *start, StepPreset::Solution));
+}
+
+void SceneTab::removeSolution()
+{
+    m_document.edit(tr("Remove the scene that passes"),
+                    withoutFile(m_document.files(), solutionPresetPath(m_document.step())));
+}
+
 void SceneTab::takePreset()
 {
     const QString key =
         QStringLiteral("scene:%1:%2").arg(m_openings).arg(m_preset.undoStack().count());
-    if (!m_document.edit(m_preset.undoStack().undoText(),
-                         withPreset(m_document.files(), m_document.step(), m_preset.preset()), key))
+    if (!m_document.edit(
+            m_preset.undoStack().undoText(),
+            withPreset(m_document.files(), m_document.step(), m_preset.preset(), which()), key))
         QMetaObject::invokeMethod(this, &SceneTab::reload, Qt::QueuedConnection);
 }
 
@@ -141,77 +196,33 @@ void SceneTab::visit(const Preset &scene, const QString &program, qint64 step)
 void SceneTab::chooseMover()
 {
     const QString path = m_document.step() + QStringLiteral("/solution.lua");
-    const QString program =
-        m_mover->currentIndex() == 1 ? textOf(m_document.files(), path) : QString();
+    const QString program = m_mover->currentIndex() == 1 && which() == StepPreset::Start
+                                ? textOf(m_document.files(), path)
+                                : QString();
     auto script = program.isEmpty() ? nullptr : std::make_unique<StudentScript>(program);
     m_simulation.setProgram(script.get());
     m_program = std::move(script);
 }
 
-void SceneTab::fillTemplates()
-{
-    m_templates->clear();
-    for (const SceneTemplate scene : allTemplates) {
-        QAction *action = m_templates->addAction(titleOf(scene));
-        connect(action, &QAction::triggered, this, [this, scene] {
-            m_preset.edit(tr("Take the template %1").arg(titleOf(scene)), presetOf(scene));
-        });
-    }
-}
-
-void SceneTab::fillLocks()
-{
-    const Preset &preset = m_preset.own();
-    const QStringList fields = lockableFields(preset);
-    QStringList names;
-    for (const QString &field : fields) {
-        const QString name = lockedName(field, preset);
-        names.append(name.left(1).toUpper() + name.mid(1));
-    }
-    if (names == m_lockNames)
-        return;
-    m_lockNames = names;
-    m_locks->clear();
-    for (qsizetype i = 0; i < fields.size(); ++i) {
-        const QString &field = fields[i];
-        QAction *action = m_locks->addAction(names[i]);
-        action->setCheckable(true);
-        action->setData(field);
-        connect(action, &QAction::triggered, this,
-                [this, field](bool on) { setLocked(field, on); });
-    }
-}
-
-void SceneTab::showLocks()
-{
-    fillLocks();
-    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
-    const QStringList locked = form ? form->locked : QStringList();
-    for (QAction *action : m_locks->actions())
-        action->setChecked(locked.contains(action->data().toString()));
-    m_lockButton->setText(locked.isEmpty() ? tr("Lock…") : tr("Locked: %1").arg(locked.size()));
-}
-
-void SceneTab::setLocked(const QString &field, bool locked)
-{
-    Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
-    if (!form)
-        return;
-    form->locked.removeAll(field);
-    if (locked)
-        form->locked.append(field);
-    if (!m_document.edit(locked ? tr("Lock a field") : tr("Unlock a field"),
-                         withTask(m_document.files(), m_document.step(), *form)))
-        showLocks();
-}
-
 void SceneTab::enableControls()
 {
-    const bool own = !m_preset.isVisiting() && !m_document.isReadOnly();
+    const bool visiting = m_preset.isVisiting();
+    const bool missing = isMissing() && !visiting;
+    const bool solution = which() == StepPreset::Solution;
+    for (QWidget *part : {static_cast<QWidget *>(m_transport), static_cast<QWidget *>(m_splitter),
+                          static_cast<QWidget *>(m_timeline)})
+        part->setVisible(!missing);
+    m_missing->setVisible(missing);
+    m_make->setEnabled(!m_document.isReadOnly());
+    m_which->setEnabled(!visiting);
+    const bool own = !visiting && !missing && !m_document.isReadOnly();
     m_templateButton->setEnabled(own);
     m_lockButton->setEnabled(own);
     m_fromMoment->setEnabled(own && !m_simulation.atStart());
-    m_mover->setVisible(!m_preset.isVisiting());
+    m_lockButton->setVisible(!solution); // what is locked is of the step
+    m_remove->setVisible(solution && !missing);
+    m_remove->setEnabled(own);
+    m_mover->setVisible(!visiting && !solution);
 }
 
 void SceneTab::retranslate()
@@ -223,6 +234,18 @@ void SceneTab::retranslate()
         tr("The circles start where, and as fast as, they are at the moment shown"));
     m_lockButton->setToolTip(tr("What the student may not change in this step"));
     m_leave->setText(tr("Back to the step's scene"));
+    m_remove->setText(tr("Remove this scene"));
+    m_missingText->setText(tr("Students may also pass without a program, by setting the scene and "
+                              "its laws. This step has no scene yet that passes its checks so; "
+                              "with one, the proof looks after it, too."));
+    m_make->setText(tr("Make it from what the student finds"));
+    const QStringList scenes{tr("What the student finds"), tr("What passes without a program")};
+    for (int i = 0; i < scenes.size(); ++i) {
+        if (i >= m_which->count())
+            m_which->addItem(scenes[i]);
+        m_which->setItemText(i, scenes[i]);
+    }
+    m_which->setAccessibleName(tr("Which scene of the step"));
     const QStringList movers{tr("Moved by the scene's laws"), tr("Moved by solution.lua")};
     for (int i = 0; i < movers.size(); ++i) {
         if (i >= m_mover->count())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/authoring/lab_edits.h"
 #include "views/author/author_document.h"
 #include "views/preset_document.h"
 
@@ -11,6 +12,7 @@
 
 QT_BEGIN_NAMESPACE
 class QComboBox;
+class QLabel;
 class QMenu;
 class QPushButton;
 class QSplitter;
@@ -24,9 +26,9 @@ class StudentScript;
 class Timeline;
 class TransportBar;
 
-/// The scene that a step starts with, edited where it is seen: by its handles and by numbers. It
-/// can run, by its laws or by the reference program; templates, the moment shown, and what the
-/// student may not change are in menus.
+/// The scene that a step starts with, or the one that passes without a program, edited where it is
+/// seen: by its handles and by numbers. It can run, by its laws or by the reference program;
+/// templates, the moment shown, and what the student may not change are in menus.
 class SceneTab final : public QWidget
 {
     Q_OBJECT
@@ -40,6 +42,8 @@ public:
     [[nodiscard]] QMenu &templates() { return *m_templates; }
     [[nodiscard]] QMenu &locks() { return *m_locks; }
 
+    void openStart();    ///< shows what the student finds
+    void openSolution(); ///< shows what passes without a program
     /// Runs \p program in \p scene up to \p step, to be looked at; not the step's own scene.
     void visit(const Preset &scene, const QString &program, qint64 step);
 
@@ -64,6 +68,10 @@ private:
     void setLocked(const QString &field, bool locked);
     void chooseMover();
     void enableControls();
+    void makeSolution();
+    void removeSolution();
+    [[nodiscard]] StepPreset which() const;
+    [[nodiscard]] bool isMissing() const;
 
     AuthorDocument &m_document;
     Simulation m_simulation;
@@ -73,15 +81,20 @@ private:
     QPushButton *m_templateButton = nullptr;
     QPushButton *m_lockButton = nullptr;
     QPushButton *m_fromMoment = nullptr;
-    QPushButton *m_leave = nullptr; ///< a visit
+    QPushButton *m_leave = nullptr;  ///< a visit
+    QPushButton *m_remove = nullptr; ///< the scene that passes
+    QComboBox *m_which = nullptr;    ///< of the step's two scenes
     QComboBox *m_mover = nullptr;
+    QWidget *m_missing = nullptr; ///< shown while there is no such scene
+    QLabel *m_missingText = nullptr;
+    QPushButton *m_make = nullptr;
     QMenu *m_templates = nullptr;
     QMenu *m_locks = nullptr;
     QSplitter *m_splitter = nullptr;
     SceneView *m_scene = nullptr;
     Inspector *m_inspector = nullptr;
     Timeline *m_timeline = nullptr;
-    QString m_shownStep;
+    QString m_shown;         ///< step and scene
     QStringList m_lockNames; ///< in the menu
     int m_openings = 0;      ///< of presets: edits of two never merge
 };

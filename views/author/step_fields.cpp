@@ -14,7 +14,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int idWidth = 140; ///< px
+constexpr int idWidth = 110; ///< px
 
 } // namespace
 
@@ -23,32 +23,40 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     , m_document(document)
     , m_idCaption(new QLabel(this))
     , m_id(new QLineEdit(this))
+    , m_titleCaption(new QLabel(this))
+    , m_title(new QLineEdit(this))
     , m_commitCaption(new QLabel(this))
     , m_commit(new QLineEdit(this))
     , m_extra(new QCheckBox(this))
 {
     m_id->setObjectName(QStringLiteral("stepId"));
+    m_title->setObjectName(QStringLiteral("stepTitle"));
     m_commit->setObjectName(QStringLiteral("stepCommit"));
     m_id->setMaximumWidth(idWidth);
     m_idCaption->setBuddy(m_id);
+    m_titleCaption->setBuddy(m_title);
     m_commitCaption->setBuddy(m_commit);
     auto *row = new QHBoxLayout(this);
     row->setSpacing(8);
     row->setContentsMargins(12, 8, 12, 8);
     row->addWidget(m_idCaption);
     row->addWidget(m_id);
+    row->addWidget(m_titleCaption);
+    row->addWidget(m_title, 2);
     row->addWidget(m_commitCaption);
-    row->addWidget(m_commit, 1);
+    row->addWidget(m_commit, 3);
     row->addWidget(m_extra);
     retranslate();
     connect(m_id, &QLineEdit::editingFinished, this, &StepFields::takeId);
-    connect(m_commit, &QLineEdit::textEdited, this, &StepFields::takeFields);
-    connect(m_extra, &QCheckBox::clicked, this, &StepFields::takeFields);
+    connect(m_title, &QLineEdit::textEdited, this, [this] { takeFields(QStringLiteral("title")); });
+    connect(m_commit, &QLineEdit::textEdited, this,
+            [this] { takeFields(QStringLiteral("commit")); });
+    connect(m_extra, &QCheckBox::clicked, this, [this] { takeFields(QStringLiteral("extra")); });
 }
 
 void StepFields::reload()
 {
-    for (QLineEdit *line : {m_id, m_commit})
+    for (QLineEdit *line : {m_id, m_title, m_commit})
         line->setReadOnly(m_document.isReadOnly());
     m_extra->setEnabled(!m_document.isReadOnly());
     const Result<TaskForm> form =
@@ -58,8 +66,13 @@ void StepFields::reload()
     if (m_shownStep != m_document.step() || !m_id->isModified())
         m_id->setText(m_document.step());
     m_shownStep = m_document.step();
-    if (m_commit->text() != form->commit)
-        m_commit->setText(form->commit);
+    for (const auto &[line, text] :
+         {std::pair(m_title, form->title), std::pair(m_commit, form->commit)}) {
+        if (line->text() == text)
+            continue;
+        line->setText(text);
+        line->setCursorPosition(0); // a long one is read from its beginning
+    }
     m_extra->setChecked(form->extra);
 }
 
@@ -73,17 +86,18 @@ void StepFields::takeId()
         m_id->setText(m_document.step());
 }
 
-void StepFields::takeFields()
+void StepFields::takeFields(const QString &field)
 {
     const LabFiles &files = m_document.files();
     Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
     if (!form)
         return;
+    form->title = m_title->text();
     form->commit = m_commit->text();
     form->extra = m_extra->isChecked();
     m_document.edit(tr("Edit the step"),
                     withTask(files, m_document.step(), *form, m_document.language()),
-                    QStringLiteral("fields:") + m_document.step());
+                    QStringLiteral("%1:%2").arg(field, m_document.step()));
 }
 
 void StepFields::retranslate()
@@ -91,6 +105,9 @@ void StepFields::retranslate()
     m_idCaption->setText(tr("Id"));
     m_id->setAccessibleName(tr("Id of the step, and its folder"));
     m_id->setToolTip(tr("Letters, digits, dots and dashes; also the name of the folder"));
+    m_titleCaption->setText(tr("Title"));
+    m_title->setAccessibleName(tr("Title of the step"));
+    m_title->setToolTip(tr("In the language that is open; also in the list of steps (F2)"));
     m_commitCaption->setText(tr("Commit message"));
     m_commit->setAccessibleName(tr("Commit message"));
     m_commit->setToolTip(tr("What a student writes into the history after passing"));

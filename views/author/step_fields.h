@@ -14,7 +14,7 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
-/// The short fields of a step in a row: its id, its commit message, and whether it counts.
+/// The short fields of a step in a row: its id, title and commit message, and whether it counts.
 class StepFields final : public QWidget
 {
     Q_OBJECT
@@ -28,12 +28,14 @@ protected:
 
 private:
     void takeId();
-    void takeFields();
+    void takeFields(const QString &field); ///< that was typed into
     void retranslate();
 
     AuthorDocument &m_document;
     QLabel *m_idCaption;
     QLineEdit *m_id;
+    QLabel *m_titleCaption;
+    QLineEdit *m_title;
     QLabel *m_commitCaption;
     QLineEdit *m_commit;
     QCheckBox *m_extra;

@@ -12,6 +12,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QToolButton>
 
@@ -145,6 +146,9 @@ void StepsPanel::showCurrent()
 
 void StepsPanel::markFindings()
 {
+    // A row that changes takes its text back from who is typing there; reload() follows the end.
+    if (m_list->viewport()->findChild<QLineEdit *>())
+        return;
     m_loading = true;
     for (int i = 0; i < m_list->count(); ++i) {
         const bool found = m_findings->concernsStep(m_list->item(i)->data(FolderRole).toString());

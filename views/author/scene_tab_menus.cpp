@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/scene_tab.h"
+
+#include "tasks/locks.h"
+#include "views/author/scene_templates.h"
+
+#include <QMenu>
+#include <QPushButton>
+
+namespace cradle {
+
+// The menus of the tab: scenes to begin with, and what the student may not change.
+
+void SceneTab::fillTemplates()
+{
+    m_templates->clear();
+    for (const SceneTemplate scene : allTemplates) {
+        QAction *action = m_templates->addAction(titleOf(scene));
+        connect(action, &QAction::triggered, this, [this, scene] {
+            m_preset.edit(tr("Take the template %1").arg(titleOf(scene)), presetOf(scene));
+        });
+    }
+}
+
+void SceneTab::fillLocks()
+{
+    const Preset &preset = m_preset.own();
+    const QStringList fields = lockableFields(preset);
+    QStringList names;
+    for (const QString &field : fields) {
+        const QString name = lockedName(field, preset);
+        names.append(name.left(1).toUpper() + name.mid(1));
+    }
+    if (names == m_lockNames)
+        return;
+    m_lockNames = names;
+    m_locks->clear();
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        const QString &field = fields[i];
+        QAction *action = m_locks->addAction(names[i]);
+        action->setCheckable(true);
+        action->setData(field);
+        connect(action, &QAction::triggered, this,
+                [this, field](bool on) { setLocked(field, on); });
+    }
+}
+
+void SceneTab::showLocks()
+{
+    fillLocks();
+    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    const QStringList locked = form ? form->locked : QStringList();
+    for (QAction *action : m_locks->actions())
+        action->setChecked(locked.contains(action->data().toString()));
+    m_lockButton->setText(locked.isEmpty() ? tr("Lock…") : tr("Locked: %1").arg(locked.size()));
+}
+
+void SceneTab::setLocked(const QString &field, bool locked)
+{
+    Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    if (!form)
+        return;
+    form->locked.removeAll(field);
+    if (locked)
+        form->locked.append(field);
+    if (!m_document.edit(locked ? tr("Lock a field") : tr("Unlock a field"),
+                         withTask(m_document.files(), m_document.step(), *form)))
+        showLocks();
+}
+
+} // namespace cradle
