@@ -50,8 +50,8 @@ void MainWindow::pinRun()
         m_notice->showNotice(tr("There is no run yet: press Run, then pin it."));
         return;
     }
-    m_pins.add(
-        PinnedRuns::keep(m_curves.set(), m_workbench.simulation().recording(), m_pins.now()));
+    m_pins.add(PinnedRuns::keep(m_curves.whole(PinnedRuns::curveBytes),
+                                m_workbench.simulation().recording(), m_pins.now()));
 }
 
 /// The run so far is kept, so that the new one can be compared with what would have come.
@@ -61,8 +61,8 @@ void MainWindow::startNewRunHere()
     if (simulation.atStart())
         return;
     const std::vector<Circle> wanted = simulation.recording().world(simulation.current()).circles;
-    PinnedRun old =
-        PinnedRuns::keep(m_curves.set(), simulation.recording(), m_pins.now(), simulation.time());
+    PinnedRun old = PinnedRuns::keep(m_curves.whole(PinnedRuns::curveBytes), simulation.recording(),
+                                     m_pins.now(), simulation.time());
     if (!m_workbench.document().startFromMoment())
         return;
     m_pins.add(std::move(old));

@@ -187,6 +187,7 @@ QString ChartPane::title() const
 bool ChartPane::readRun()
 {
     m_curves.update();
+    m_curves.want(this, wanted());
     return m_simulation.recording().last() > 0 || (m_pins && !m_pins->runs().empty());
 }
 

@@ -64,6 +64,8 @@ protected:
     /// \param curves  shared by the charts; outlives this one
     ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *parent);
 
+    /// What it draws of the run that goes on, besides the total energy.
+    [[nodiscard]] virtual CurveGroups wanted() const { return {}; }
     /// Reads what is new of the run. \return whether there is something to draw
     [[nodiscard]] virtual bool readRun();
     /// What is drawn at this moment, the most important first.

@@ -2,15 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/measurements.h"
 #include "model/recording.h"
 #include "views/charts/min_max_pyramid.h"
 
+#include <QFlags>
+
 #include <array>
+#include <optional>
 
 namespace cradle {
 
 /// What is shown of a momentum.
 enum class MomentumPart { X, Y, Length };
+
+/// Curves that are kept only where they are wanted. The total energy of all circles and what hits
+/// dissipated are kept always.
+enum class CurveGroup : unsigned {
+    MomentumX = 1, ///< of each circle and of all
+    MomentumY = 2,
+    MomentumLength = 4,
+    KineticOfEach = 8,
+    KineticUpTo = 16,
+    TotalOfEach = 32,
+    Kinetic = 64, ///< of all
+    Potential = 128,
+    Made = 256,
+    All = 511
+};
+using CurveGroups = QFlags<CurveGroup>;
 
 /// Momentum and energy of one circle, or of all, over the run.
 struct MotionCurves {
@@ -39,16 +59,27 @@ public:
     /// some: total + dissipated in hits − total at the start.
     [[nodiscard]] const MinMaxPyramid &made() const { return m_made; }
     /// The total of the first frame read, J.
-    [[nodiscard]] double startTotal() const { return m_start; }
-    /// The greatest |p| of any circle or of all, kg m/s: the scale of the run.
-    [[nodiscard]] double momentumScale() const;
+    [[nodiscard]] double startTotal() const { return m_start.value_or(0.0); }
+    /// The greatest |p| of any circle or of all so far, kg m/s: the scale of the run.
+    [[nodiscard]] double momentumScale() const { return m_momentumScale; }
+    /// The greatest kinetic or potential energy of all so far, J, without its sign.
+    [[nodiscard]] double energyScale() const { return m_energyScale; }
+    [[nodiscard]] CurveGroups groups() const { return m_groups; }
 
     [[nodiscard]] qint64 bytes() const; ///< memory held
     /// A copy whose oldest part is forgotten where it would hold more than \p maxBytes.
     [[nodiscard]] CurveSet within(qint64 maxBytes) const;
 
-    /// Begins anew, for a run of \p circles circles.
+    /// Begins anew, for a run of \p circles circles, with the same groups.
     void begin(std::size_t circles);
+    /// Keeps \p groups and no others. Those that are new are read up to the frame before \p next,
+    /// as far back as the total is kept.
+    void setGroups(CurveGroups groups, const Recording &recording, const Preset &preset,
+                   qint64 next);
+    /// All groups of the run of which this has some, read from \p recording up to the frame before
+    /// \p next; the oldest part is forgotten where they would hold more than \p maxBytes.
+    [[nodiscard]] CurveSet whole(const Recording &recording, const Preset &preset, qint64 next,
+                                 qint64 maxBytes) const;
     /// Reads the next frame of \p recording, a run of \p preset.
     void read(const Recording &recording, const Preset &preset, qint64 index);
     void dropBefore(double time);
@@ -56,17 +87,30 @@ public:
     void dropOldest();
 
 private:
+    /// How far the hits were read.
+    struct Losses {
+        qint64 nextHit = 0; ///< of all hits ever
+        double sum = 0.0;   ///< J
+    };
+    class Moment;
+
     template <typename Visit>
     void forEach(Visit visit);
+    [[nodiscard]] Losses lossesBefore(const Recording &recording) const;
+    Totals add(CurveGroups groups, Moment &moment, std::span<const Circle> circles,
+               const Preset &preset, double lost);
+    void clear(CurveGroups groups);
 
     std::vector<MotionCurves> m_circles;
     MotionCurves m_sum;
     MinMaxPyramid m_potential;
     MinMaxPyramid m_dissipated;
     MinMaxPyramid m_made;
-    qint64 m_nextHit = 0; ///< of all hits ever
-    double m_lost = 0.0;  ///< J, up to the last frame read
-    double m_start = 0.0; ///< J
+    CurveGroups m_groups = CurveGroup::All;
+    Losses m_losses;               ///< up to the last frame read
+    std::optional<double> m_start; ///< J
+    double m_momentumScale = 0.0;  ///< kg m/s
+    double m_energyScale = 0.0;    ///< J
 };
 
 } // namespace cradle

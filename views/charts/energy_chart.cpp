@@ -135,8 +135,24 @@ void EnergyChart::retranslate()
 double EnergyChart::scale() const
 {
     const RunCurves &run = runCurves();
-    return std::max({run.sum().kinetic.maximum(), std::abs(run.potential().maximum()),
-                     std::abs(run.potential().minimum()), std::abs(run.dissipated().maximum())});
+    return std::max(run.energyScale(), std::abs(run.dissipated().maximum()));
+}
+
+CurveGroups EnergyChart::wanted() const
+{
+    const bool hasCircles = runCurves().circleCount() > 0;
+    if (isShown(Stacked))
+        return CurveGroups(CurveGroup::Made)
+               | (isShown(KineticOfEach) && hasCircles ? CurveGroup::KineticUpTo
+                                                       : CurveGroup::Kinetic);
+    CurveGroups groups;
+    groups.setFlag(CurveGroup::TotalOfEach, isShown(TotalOfEach));
+    groups.setFlag(CurveGroup::KineticOfEach, isShown(KineticOfEach) && hasCircles);
+    groups.setFlag(CurveGroup::Kinetic,
+                   isShown(Kinetic) || (isShown(KineticOfEach) && !hasCircles));
+    groups.setFlag(CurveGroup::Potential, isShown(Potential));
+    groups.setFlag(CurveGroup::Made, isShown(ByIntegrator));
+    return groups;
 }
 
 std::vector<ChartCurve> EnergyChart::curves() const

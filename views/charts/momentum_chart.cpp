@@ -81,6 +81,19 @@ double MomentumChart::scale() const
     return runCurves().momentumScale();
 }
 
+CurveGroups MomentumChart::wanted() const
+{
+    switch (m_part) {
+    case MomentumPart::X:
+        return CurveGroup::MomentumX;
+    case MomentumPart::Y:
+        return CurveGroup::MomentumY;
+    case MomentumPart::Length:
+        break;
+    }
+    return CurveGroup::MomentumLength;
+}
+
 std::vector<ChartCurve> MomentumChart::curves() const
 {
     return curvesOf(runCurves().set());

@@ -22,6 +22,7 @@ protected:
     [[nodiscard]] HitMeasure hitMeasure() const override;
     [[nodiscard]] QString hitQuantity() const override;
     [[nodiscard]] double scale() const override;
+    [[nodiscard]] CurveGroups wanted() const override;
     void retranslate() override;
 
 private:

@@ -42,4 +42,19 @@ void RunCurves::update()
         m_set.dropOldest();
 }
 
+void RunCurves::want(const QObject *who, CurveGroups groups)
+{
+    m_wanted[who] = groups;
+    CurveGroups all;
+    for (const auto &[chart, wanted] : m_wanted)
+        all |= wanted;
+    if (all != m_set.groups())
+        m_set.setGroups(all, m_simulation.recording(), m_simulation.preset(), m_nextFrame);
+}
+
+CurveSet RunCurves::whole(qint64 maxBytes) const
+{
+    return m_set.whole(m_simulation.recording(), m_simulation.preset(), m_nextFrame, maxBytes);
+}
+
 } // namespace cradle

@@ -6,11 +6,13 @@
 #include "views/charts/curve_set.h"
 #include "views/charts/exact_curves.h"
 
+#include <map>
+
 namespace cradle {
 
 /// The curves of the run that goes on, which the charts share. Reads each recorded frame once,
 /// keeps what the recording keeps within a bound of memory of its own, and begins anew with the
-/// recording.
+/// recording. Once a chart has told what it wants, only what is wanted is kept.
 class RunCurves final : public QObject
 {
     Q_OBJECT
@@ -20,6 +22,10 @@ public:
 
     /// Reads the frames that are new; does nothing if there are none.
     void update();
+    /// \p who needs \p groups from now on, and no longer what it wanted before.
+    void want(const QObject *who, CurveGroups groups);
+    /// All curves of the run, in at most \p maxBytes.
+    [[nodiscard]] CurveSet whole(qint64 maxBytes) const;
 
     [[nodiscard]] const CurveSet &set() const { return m_set; }
     [[nodiscard]] const ExactCurves &exact() const { return m_exact; }
@@ -35,6 +41,7 @@ public:
     [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_set.dissipated(); }
     [[nodiscard]] const MinMaxPyramid &made() const { return m_set.made(); }
     [[nodiscard]] double momentumScale() const { return m_set.momentumScale(); }
+    [[nodiscard]] double energyScale() const { return m_set.energyScale(); }
     [[nodiscard]] qint64 bytes() const { return m_set.bytes(); } ///< memory held
 
 private:
@@ -45,6 +52,7 @@ private:
     CurveSet m_set;
     ExactCurves m_exact;
     qint64 m_nextFrame = 0;
+    std::map<const QObject *, CurveGroups> m_wanted;
 };
 
 } // namespace cradle
