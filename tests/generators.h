@@ -69,4 +69,10 @@ inline Vec2 anyGravity()
     }
 }
 
+inline Integrator anyIntegrator()
+{
+    return *rc::gen::element(Integrator::Euler, Integrator::SymplecticEuler, Integrator::Verlet,
+                             Integrator::RungeKutta4);
+}
+
 } // namespace cradle::scenes

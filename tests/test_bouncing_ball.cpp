@@ -1,25 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/preset_json.h"
-#include "tasks/checker.h"
-#include "tasks/lab_reader.h"
+#include "tests/lab_test.h"
+
 #include "tasks/lab_verifier.h"
-#include "tasks/observation.h"
 
 #include <QFile>
 #include <QRegularExpression>
-#include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace cradle;
 
 /// The bouncing ball, the lab that the tutorial builds, judged from outside.
-class TestBouncingBall : public QObject
+class TestBouncingBall : public LabTest
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
+    void initTestCase() { read(bouncingBallLab); }
     void everyFileOfTheLabIsRead();
     void everyStepHasWhatAStudentNeeds_data();
     void everyStepHasWhatAStudentNeeds();
@@ -29,20 +27,8 @@ private slots:
     void solutionPresetPassesForFiveSeeds();
     void wrongSceneFailsByTheCheckThatSeesIt_data();
     void wrongSceneFailsByTheCheckThatSeesIt();
-    void everyTimingAndOrderThatIsRightPasses_data();
-    void everyTimingAndOrderThatIsRightPasses();
-    void exactBouncesFollowTheLaw();
-    void heightsAreThoseOfTheText_data();
-    void heightsAreThoseOfTheText();
     void luaCheckDoesNotGiveTheAnswerAway();
     void picturesOfTheTextsAreThere();
-
-private:
-    void addSteps();
-    [[nodiscard]] const Task &task(const QString &id) const;
-    [[nodiscard]] Preset solution(const QString &id) const;
-
-    Lab m_lab;
 };
 
 namespace {
@@ -58,62 +44,7 @@ const CheckOutcome *outcomeOf(const CheckReport &report, const QString &check)
     return found == report.checks.end() ? nullptr : &*found;
 }
 
-QString faultsOf(const CheckReport &report)
-{
-    QStringList lines;
-    for (const CheckOutcome &check : report.checks) {
-        if (!check.passed)
-            lines.append(check.id + QStringLiteral(": ") + check.message);
-    }
-    return lines.join(QLatin1Char('\n'));
-}
-
-/// How high the rim comes above the floor after each bounce of the first \p seconds, m.
-std::vector<double> heightsAfterBounces(const Preset &preset, double seconds)
-{
-    const Observation run = observe({QStringLiteral("run"), preset, seconds, false});
-    std::vector<double> tops;
-    double top = 0.0;
-    bool fell = false;
-    for (qint64 k = 1; k <= run.steps(); ++k) {
-        const Circle &ball = run.circle(0, k);
-        const bool falls = ball.velocity.y < 0.0;
-        if (fell && !falls) {
-            tops.push_back(top);
-            top = 0.0;
-        }
-        top = std::max(top, ball.position.y - ball.radius + preset.halfWidth);
-        fell = falls;
-    }
-    tops.erase(tops.begin());
-    return tops;
-}
-
 } // namespace
-
-void TestBouncingBall::initTestCase()
-{
-    const Result<Lab> lab = readLab(QLatin1String(bouncingBallLab));
-    QVERIFY2(lab.ok(), lab ? "" : qPrintable(lab.error().toString()));
-    m_lab = *lab;
-}
-
-void TestBouncingBall::addSteps()
-{
-    QTest::addColumn<QString>("step");
-    for (const Task &task : m_lab.tasks)
-        QTest::newRow(qPrintable(task.id)) << task.id;
-}
-
-const Task &TestBouncingBall::task(const QString &id) const
-{
-    return m_lab.tasks[static_cast<std::size_t>(m_lab.indexOf(id))];
-}
-
-Preset TestBouncingBall::solution(const QString &id) const
-{
-    return *readPreset(task(id).folder + QStringLiteral("/solution-preset.json"));
-}
 
 void TestBouncingBall::everyFileOfTheLabIsRead()
 {
@@ -174,7 +105,7 @@ void TestBouncingBall::solutionPresetPassesForFiveSeeds()
     QVERIFY(!judgeTask(m_lab, task(step), task(step).preset, 1)->passed);
     for (qint64 seed = 1; seed <= 5; ++seed) {
         const CheckReport report = *judgeTask(m_lab, task(step), solution(step), seed);
-        QVERIFY2(report.passed, qPrintable(faultsOf(report)));
+        QVERIFY2(report.passed, qPrintable(failedChecks(report)));
     }
 }
 
@@ -217,98 +148,8 @@ void TestBouncingBall::wrongSceneFailsByTheCheckThatSeesIt()
     const CheckReport report = *judgeTask(m_lab, task(step), preset, 1);
     const CheckOutcome *outcome = outcomeOf(report, check);
     QVERIFY(outcome);
-    QVERIFY2(!outcome->passed, qPrintable(faultsOf(report)));
+    QVERIFY2(!outcome->passed, qPrintable(failedChecks(report)));
     QVERIFY(!outcome->message.isEmpty());
-}
-
-void TestBouncingBall::everyTimingAndOrderThatIsRightPasses_data()
-{
-    QTest::addColumn<Timing>("timing");
-    QTest::addColumn<Integrator>("integrator");
-    QTest::addColumn<double>("timestep");
-    constexpr double usual = 1.0 / 60.0;
-    QTest::newRow("fine") << Timing::Discrete << Integrator::SymplecticEuler << usual / 2.0;
-    QTest::newRow("coarse") << Timing::Discrete << Integrator::SymplecticEuler << 2.0 * usual;
-    QTest::newRow("Verlet") << Timing::Discrete << Integrator::Verlet << usual;
-    QTest::newRow("continuous") << Timing::Continuous << Integrator::SymplecticEuler << usual;
-    QTest::newRow("both") << Timing::Continuous << Integrator::Verlet << usual;
-    QTest::newRow("exact") << Timing::Exact << Integrator::SymplecticEuler << usual;
-}
-
-/// The last step invites to try other timings: whoever then presses Check must not fail by it.
-void TestBouncingBall::everyTimingAndOrderThatIsRightPasses()
-{
-    Preset preset = solution(heights);
-    QFETCH(Timing, timing);
-    QFETCH(Integrator, integrator);
-    QFETCH(double, timestep);
-    preset.laws.timing = timing;
-    preset.circles[0].integrator = integrator;
-    preset.timestep = timestep;
-    for (qint64 seed = 1; seed <= 5; ++seed) {
-        const CheckReport report = *judgeTask(m_lab, task(heights), preset, seed);
-        QVERIFY2(report.passed, qPrintable(faultsOf(report)));
-    }
-}
-
-/// h_n = e^(2n) h_0, seen at steps of 1 ms.
-void TestBouncingBall::exactBouncesFollowTheLaw()
-{
-    Preset preset = solution(bounce);
-    preset.laws.timing = Timing::Exact;
-    preset.timestep = 1e-3;
-    const std::vector<double> tops = heightsAfterBounces(preset, 7.0);
-    QVERIFY(tops.size() >= 4);
-    double expected = 5.0;
-    for (std::size_t n = 0; n < 4; ++n) {
-        expected *= 0.8 * 0.8;
-        QVERIFY2(std::abs(tops[n] - expected) < 2e-6, QByteArray::number(tops[n], 'g', 10));
-    }
-}
-
-void TestBouncingBall::heightsAreThoseOfTheText_data()
-{
-    QTest::addColumn<QString>("step");
-    QTest::addColumn<Timing>("timing");
-    QTest::addColumn<Integrator>("integrator");
-    QTest::addColumn<QString>("first");
-    QTest::addColumn<QString>("third");
-    QTest::newRow("e = 0.8") << bounce << Timing::Discrete << Integrator::SymplecticEuler
-                             << QStringLiteral("3.192") << QStringLiteral("1.351");
-    QTest::newRow("half") << heights << Timing::Discrete << Integrator::SymplecticEuler
-                          << QStringLiteral("3.96") << QStringLiteral("2.52");
-    QTest::newRow("continuous") << heights << Timing::Continuous << Integrator::SymplecticEuler
-                                << QString() << QStringLiteral("2.22");
-    QTest::newRow("Verlet") << heights << Timing::Continuous << Integrator::Verlet << QString()
-                            << QStringLiteral("2.50");
-}
-
-/// What the text of the last step says of heights is what the engine does, in both languages.
-void TestBouncingBall::heightsAreThoseOfTheText()
-{
-    QFETCH(QString, step);
-    QFETCH(Timing, timing);
-    QFETCH(Integrator, integrator);
-    QFETCH(QString, first);
-    QFETCH(QString, third);
-    Preset preset = solution(step);
-    preset.laws.timing = timing;
-    preset.circles[0].integrator = integrator;
-    const std::vector<double> tops = heightsAfterBounces(preset, 8.0);
-    const auto digits = [](const QString &number) {
-        return static_cast<int>(number.size() - number.indexOf(QLatin1Char('.')) - 1);
-    };
-    if (!first.isEmpty())
-        QCOMPARE(QString::number(tops[0], 'f', digits(first)), first);
-    // 2.215 m is half-way between two of the text's figures.
-    QVERIFY2(std::abs(tops[2] - third.toDouble()) <= 0.0055, QByteArray::number(tops[2]));
-    const Lab german = *readLab(QLatin1String(bouncingBallLab), QStringLiteral("de"));
-    for (const Lab &lab : {m_lab, german}) {
-        const QString &text =
-            lab.tasks[static_cast<std::size_t>(lab.indexOf(heights))].instructions;
-        QVERIFY(text.contains(first));
-        QVERIFY(text.contains(third));
-    }
 }
 
 /// Finding e is the student's part.

@@ -5837,14 +5837,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Programme öffnen</translation>
     </message>
     <message>
-        <source>Passes every check, so one is missing: %1 (line %2: %3)</source>
-        <translation>Besteht jede Prüfung, also fehlt eine: %1 (Zeile %2: %3)</translation>
-    </message>
-    <message>
-        <source>Fails by “%1” without a word on why: %2 (line %3: %4)</source>
-        <translation>Scheitert an „%1“, ohne dass gesagt wird, warum: %2 (Zeile %3: %4)</translation>
-    </message>
-    <message>
         <source>Add as a mistake</source>
         <translation>Als Fehler aufnehmen</translation>
     </message>
@@ -5887,6 +5879,22 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
         <translation>Drücke „Diesen Schritt nachweisen“: Der Anfang soll an einer Prüfung scheitern, die Lösung mit jedem Startwert bestehen, und jeder Fehler soll scheitern und erkannt werden.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Passes every check, so one is missing: %1 (%2)</source>
+        <translation>Besteht jede Prüfung, also fehlt eine: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Fails by “%1” without a word on why: %2 (%3)</source>
+        <translation>Scheitert an „%1“, ohne dass gesagt wird, warum: %2 (%3)</translation>
     </message>
 </context>
 <context>
@@ -6098,12 +6106,12 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
 <context>
     <name>cradle::SceneForm</name>
     <message>
-        <source>Scenes</source>
-        <translation>Szenen</translation>
-    </message>
-    <message>
         <source>Kind of the scenes</source>
         <translation>Art der Szenen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
 </context>
 <context>
@@ -6163,6 +6171,38 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>What moves the circles here</source>
         <translation>Was die Kreise hier bewegt</translation>
+    </message>
+    <message>
+        <source>Add the scene that passes</source>
+        <translation>Bestehende Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the scene that passes</source>
+        <translation>Bestehende Szene entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this scene</source>
+        <translation>Diese Szene entfernen</translation>
+    </message>
+    <message>
+        <source>Students may also pass without a program, by setting the scene and its laws. This step has no scene yet that passes its checks so; with one, the proof looks after it, too.</source>
+        <translation>Studierende können auch ohne Programm bestehen, indem sie die Szene und ihre Gesetze einstellen. Dieser Schritt hat noch keine Szene, die seine Prüfungen so besteht; gibt es eine, gilt der Nachweis auch ihr.</translation>
+    </message>
+    <message>
+        <source>Make it from what the student finds</source>
+        <translation>Aus der vorgefundenen Szene machen</translation>
+    </message>
+    <message>
+        <source>What the student finds</source>
+        <translation>Was Studierende vorfinden</translation>
+    </message>
+    <message>
+        <source>What passes without a program</source>
+        <translation>Was ohne Programm besteht</translation>
+    </message>
+    <message>
+        <source>Which scene of the step</source>
+        <translation>Welche Szene des Schritts</translation>
     </message>
 </context>
 <context>
@@ -6357,6 +6397,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Outside the lab&apos;s own count</source>
         <translation>Außerhalb der Zählung des Labs</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Titel des Schritts</translation>
+    </message>
+    <message>
+        <source>In the language that is open; also in the list of steps (F2)</source>
+        <translation>In der geöffneten Sprache; auch in der Liste der Schritte (F2)</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lua_tokens.h"
+#include "tasks/authoring/program_tokens.h"
 #include "tasks/authoring/mutations.h"
 
 #include <QSet>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/text_names.h"
 
+#include "tasks/script/lua_tokens.h"
 #include "views/code/api_words.h"
-#include "views/code/lua_tokens.h"
 
 #include <QRegularExpression>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/code/api_words.h"
 
-#include "views/code/lua_tokens.h"
+#include "tasks/script/lua_tokens.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

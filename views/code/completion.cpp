@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/code/completion.h"
 
-#include "views/code/lua_tokens.h"
+#include "tasks/script/lua_tokens.h"
 
 #include <QRegularExpression>
 
@@ -33,7 +33,7 @@ QString membersOf(const QString &owner, QChar link)
 
 bool isSign(const LuaToken &token, QByteArrayView text, char sign)
 {
-    return token.kind == Kind::Sign && token.in(text)[0] == sign;
+    return token.kind == Kind::Sign && token.in(text) == QByteArrayView(&sign, 1);
 }
 
 QString nameOf(const LuaToken &token, QByteArrayView text)
@@ -131,8 +131,6 @@ std::optional<CompletionPlace> completionPlace(QByteArrayView before)
     const bool colon = isSign(tokens[at], before, ':');
     if (!dot && !colon)
         return place;
-    if (at > 0 && isSign(tokens[at - 1], before, '.'))
-        return place; // two dots join strings
     place.link = dot ? u'.' : u':';
     place.owner = ownerBefore(tokens, at, before);
     place.known = colon || !membersOf(place.owner, place.link).isEmpty();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/code/lua_indent.h"
 
-#include "views/code/lua_tokens.h"
+#include "tasks/script/lua_tokens.h"
 
 #include <algorithm>
 #include <array>

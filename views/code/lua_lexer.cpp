@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/code/lua_lexer.h"
 
+#include "tasks/script/lua_tokens.h"
 #include "views/code/lua_indent.h"
-#include "views/code/lua_tokens.h"
 
 #include <Qsci/qsciscintilla.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/code/lua_tokens.h"
+#include "tasks/script/lua_tokens.h"
 
 #include <QByteArray>
 
@@ -54,7 +54,7 @@ public:
             token.kind = Kind::Number;
             skipNumber();
         } else {
-            ++m_at;
+            m_at += signLength();
         }
         token.length = m_at - token.start;
         return token;
@@ -85,6 +85,17 @@ private:
             return Kind::Constant;
         return std::ranges::find(luaKeywords(), word) != luaKeywords().end() ? Kind::Keyword
                                                                              : Kind::Name;
+    }
+
+    /// Of the sign here: 3 of "...", 2 of "<=".
+    [[nodiscard]] qsizetype signLength() const
+    {
+        if (at(0) == '.' && at(1) == '.')
+            return at(2) == '.' ? 3 : 2;
+        const char pair[] = {at(0), at(1)};
+        static const std::vector<QByteArrayView> pairs{
+            "==", "~=", "<=", ">=", "//", "::", "<<", ">>"};
+        return std::ranges::find(pairs, QByteArrayView(pair, 2)) != pairs.end() ? 2 : 1;
     }
 
     /// The number of = in [==[ here, or -1 if there is none.
