@@ -25,6 +25,9 @@ private slots:
     void translationTakesTheTextsAlone();
     void newTranslationHoldsWhatIsTranslated();
     void textsFollowARenamedCheck();
+    void predictionIsTranslatedAsAWhole();
+    void answersComeAndGoInAllLanguages();
+    void predictionOutOfItsBoundsIsRefused();
 
 private:
     LabFiles m_lab;
@@ -125,6 +128,84 @@ void TestLabTextEdits::textsFollowARenamedCheck()
     form.checks.erase(form.checks.begin());
     TAKE(lab, withTask(lab, masses, form));
     QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("begin-1"));
+}
+
+void TestLabTextEdits::predictionIsTranslatedAsAWhole()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses, text("fr")));
+    form.prediction->question = text("Quoi ?");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, masses, form, text("fr")));
+    const QString french = masses + text("/task.fr.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{french});
+    TaskForm again;
+    TAKE(again, taskForm(lab, masses, text("fr")));
+    QCOMPARE(again.prediction->question, text("Quoi ?"));
+    QCOMPARE(again.prediction->answers, taskForm(m_lab, masses)->prediction->answers);
+    QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
+    // The answer that comes true is no text.
+    form = again;
+    form.prediction->right = (form.prediction->right + 1) % 2;
+    const LabFiles before = lab;
+    TAKE(lab, withTask(lab, masses, form, text("fr")));
+    QCOMPARE(differences(before, lab), QStringList{masses + text("/task.json")});
+    QCOMPARE(taskForm(lab, masses)->prediction->right, form.prediction->right);
+}
+
+void TestLabTextEdits::answersComeAndGoInAllLanguages()
+{
+    const Prediction english = *taskForm(m_lab, masses)->prediction;
+    const Prediction german = *taskForm(m_lab, masses, text("de"))->prediction;
+    QVERIFY(english.answers.size() >= 3 && english.answers != german.answers);
+    // Removed in one language, it is gone in the other.
+    for (const char *language : {"en", "de"}) {
+        TaskForm form;
+        TAKE(form, taskForm(m_lab, masses, text(language)));
+        form.prediction->answers.removeAt(1);
+        form.prediction->right = 0;
+        LabFiles lab;
+        TAKE(lab, withTask(m_lab, masses, form, text(language)));
+        QStringList left = english.answers;
+        left.removeAt(1);
+        QCOMPARE(taskForm(lab, masses)->prediction->answers, left);
+        left = german.answers;
+        left.removeAt(1);
+        QCOMPARE(taskForm(lab, masses, text("de"))->prediction->answers, left);
+        QVERIFY(lab.contents[masses + text("/task.de.json")].contains(left[0].toUtf8()));
+        // One more is there in both, in the words that were typed.
+        form.prediction->answers.append(text("Never"));
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QCOMPARE(taskForm(lab, masses)->prediction->answers.last(), text("Never"));
+        left.append(text("Never"));
+        QCOMPARE(taskForm(lab, masses, text("de"))->prediction->answers, left);
+        QVERIFY(readLab(lab, text("lab"), text("de"))->findings.empty());
+        // Without a prediction no language has one.
+        form.prediction.reset();
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QVERIFY(!lab.contents[masses + text("/task.json")].contains("prediction"));
+        QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("prediction"));
+        // And asked for anew, all have it.
+        form.prediction = german;
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QVERIFY(*taskForm(lab, masses)->prediction == german);
+        QVERIFY(*taskForm(lab, masses, text("de"))->prediction == german);
+    }
+}
+
+void TestLabTextEdits::predictionOutOfItsBoundsIsRefused()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses));
+    form.prediction->answers = {text("only one")};
+    Result<LabFiles> lab = withTask(m_lab, masses, form);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().pointer, text("/prediction/answers"));
+    TAKE(form, taskForm(m_lab, masses));
+    form.prediction->outcome.clear();
+    lab = withTask(m_lab, masses, form);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().pointer, text("/prediction/outcome"));
 }
 
 QTEST_GUILESS_MAIN(TestLabTextEdits)
