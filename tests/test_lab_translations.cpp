@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/authoring_labs.h"
+
+#include "tasks/lab_reader.h"
+
+using namespace cradle;
+using namespace cradle::authoring;
+
+/// Texts of a lab in several languages are edited each in its file, and stay together.
+class TestLabTranslations : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void translationTakesTheTextsAlone();
+    void newTranslationHoldsWhatIsTranslated();
+    void textsFollowARenamedCheck();
+    void titleOfTheLabComesAndGoesInALanguage();
+    void languageOfTheLabIsNoneThatItIsTranslatedInto();
+    void predictionIsTranslatedAsAWhole();
+    void answersComeAndGoInAllLanguages();
+    void predictionOutOfItsBoundsIsRefused();
+
+private:
+    LabFiles m_lab;
+};
+
+namespace {
+
+const QString masses = text("L42T14"); // it has remarks and a prediction
+
+} // namespace
+
+void TestLabTranslations::initTestCase()
+{
+    TAKE(m_lab, readLabFiles(shippedFolder));
+}
+
+void TestLabTranslations::translationTakesTheTextsAlone()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses, text("de")));
+    form.title = text("Größer");
+    form.checks[1].title = text("Eine Prüfung");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, masses, form, text("de")));
+    const QString german = masses + text("/task.de.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{german});
+    QCOMPARE(newLines(m_lab.contents[german], lab.contents[german]).size(), 2);
+    // What is no text belongs to all languages.
+    form.checks[1].circles = {0};
+    form.commit = text("Committed");
+    TAKE(lab, withTask(lab, masses, form, text("de")));
+    QCOMPARE(differences(m_lab, lab), (QStringList{german, masses + text("/task.json")}));
+    TaskForm english;
+    TAKE(english, taskForm(lab, masses));
+    QCOMPARE(english.title, taskForm(m_lab, masses)->title);
+    QCOMPARE(english.checks[1].title, taskForm(m_lab, masses)->checks[1].title);
+    QCOMPARE(english.checks[1].circles, std::vector<int>{0});
+    QCOMPARE(english.commit, text("Committed"));
+}
+
+void TestLabTranslations::newTranslationHoldsWhatIsTranslated()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses, text("fr")));
+    form.checks[1].title = text("Une preuve");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, masses, form, text("fr")));
+    QCOMPARE(lab.contents.value(masses + text("/task.fr.json")),
+             QByteArray("{\n  \"checks\": {\n    \"start-2\": \"Une preuve\"\n  }\n}\n"));
+    QCOMPARE(languagesOf(lab), (QStringList{text("en"), text("de"), text("fr")}));
+    QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
+}
+
+void TestLabTranslations::textsFollowARenamedCheck()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses));
+    form.checks[0].id = text("begin-1");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, masses, form));
+    const TaskForm before = *taskForm(m_lab, masses, text("de"));
+    TaskForm german;
+    TAKE(german, taskForm(lab, masses, text("de")));
+    QCOMPARE(german.checks[0].title, before.checks[0].title);
+    QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("\"start-1\""));
+    // One that is gone takes its text with it.
+    form.checks.erase(form.checks.begin());
+    TAKE(lab, withTask(lab, masses, form));
+    QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("begin-1"));
+}
+
+void TestLabTranslations::titleOfTheLabComesAndGoesInALanguage()
+{
+    QVERIFY(hasTitle(m_lab, text("en")) && hasTitle(m_lab, text("de")));
+    QVERIFY(!hasTitle(m_lab, text("fr")));
+    LabForm form;
+    TAKE(form, labForm(m_lab, text("fr")));
+    QCOMPARE(form.title, labForm(m_lab)->title);
+    // Not translated is no translation, also if it is said so.
+    form.title.clear();
+    LabFiles lab;
+    TAKE(lab, withLab(m_lab, form, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList());
+    form.title = text("Billes");
+    TAKE(lab, withLab(m_lab, form, text("fr")));
+    QCOMPARE(lab.contents.value(text("lab.fr.json")),
+             QByteArray("{\n  \"title\": \"Billes\"\n}\n"));
+    QVERIFY(hasTitle(lab, text("fr")));
+    form.title.clear();
+    TAKE(lab, withLab(lab, form, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList()); // no empty file is left
+}
+
+void TestLabTranslations::languageOfTheLabIsNoneThatItIsTranslatedInto()
+{
+    const Result<LabFiles> german = withOwnLanguage(m_lab, text("de"));
+    QVERIFY(!german);
+    QVERIFY(german.error().file.contains(text(".de.")));
+    LabFiles lab;
+    TAKE(lab, withOwnLanguage(m_lab, text("en"))); // it is
+    QCOMPARE(differences(m_lab, lab), QStringList());
+    TAKE(lab, withOwnLanguage(m_lab, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList{text("lab.json")});
+    QCOMPARE(languagesOf(lab), (QStringList{text("fr"), text("de")}));
+    const Result<LabFiles> none = withOwnLanguage(m_lab, text("francais"));
+    QVERIFY(!none);
+    QCOMPARE(none.error().pointer, text("/language"));
+}
+
+void TestLabTranslations::predictionIsTranslatedAsAWhole()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses, text("fr")));
+    form.prediction->question = text("Quoi ?");
+    LabFiles lab;
+    TAKE(lab, withTask(m_lab, masses, form, text("fr")));
+    const QString french = masses + text("/task.fr.json");
+    QCOMPARE(differences(m_lab, lab), QStringList{french});
+    TaskForm again;
+    TAKE(again, taskForm(lab, masses, text("fr")));
+    QCOMPARE(again.prediction->question, text("Quoi ?"));
+    QCOMPARE(again.prediction->answers, taskForm(m_lab, masses)->prediction->answers);
+    QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
+    // The answer that comes true is no text.
+    form = again;
+    form.prediction->right = (form.prediction->right + 1) % 2;
+    const LabFiles before = lab;
+    TAKE(lab, withTask(lab, masses, form, text("fr")));
+    QCOMPARE(differences(before, lab), QStringList{masses + text("/task.json")});
+    QCOMPARE(taskForm(lab, masses)->prediction->right, form.prediction->right);
+}
+
+void TestLabTranslations::answersComeAndGoInAllLanguages()
+{
+    const Prediction english = *taskForm(m_lab, masses)->prediction;
+    const Prediction german = *taskForm(m_lab, masses, text("de"))->prediction;
+    QVERIFY(english.answers.size() >= 3 && english.answers != german.answers);
+    // Removed in one language, it is gone in the other.
+    for (const char *language : {"en", "de"}) {
+        TaskForm form;
+        TAKE(form, taskForm(m_lab, masses, text(language)));
+        form.prediction->answers.removeAt(1);
+        form.prediction->right = 0;
+        LabFiles lab;
+        TAKE(lab, withTask(m_lab, masses, form, text(language)));
+        QStringList left = english.answers;
+        left.removeAt(1);
+        QCOMPARE(taskForm(lab, masses)->prediction->answers, left);
+        left = german.answers;
+        left.removeAt(1);
+        QCOMPARE(taskForm(lab, masses, text("de"))->prediction->answers, left);
+        QVERIFY(lab.contents[masses + text("/task.de.json")].contains(left[0].toUtf8()));
+        // One more is there in both, in the words that were typed.
+        form.prediction->answers.append(text("Never"));
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QCOMPARE(taskForm(lab, masses)->prediction->answers.last(), text("Never"));
+        left.append(text("Never"));
+        QCOMPARE(taskForm(lab, masses, text("de"))->prediction->answers, left);
+        QVERIFY(readLab(lab, text("lab"), text("de"))->findings.empty());
+        // Without a prediction no language has one.
+        form.prediction.reset();
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QVERIFY(!lab.contents[masses + text("/task.json")].contains("prediction"));
+        QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("prediction"));
+        // And asked for anew, all have it.
+        form.prediction = german;
+        TAKE(lab, withTask(lab, masses, form, text(language)));
+        QVERIFY(*taskForm(lab, masses)->prediction == german);
+        QVERIFY(*taskForm(lab, masses, text("de"))->prediction == german);
+    }
+}
+
+void TestLabTranslations::predictionOutOfItsBoundsIsRefused()
+{
+    TaskForm form;
+    TAKE(form, taskForm(m_lab, masses));
+    form.prediction->answers = {text("only one")};
+    Result<LabFiles> lab = withTask(m_lab, masses, form);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().pointer, text("/prediction/answers"));
+    TAKE(form, taskForm(m_lab, masses));
+    form.prediction->outcome.clear();
+    lab = withTask(m_lab, masses, form);
+    QVERIFY(!lab);
+    QCOMPARE(lab.error().pointer, text("/prediction/outcome"));
+}
+
+QTEST_GUILESS_MAIN(TestLabTranslations)
+#include "test_lab_translations.moc"
