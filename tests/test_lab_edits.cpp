@@ -3,7 +3,6 @@
 #include "tests/authoring_labs.h"
 
 #include "tasks/lab_reader.h"
-#include "tasks/lab_verifier.h"
 
 using namespace cradle;
 using namespace cradle::authoring;

@@ -9,8 +9,6 @@
 #include "views/markdown_view.h"
 #include "views/scene/scene_view.h"
 
-#include <QJsonArray>
-
 using namespace cradle;
 using namespace cradle::windows;
 
