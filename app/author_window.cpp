@@ -143,7 +143,7 @@ std::optional<Error> AuthorWindow::open(const QString &folder)
 
 void AuthorWindow::showState()
 {
-    const QString name = m_document.lab().title.isEmpty() ? tr("New lab") : m_document.lab().title;
+    const QString name = m_document.title();
     const QString place = m_document.folder().isEmpty() ? tr("not saved yet")
                           : m_document.isReadOnly()     ? tr("read only")
                                                         : m_document.folder();

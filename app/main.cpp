@@ -81,7 +81,7 @@ std::optional<Error> open(MainWindow &window, Workbench &bench, const CommandLin
             openNamed(bench, request.named, request.author ? QString() : request.step, labs))
         return error;
     if (request.author) {
-        if (auto error = openAuthor(window, *request.author, request.step, request.tab))
+        if (auto error = openAuthor(window, *request.author, request.step, request.tab, labs))
             return error;
     }
     if (request.example) {

@@ -33,18 +33,21 @@ std::optional<Error> missingStep(const QString &folder, const QString &step)
                                 .arg(step, ids.join(QStringLiteral(", ")))};
 }
 
+/// The folder of an archive, which is unpacked into \p labs; any other path as it is.
+Result<QString> unpacked(const QString &path, const QString &labs)
+{
+    return isLabArchive(path) ? importLab(path, labs) : Result<QString>(path);
+}
+
 } // namespace
 
 std::optional<Error> openNamed(Workbench &bench, const QString &named, const QString &step,
                                const QString &labs)
 {
-    QString path = named;
-    if (isLabArchive(named)) {
-        const Result<QString> folder = importLab(named, labs);
-        if (!folder)
-            return folder.error();
-        path = *folder;
-    }
+    const Result<QString> place = unpacked(named, labs);
+    if (!place)
+        return place.error();
+    const QString path = *place;
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
     const QString folder = isLab && !path.isEmpty() ? path : shippedLabWith(step);
     if (const auto error = missingStep(folder, step))
@@ -71,8 +74,8 @@ std::optional<Error> openExampleNamed(Workbench &bench, const QString &name)
                          .arg(name, ids.join(QStringLiteral(", ")))};
 }
 
-std::optional<Error> openAuthor(MainWindow &window, const QString &folder, const QString &step,
-                                const QString &tab)
+std::optional<Error> openAuthor(MainWindow &window, const QString &lab, const QString &step,
+                                const QString &tab, const QString &labs)
 {
     static const QStringList tabs{QStringLiteral("scene"), QStringLiteral("text"),
                                   QStringLiteral("checks"), QStringLiteral("programs"),
@@ -82,7 +85,10 @@ std::optional<Error> openAuthor(MainWindow &window, const QString &folder, const
                                     "Main", "--tab %1: scene, text, checks, programs or proof is "
                                             "right")
                                     .arg(tab)};
-    if (auto error = window.openAuthor(folder))
+    const Result<QString> folder = unpacked(lab, labs);
+    if (!folder)
+        return folder.error();
+    if (auto error = window.openAuthor(*folder))
         return error;
     AuthorDocument &document = window.author()->document();
     if (!step.isEmpty() && !document.steps().contains(step))

@@ -21,9 +21,10 @@ class Workbench;
 /// Opens the example called \p name.
 [[nodiscard]] std::optional<Error> openExampleNamed(Workbench &bench, const QString &name);
 
-/// Opens the lab in \p folder to be written, at \p step if one is named, with the tab called
-/// \p tab in front.
-[[nodiscard]] std::optional<Error> openAuthor(MainWindow &window, const QString &folder,
-                                              const QString &step, const QString &tab);
+/// Opens \p lab to be written, at \p step if one is named, with the tab called \p tab in front. An
+/// archive is unpacked into \p labs first.
+[[nodiscard]] std::optional<Error> openAuthor(MainWindow &window, const QString &lab,
+                                              const QString &step, const QString &tab,
+                                              const QString &labs);
 
 } // namespace cradle

@@ -178,6 +178,11 @@ void TestCradleProgram::pictureShowsAnArchive()
     QCOMPARE(sizeOf(ofArchive), QSize(1280, 800));
     QCOMPARE(ofArchive, ofFolder);
     QVERIFY(ofArchive != picture(options));
+    // In the window in which labs are written, too; its title bar alone knows the folder.
+    const QString author = text("--tab text --size 1280x800 --theme light --author ");
+    const QByteArray written = picture(author + path("my-lab.cradle"));
+    QCOMPARE(written, picture(author + path("my-lab")));
+    QVERIFY(written != ofArchive);
     QDirIterator files(m_home->path(), {text("lab.json")}, QDir::Files,
                        QDirIterator::Subdirectories);
     QCOMPARE(files.next(), path("my-lab/lab.json"));
@@ -209,6 +214,10 @@ void TestCradleProgram::wrongUsageIsSaid_data()
     row("broken lab", draw + QStringLiteral(CRADLE_FIXTURES "/labs/wrong_format"),
         "lab.json: /format: ");
     row("archive that is none", draw + bad + text("../../labs/good/lab.cradle"), "lab.cradle: ");
+    row("author of an archive that is none",
+        draw + text("--author ") + bad + text("../../labs/good/lab.cradle"), "lab.cradle: ");
+    row("author of nothing", draw + text("--author nowhere"), "nowhere: ");
+    row("unknown tab", draw + text("--tab pictures --author ") + bad, "--tab pictures");
     row("two files", draw + text("a.json b.json"), "b.json");
     row("time is a word", draw + text("--at soon"), "--at soon");
     row("time before the start", draw + text("--at -1"), "--at -1");

@@ -176,4 +176,20 @@ public:
     AuthorWindow window;
 };
 
+/// Begins a lab of that title by the menu.
+inline void beginLab(OpenAuthor &author, const QString &title)
+{
+    OpenAuthor::answerDialog(title);
+    author.choose(QStringLiteral("New lab…"));
+    QCOMPARE(author.document().steps().size(), 1);
+}
+
+/// Opens a copy of the bouncing ball, which may be edited, in a folder "ball" of \p folder.
+inline void openBall(OpenAuthor &author, const QTemporaryDir &folder)
+{
+    QVERIFY(!author.window.open(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball")));
+    QVERIFY(!author.document().saveAs(folder.filePath(QStringLiteral("ball"))));
+    QCOMPARE(author.document().steps().size(), 3);
+}
+
 } // namespace cradle::windows

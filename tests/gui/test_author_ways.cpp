@@ -28,24 +28,14 @@ class TestAuthorWays : public QObject
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void cleanup() { QDir(userLabsFolder()).removeRecursively(); }
-    void labIsSavedIntoAnEmptyFolder();
-    void labInAnotherLanguageOpensInIt();
     void droppedLabOpens();
     void draggedStepMoves();
     void findingShowsItsRun();
     void suggestedMistakeIsTakenOver();
     void checkInLuaIsWritten();
-    void stepThatIsWrittenOpensAsAStudentSeesIt();
 };
 
 namespace {
-
-void beginLab(OpenAuthor &author, const QString &title)
-{
-    OpenAuthor::answerDialog(title);
-    author.choose(QStringLiteral("New lab…"));
-    QCOMPARE(author.document().steps().size(), 1);
-}
 
 /// Verifies the open step by its button, and waits.
 void verify(OpenAuthor &author)
@@ -73,39 +63,6 @@ QString suggestedOf(const QPushButton *button)
 }
 
 } // namespace
-
-void TestAuthorWays::labIsSavedIntoAnEmptyFolder()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    beginLab(author, QStringLiteral("Empty"));
-    const QString place = folder.filePath(QStringLiteral("made-before"));
-    QVERIFY(QDir().mkpath(place));
-    OpenAuthor::answerDialog(place);
-    author.choose(QStringLiteral("Save as…"));
-    QCOMPARE(author.document().folder(), place);
-    QCOMPARE(*readLabFiles(place), author.files());
-
-    // One in which something is stays as it is.
-    const QString full = folder.filePath(QStringLiteral("full"));
-    QVERIFY(QDir().mkpath(full + QStringLiteral("/inside")));
-    const auto error = author.document().saveAs(full);
-    QVERIFY(error);
-    QVERIFY(error->message.contains(QStringLiteral("not empty")));
-    QCOMPARE(author.document().folder(), place);
-}
-
-void TestAuthorWays::labInAnotherLanguageOpensInIt()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    const LabFiles german =
-        newLab(QStringLiteral("fall"), QStringLiteral("Fall"), QStringLiteral("de"));
-    author.document().begin(german);
-    QCOMPARE(author.document().language(), QStringLiteral("de"));
-    author.window.showTab(AuthorWindow::Text);
-    QVERIFY(!author.find<MarkdownEditor>("markdown")->toPlainText().isEmpty());
-}
 
 void TestAuthorWays::droppedLabOpens()
 {
@@ -156,8 +113,7 @@ void TestAuthorWays::draggedStepMoves()
         QSKIP("the offscreen platform has no drag and drop");
     const QTemporaryDir folder;
     OpenAuthor author(folder);
-    QVERIFY(!author.window.open(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball")));
-    QVERIFY(!author.document().saveAs(folder.filePath(QStringLiteral("ball"))));
+    openBall(author, folder);
     const QStringList before = author.document().steps();
     auto *list = author.find<QListWidget>("authorSteps");
     QWidget *area = list->viewport();
@@ -306,34 +262,6 @@ void TestAuthorWays::checkInLuaIsWritten()
         }
     }
     QVERIFY(failed);
-}
-
-void TestAuthorWays::stepThatIsWrittenOpensAsAStudentSeesIt()
-{
-    const QTemporaryDir folder;
-    OpenWindow student(folder);
-    const QString place = folder.filePath(QStringLiteral("ball"));
-    const Result<LabFiles> ball =
-        readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
-    QVERIFY(ball && !saveLabFiles(*ball, {}, place));
-    QVERIFY(!student.window.openAuthor(place));
-    AuthorWindow *author = student.window.author();
-    author->show();
-    AuthorDocument &document = author->document();
-    document.setStep(QStringLiteral("BALL3"));
-    TaskForm form = *taskForm(document.files(), document.step());
-    form.title = QStringLiteral("Half as high");
-    QVERIFY(
-        document.edit(QStringLiteral("edit"), withTask(document.files(), document.step(), form)));
-    author->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(author));
-    QTest::keyClick(author, Qt::Key_F5);
-    // Saved, and open at the step that is written, as it is now.
-    QVERIFY(!document.isModified());
-    QCOMPARE(*readLabFiles(place), document.files());
-    QVERIFY(student.bench.task());
-    QCOMPARE(student.bench.task()->id, QStringLiteral("BALL3"));
-    QCOMPARE(student.bench.task()->title, QStringLiteral("Half as high"));
 }
 
 QTEST_MAIN(TestAuthorWays)

@@ -25,9 +25,6 @@ private slots:
     void typingIsOneUndoOfTheLab();
     void sceneIsEditedLockedAndTakenFromTheMoment();
     void figureOfTheSceneGoesIntoTheText();
-    void shippedLabIsReadOnlyUntilCopied();
-    void otherProgramsAreNoticed();
-    void closingAsksForWhatIsNotSaved();
 };
 
 namespace {
@@ -38,20 +35,6 @@ QStringList titles(OpenAuthor &author)
     for (const QString &step : author.document().steps())
         result.append(taskForm(author.files(), step)->title);
     return result;
-}
-
-void beginLab(OpenAuthor &author, const QString &title)
-{
-    OpenAuthor::answerDialog(title);
-    author.choose(QStringLiteral("New lab…"));
-    QCOMPARE(author.document().steps().size(), 1);
-}
-
-void write(const QString &path, const QByteArray &content)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(content), content.size());
 }
 
 } // namespace
@@ -259,72 +242,6 @@ void TestAuthorWindow::figureOfTheSceneGoesIntoTheText()
                 .contains(QStringLiteral("](figure-1.svg)")));
     author.document().readNow();
     QVERIFY(author.document().lab().findings.empty());
-}
-
-void TestAuthorWindow::shippedLabIsReadOnlyUntilCopied()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    QVERIFY(!author.window.open(QLatin1String(shippedLab)));
-    QVERIFY(author.document().isReadOnly());
-    QVERIFY(author.window.notice().isVisible());
-    const LabFiles before = author.files();
-    author.window.steps().addStep();
-    QCOMPARE(author.files(), before);
-    QVERIFY(author.find<MarkdownEditor>("markdown")->isReadOnly());
-
-    const QString place = folder.filePath(QStringLiteral("copy"));
-    OpenAuthor::answerDialog(place);
-    author.click(QStringLiteral("Copy to a folder…"));
-    QVERIFY2(!author.document().isReadOnly(), qPrintable(author.window.notice().text()));
-    QCOMPARE(*readLabFiles(place), before);
-    author.window.steps().addStep();
-    QVERIFY(author.files() != before);
-}
-
-void TestAuthorWindow::otherProgramsAreNoticed()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    beginLab(author, QStringLiteral("Shared"));
-    const QString place = folder.filePath(QStringLiteral("shared"));
-    QVERIFY(!author.document().saveAs(place));
-    const QString step = author.document().step();
-    const QString text = instructionsPath(author.files(), step);
-    QTest::qWait(600); // for the watcher to tell of our own save, which is no news
-    QVERIFY(!author.window.notice().isVisible());
-
-    write(place + QLatin1Char('/') + text, "# Theirs\n");
-    QTRY_VERIFY_WITH_TIMEOUT(author.window.notice().isVisible(), 10'000);
-    QVERIFY(author.window.notice().text().contains(text));
-    author.click(QStringLiteral("Reload"));
-    QCOMPARE(textOf(author.files(), text), QStringLiteral("# Theirs\n"));
-    author.undo();
-    QVERIFY(textOf(author.files(), text) != QStringLiteral("# Theirs\n"));
-    author.redo();
-
-    // Both changed the same file: saving asks.
-    write(place + QLatin1Char('/') + text, "# Theirs again\n");
-    QVERIFY(author.document().edit(QStringLiteral("edit"),
-                                   withText(author.files(), text, QStringLiteral("# Mine\n"))));
-    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
-    QVERIFY(!author.window.save());
-    QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Theirs again\n"));
-    OpenAuthor::answerQuestion(QStringLiteral("Replace with mine"));
-    QVERIFY(author.window.save());
-    QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Mine\n"));
-}
-
-void TestAuthorWindow::closingAsksForWhatIsNotSaved()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    beginLab(author, QStringLiteral("Close"));
-    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
-    QVERIFY(!author.window.close());
-    QVERIFY(author.window.isVisible());
-    OpenAuthor::answerQuestion(QStringLiteral("Discard"));
-    QVERIFY(author.window.close());
 }
 
 QTEST_MAIN(TestAuthorWindow)

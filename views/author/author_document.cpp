@@ -96,6 +96,13 @@ QStringList AuthorDocument::steps() const
     return stepsOf(m_files);
 }
 
+QString AuthorDocument::title() const
+{
+    if (!m_lab.title.isEmpty())
+        return m_lab.title;
+    return m_folder.isEmpty() ? tr("New lab") : QFileInfo(m_folder).fileName();
+}
+
 const Task *AuthorDocument::task() const
 {
     for (const Task &task : m_lab.tasks) {

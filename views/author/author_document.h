@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const LabFiles &onDisk() const { return m_onDisk; }
     /// The lab as it was read last, a little after the newest edit.
     [[nodiscard]] const Lab &lab() const { return m_lab; }
+    /// Its title as it was read last, or what else it can be called.
+    [[nodiscard]] QString title() const;
     /// The open step as it was read last; nullptr if it cannot be read.
     [[nodiscard]] const Task *task() const;
     [[nodiscard]] QUndoStack &undoStack() { return m_undoStack; }

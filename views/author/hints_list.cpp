@@ -29,6 +29,8 @@ HintsList::HintsList(QWidget *parent)
     , m_up(makeIconButton(QStringLiteral("up"), this))
     , m_down(makeIconButton(QStringLiteral("down"), this))
 {
+    setAutoFillBackground(true); // as the rows have it
+    setBackgroundRole(QPalette::Base);
     m_list->setFixedHeight(rowsShown * rowHeight);
     setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
     auto *buttons = new QVBoxLayout;

@@ -64,7 +64,7 @@ void PredictionEditor::showPrediction(const std::optional<Prediction> &predictio
     m_prediction = prediction;
     m_nothing->setVisible(!prediction);
     m_form->setVisible(prediction.has_value());
-    m_cards->setVisible(prediction.has_value());
+    m_cardsPane->setVisible(prediction.has_value());
     showRefusal(m_refusal, {});
     if (prediction) {
         m_question->showText(prediction->question);

@@ -83,6 +83,7 @@ private:
     MarkdownEditor *m_outcome = nullptr;
     QLabel *m_refusal = nullptr;
     QPushButton *m_removeAll = nullptr;
+    QWidget *m_cardsPane = nullptr; ///< hidden while there is no prediction
     QWidget *m_cards = nullptr;
     QLabel *m_beforeCaption = nullptr;
     PredictionCard *m_before = nullptr;

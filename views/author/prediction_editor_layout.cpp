@@ -56,7 +56,8 @@ void PredictionEditor::makeLayout(FormulaRenderer *renderer)
     both->addStretch(1);
     auto *halves = new QSplitter(Qt::Horizontal, this);
     halves->addWidget(scrolled(side));
-    halves->addWidget(scrolled(makeCards(renderer)));
+    m_cardsPane = scrolled(makeCards(renderer));
+    halves->addWidget(m_cardsPane);
     halves->setChildrenCollapsible(false);
     halves->setSizes({500, 500});
     auto *whole = new QVBoxLayout(this);

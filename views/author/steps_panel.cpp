@@ -83,6 +83,7 @@ void StepsPanel::makeLayout()
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setTextElideMode(Qt::ElideRight);
+    m_list->setIconSize({14, 14});
     m_findings = new FindingsList(m_document, this);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
@@ -176,8 +177,7 @@ void StepsPanel::retranslate()
 {
     m_heading->setText(tr("Steps · %1").arg(m_list->count()));
     m_list->setAccessibleName(tr("Steps of the lab"));
-    const QString title = m_document.lab().title;
-    m_title->setText(title.isEmpty() ? tr("New lab") : title);
+    m_title->setText(m_document.title());
     nameButton(m_properties, tr("Title, version and id of the lab"));
     nameButton(m_add, tr("Add a step"));
     nameButton(m_duplicate, tr("Duplicate the step"));

@@ -160,10 +160,10 @@ void TextTab::reloadForm()
 {
     const Result<TaskForm> form =
         taskForm(m_document.files(), m_document.step(), m_document.language());
+    m_hints->setVisible(form && part() != Instructions);
     if (!form)
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
-    m_hints->setVisible(part() != Instructions);
     m_prediction->showPrediction(form->prediction);
     if (hints != m_shownHints) {
         m_shownHints = hints;
@@ -175,8 +175,11 @@ void TextTab::reloadForm()
 void TextTab::reloadText()
 {
     if (part() == Instructions) {
-        m_editor->setPlaceholderText(tr("No text in this language yet: students read it in the "
-                                        "lab's own."));
+        m_editor->setPlaceholderText(
+            m_document.step().isEmpty()
+                ? QString()
+                : tr("No text in this language yet: students read it in the "
+                     "lab's own."));
         m_editor->showText(textOf(m_document.files(), path()));
     } else {
         m_editor->setPlaceholderText(tr("No hint yet: add one with the plus above."));

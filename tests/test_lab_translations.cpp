@@ -1,30 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_reader.h"
-
 #include "tests/authoring_labs.h"
+
+#include "tasks/lab_reader.h"
 
 using namespace cradle;
 using namespace cradle::authoring;
 
-Q_DECLARE_METATYPE(cradle::LabFiles)
-
-namespace {
-
-const QString masses = text("L42T14"); // it has remarks
-
-} // namespace
-
-/// Edits of the checks and of the texts in other languages.
-class TestLabTextEdits : public QObject
+/// Texts of a lab in several languages are edited each in its file, and stay together.
+class TestLabTranslations : public QObject
 {
     Q_OBJECT
 private slots:
     void initTestCase();
-    void checksAreAddedMovedAndRemoved();
     void translationTakesTheTextsAlone();
     void newTranslationHoldsWhatIsTranslated();
     void textsFollowARenamedCheck();
+    void titleOfTheLabComesAndGoesInALanguage();
+    void languageOfTheLabIsNoneThatItIsTranslatedInto();
     void predictionIsTranslatedAsAWhole();
     void answersComeAndGoInAllLanguages();
     void predictionOutOfItsBoundsIsRefused();
@@ -33,49 +26,18 @@ private:
     LabFiles m_lab;
 };
 
-void TestLabTextEdits::initTestCase()
+namespace {
+
+const QString masses = text("L42T14"); // it has remarks and a prediction
+
+} // namespace
+
+void TestLabTranslations::initTestCase()
 {
     TAKE(m_lab, readLabFiles(shippedFolder));
-    QVERIFY(m_lab.contents.size() > 200);
 }
 
-void TestLabTextEdits::checksAreAddedMovedAndRemoved()
-{
-    const QString path = masses + text("/task.json");
-    TaskForm form;
-    TAKE(form, taskForm(m_lab, masses));
-    const std::vector<CheckForm> checks = form.checks;
-    form.checks.insert(form.checks.begin() + 1,
-                       CheckForm{.id = text("new"),
-                                 .kind = text("settles"),
-                                 .title = text("It comes to rest"),
-                                 .circles = {1},
-                                 .parameters = {{text("tolerance"), 1e-3}},
-                                 .scene = {{text("kind"), text("drop")}, {text("count"), 5}}});
-    LabFiles lab;
-    TAKE(lab, withTask(m_lab, masses, form));
-    QCOMPARE(
-        newLines(m_lab.contents[path], lab.contents[path]),
-        (QList<QByteArray>{"    {\"id\": \"new\", \"kind\": \"settles\", \"title\": \"It comes to "
-                           "rest\", \"circles\": [2], \"parameters\": {\"tolerance\": 0.001}, "
-                           "\"scene\": {\"kind\": \"drop\", \"count\": 5}},"}));
-    std::swap(form.checks[0], form.checks[2]);
-    TAKE(lab, withTask(lab, masses, form));
-    TaskForm again;
-    TAKE(again, taskForm(lab, masses));
-    QVERIFY(again == form);
-    form.checks = checks;
-    TAKE(lab, withTask(lab, masses, form));
-    QCOMPARE(differences(m_lab, lab), QStringList());
-    form.checks.clear();
-    TAKE(lab, withTask(lab, masses, form));
-    QVERIFY(lab.contents[path].contains("\"checks\": []"));
-    form.checks = {checks[0]};
-    TAKE(lab, withTask(lab, masses, form));
-    QVERIFY(lab.contents[path].contains("\"checks\": [\n    {\"id\": \"start-1\", "));
-}
-
-void TestLabTextEdits::translationTakesTheTextsAlone()
+void TestLabTranslations::translationTakesTheTextsAlone()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, masses, text("de")));
@@ -99,7 +61,7 @@ void TestLabTextEdits::translationTakesTheTextsAlone()
     QCOMPARE(english.commit, text("Committed"));
 }
 
-void TestLabTextEdits::newTranslationHoldsWhatIsTranslated()
+void TestLabTranslations::newTranslationHoldsWhatIsTranslated()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, masses, text("fr")));
@@ -112,7 +74,7 @@ void TestLabTextEdits::newTranslationHoldsWhatIsTranslated()
     QVERIFY(readLab(lab, text("lab"), text("fr"))->findings.empty());
 }
 
-void TestLabTextEdits::textsFollowARenamedCheck()
+void TestLabTranslations::textsFollowARenamedCheck()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, masses));
@@ -130,7 +92,45 @@ void TestLabTextEdits::textsFollowARenamedCheck()
     QVERIFY(!lab.contents[masses + text("/task.de.json")].contains("begin-1"));
 }
 
-void TestLabTextEdits::predictionIsTranslatedAsAWhole()
+void TestLabTranslations::titleOfTheLabComesAndGoesInALanguage()
+{
+    QVERIFY(hasTitle(m_lab, text("en")) && hasTitle(m_lab, text("de")));
+    QVERIFY(!hasTitle(m_lab, text("fr")));
+    LabForm form;
+    TAKE(form, labForm(m_lab, text("fr")));
+    QCOMPARE(form.title, labForm(m_lab)->title);
+    // Not translated is no translation, also if it is said so.
+    form.title.clear();
+    LabFiles lab;
+    TAKE(lab, withLab(m_lab, form, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList());
+    form.title = text("Billes");
+    TAKE(lab, withLab(m_lab, form, text("fr")));
+    QCOMPARE(lab.contents.value(text("lab.fr.json")),
+             QByteArray("{\n  \"title\": \"Billes\"\n}\n"));
+    QVERIFY(hasTitle(lab, text("fr")));
+    form.title.clear();
+    TAKE(lab, withLab(lab, form, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList()); // no empty file is left
+}
+
+void TestLabTranslations::languageOfTheLabIsNoneThatItIsTranslatedInto()
+{
+    const Result<LabFiles> german = withOwnLanguage(m_lab, text("de"));
+    QVERIFY(!german);
+    QVERIFY(german.error().file.contains(text(".de.")));
+    LabFiles lab;
+    TAKE(lab, withOwnLanguage(m_lab, text("en"))); // it is
+    QCOMPARE(differences(m_lab, lab), QStringList());
+    TAKE(lab, withOwnLanguage(m_lab, text("fr")));
+    QCOMPARE(differences(m_lab, lab), QStringList{text("lab.json")});
+    QCOMPARE(languagesOf(lab), (QStringList{text("fr"), text("de")}));
+    const Result<LabFiles> none = withOwnLanguage(m_lab, text("francais"));
+    QVERIFY(!none);
+    QCOMPARE(none.error().pointer, text("/language"));
+}
+
+void TestLabTranslations::predictionIsTranslatedAsAWhole()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, masses, text("fr")));
@@ -153,7 +153,7 @@ void TestLabTextEdits::predictionIsTranslatedAsAWhole()
     QCOMPARE(taskForm(lab, masses)->prediction->right, form.prediction->right);
 }
 
-void TestLabTextEdits::answersComeAndGoInAllLanguages()
+void TestLabTranslations::answersComeAndGoInAllLanguages()
 {
     const Prediction english = *taskForm(m_lab, masses)->prediction;
     const Prediction german = *taskForm(m_lab, masses, text("de"))->prediction;
@@ -193,7 +193,7 @@ void TestLabTextEdits::answersComeAndGoInAllLanguages()
     }
 }
 
-void TestLabTextEdits::predictionOutOfItsBoundsIsRefused()
+void TestLabTranslations::predictionOutOfItsBoundsIsRefused()
 {
     TaskForm form;
     TAKE(form, taskForm(m_lab, masses));
@@ -208,5 +208,5 @@ void TestLabTextEdits::predictionOutOfItsBoundsIsRefused()
     QCOMPARE(lab.error().pointer, text("/prediction/outcome"));
 }
 
-QTEST_GUILESS_MAIN(TestLabTextEdits)
-#include "test_lab_text_edits.moc"
+QTEST_GUILESS_MAIN(TestLabTranslations)
+#include "test_lab_translations.moc"

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/open_author.h"
+
+#include "app/author_window.h"
+#include "tasks/authoring/lab_edits.h"
+#include "tests/gui/open_window.h"
+#include "views/author/lab_dialog.h"
+
+#include <QLabel>
+#include <QRadioButton>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// The lab as a whole: its title, version and id, its language, its findings and the places that
+/// they lead to, and how it opens as a student sees it.
+class TestAuthorLab : public QObject
+{
+    Q_OBJECT
+private slots:
+    void labHasTitlesVersionAndId();
+    void labWithoutATitleIsRefused();
+    void findingsLeadToTheirFields();
+    void labInAnotherLanguageOpensInIt();
+    void stepThatIsWrittenOpensAsAStudentSeesIt();
+};
+
+namespace {
+
+std::optional<Prediction> prediction(OpenAuthor &author, const char *language = "en")
+{
+    return taskForm(author.files(), author.document().step(), QLatin1String(language))->prediction;
+}
+
+QRadioButton *mark(OpenAuthor &author, const char *name)
+{
+    return qobject_cast<QRadioButton *>(author.button(QLatin1String(name)));
+}
+
+} // namespace
+
+void TestAuthorLab::labHasTitlesVersionAndId()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const LabFiles before = author.files();
+    OpenAuthor::inDialog<LabDialog>([](LabDialog *dialog) {
+        const auto write = [dialog](const char *name, const QString &text) {
+            auto *line = dialog->findChild<QLineEdit *>(QLatin1String(name));
+            line->setFocus();
+            line->selectAll();
+            QTest::keyClicks(line, text);
+        };
+        write("labTitle.en", QStringLiteral("Super ball"));
+        write("labTitle.de", QStringLiteral("Flummi"));
+        write("labVersion", QStringLiteral("1.1"));
+        write("labId", QStringLiteral("super-ball"));
+        QTest::keyClick(dialog->findChild<QLineEdit *>(QStringLiteral("labId")), Qt::Key_Return);
+        return true;
+    });
+    author.click(QStringLiteral("Title, version and id of the lab"));
+    const LabForm own = *labForm(author.files());
+    QCOMPARE(own.title, QStringLiteral("Super ball"));
+    QCOMPARE(own.version, QStringLiteral("1.1"));
+    QCOMPARE(own.id, QStringLiteral("super-ball"));
+    QCOMPARE(labForm(author.files(), QStringLiteral("de"))->title, QStringLiteral("Flummi"));
+    QTRY_VERIFY(author.window.windowTitle().startsWith(QStringLiteral("Super ball")));
+    author.undo(); // all of it was one edit
+    QCOMPARE(author.files(), before);
+}
+
+void TestAuthorLab::labWithoutATitleIsRefused()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const LabFiles before = author.files();
+    QString said;
+    const auto tryOut = [&said](const char *name, const QString &text, const QString &language) {
+        OpenAuthor::inDialog<LabDialog>([=, &said](LabDialog *dialog) {
+            dialog->findChild<QLineEdit *>(QLatin1String(name))->setText(text);
+            auto *list = dialog->findChild<QComboBox *>(QStringLiteral("labLanguage"));
+            list->setCurrentIndex(list->findData(language));
+            dialog->accept();
+            for (const QLabel *label : dialog->findChildren<QLabel *>()) {
+                if (label->isVisible() && label->property("kind") == QLatin1String("warning"))
+                    said = label->text();
+            }
+            dialog->reject();
+            return true;
+        });
+    };
+    tryOut("labTitle.en", QString(), QStringLiteral("en"));
+    author.choose(QStringLiteral("Properties…"));
+    QVERIFY2(said.contains(QStringLiteral("A title of 1 to 200 characters")), qPrintable(said));
+    tryOut("labId", QStringLiteral("two words"), QStringLiteral("en"));
+    author.choose(QStringLiteral("Properties…"));
+    QVERIFY2(said.contains(QStringLiteral("letters, digits, dots and dashes")), qPrintable(said));
+    // German texts are there already, as translations.
+    tryOut("labTitle.en", QStringLiteral("Ball"), QStringLiteral("de"));
+    author.choose(QStringLiteral("Properties…"));
+    QVERIFY2(said.contains(QStringLiteral("translations into this language")), qPrintable(said));
+    QCOMPARE(author.files(), before);
+}
+
+void TestAuthorLab::findingsLeadToTheirFields()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    LabFiles files = author.files();
+    QByteArray &task = files.contents[QStringLiteral("BALL2/task.json")];
+    QVERIFY(task.contains("\"right\": 2"));
+    task.replace("\"right\": 2", "\"right\": 4");
+    QVERIFY(author.document().edit(QStringLiteral("edit"), files));
+    author.document().readNow();
+    auto *list = author.find<QListWidget>("authorFindings");
+    QTRY_COMPARE(list->count(), 1);
+    author.window.showTab(AuthorWindow::Scene);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(0)).center());
+    QCOMPARE(author.document().step(), QStringLiteral("BALL2"));
+    QCOMPARE(author.window.tabs().currentIndex(), int{AuthorWindow::Text});
+    QVERIFY(author.find<QLineEdit>("predictionAnswer1")->isVisible());
+    // One click on the right answer, and the file is as it was.
+    QTest::mouseClick(mark(author, "Answer 2 comes true"), Qt::LeftButton);
+    QCOMPARE(prediction(author)->right, 1);
+    author.document().readNow();
+    QTRY_COMPARE(list->count(), 0);
+
+    // A remark that looks at a circle that is not there.
+    files = author.files();
+    QByteArray &remarked = files.contents[QStringLiteral("BALL2/task.json")];
+    const auto at = remarked.indexOf("\"compare\": \"velocities\", \"circles\": [1]");
+    QVERIFY(at > 0);
+    remarked.replace("\"compare\": \"velocities\", \"circles\": [1]",
+                     "\"compare\": \"velocities\", \"circles\": [3]");
+    QVERIFY(author.document().edit(QStringLiteral("edit"), files));
+    author.document().readNow();
+    QTRY_VERIFY(list->count() >= 1);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(0)).center());
+    QCOMPARE(author.window.tabs().currentIndex(), int{AuthorWindow::Programs});
+    QVERIFY(author.find<QLineEdit>("remarkCircles")->isVisible());
+    QCOMPARE(author.find<QLineEdit>("remarkCircles")->text(), QStringLiteral("3"));
+}
+
+void TestAuthorLab::labInAnotherLanguageOpensInIt()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    const LabFiles german =
+        newLab(QStringLiteral("fall"), QStringLiteral("Fall"), QStringLiteral("de"));
+    author.document().begin(german);
+    QCOMPARE(author.document().language(), QStringLiteral("de"));
+    author.window.showTab(AuthorWindow::Text);
+    QVERIFY(!author.find<MarkdownEditor>("markdown")->toPlainText().isEmpty());
+}
+
+void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
+{
+    const QTemporaryDir folder;
+    OpenWindow student(folder);
+    const QString place = folder.filePath(QStringLiteral("ball"));
+    const Result<LabFiles> ball =
+        readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
+    QVERIFY(ball && !saveLabFiles(*ball, {}, place));
+    QVERIFY(!student.window.openAuthor(place));
+    AuthorWindow *author = student.window.author();
+    author->show();
+    AuthorDocument &document = author->document();
+    document.setStep(QStringLiteral("BALL3"));
+    TaskForm form = *taskForm(document.files(), document.step());
+    form.title = QStringLiteral("Half as high");
+    QVERIFY(
+        document.edit(QStringLiteral("edit"), withTask(document.files(), document.step(), form)));
+    author->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(author));
+    QTest::keyClick(author, Qt::Key_F5);
+    // Saved, and open at the step that is written, as it is now.
+    QVERIFY(!document.isModified());
+    QCOMPARE(*readLabFiles(place), document.files());
+    QVERIFY(student.bench.task());
+    QCOMPARE(student.bench.task()->id, QStringLiteral("BALL3"));
+    QCOMPARE(student.bench.task()->title, QStringLiteral("Half as high"));
+}
+
+QTEST_MAIN(TestAuthorLab)
+#include "test_author_lab.moc"

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/open_author.h"
+
+#include "app/author_window.h"
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/lab_reader.h"
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// Where a lab is kept: the copy of a shipped one, an empty folder, a folder that others write
+/// into, and what is not saved when the window closes.
+class TestAuthorSaving : public QObject
+{
+    Q_OBJECT
+private slots:
+    void labIsSavedIntoAnEmptyFolder();
+    void shippedLabIsReadOnlyUntilCopied();
+    void otherProgramsAreNoticed();
+    void closingAsksForWhatIsNotSaved();
+};
+
+namespace {
+
+void write(const QString &path, const QByteArray &content)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(content), content.size());
+}
+
+} // namespace
+
+void TestAuthorSaving::labIsSavedIntoAnEmptyFolder()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    beginLab(author, QStringLiteral("Empty"));
+    const QString place = folder.filePath(QStringLiteral("made-before"));
+    QVERIFY(QDir().mkpath(place));
+    OpenAuthor::answerDialog(place);
+    author.choose(QStringLiteral("Save as…"));
+    QCOMPARE(author.document().folder(), place);
+    QCOMPARE(*readLabFiles(place), author.files());
+
+    // One in which something is stays as it is.
+    const QString full = folder.filePath(QStringLiteral("full"));
+    QVERIFY(QDir().mkpath(full + QStringLiteral("/inside")));
+    const auto error = author.document().saveAs(full);
+    QVERIFY(error);
+    QVERIFY(error->message.contains(QStringLiteral("not empty")));
+    QCOMPARE(author.document().folder(), place);
+}
+
+void TestAuthorSaving::shippedLabIsReadOnlyUntilCopied()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    QVERIFY(!author.window.open(QLatin1String(shippedLab)));
+    QVERIFY(author.document().isReadOnly());
+    QVERIFY(author.window.notice().isVisible());
+    const LabFiles before = author.files();
+    author.window.steps().addStep();
+    QCOMPARE(author.files(), before);
+    QVERIFY(author.find<MarkdownEditor>("markdown")->isReadOnly());
+
+    const QString place = folder.filePath(QStringLiteral("copy"));
+    OpenAuthor::answerDialog(place);
+    author.click(QStringLiteral("Copy to a folder…"));
+    QVERIFY2(!author.document().isReadOnly(), qPrintable(author.window.notice().text()));
+    QCOMPARE(*readLabFiles(place), before);
+    author.window.steps().addStep();
+    QVERIFY(author.files() != before);
+}
+
+void TestAuthorSaving::otherProgramsAreNoticed()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    beginLab(author, QStringLiteral("Shared"));
+    const QString place = folder.filePath(QStringLiteral("shared"));
+    QVERIFY(!author.document().saveAs(place));
+    const QString step = author.document().step();
+    const QString text = instructionsPath(author.files(), step);
+    QTest::qWait(600); // for the watcher to tell of our own save, which is no news
+    QVERIFY(!author.window.notice().isVisible());
+
+    write(place + QLatin1Char('/') + text, "# Theirs\n");
+    QTRY_VERIFY_WITH_TIMEOUT(author.window.notice().isVisible(), 10'000);
+    QVERIFY(author.window.notice().text().contains(text));
+    author.click(QStringLiteral("Reload"));
+    QCOMPARE(textOf(author.files(), text), QStringLiteral("# Theirs\n"));
+    author.undo();
+    QVERIFY(textOf(author.files(), text) != QStringLiteral("# Theirs\n"));
+    author.redo();
+
+    // Both changed the same file: saving asks.
+    write(place + QLatin1Char('/') + text, "# Theirs again\n");
+    QVERIFY(author.document().edit(QStringLiteral("edit"),
+                                   withText(author.files(), text, QStringLiteral("# Mine\n"))));
+    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
+    QVERIFY(!author.window.save());
+    QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Theirs again\n"));
+    OpenAuthor::answerQuestion(QStringLiteral("Replace with mine"));
+    QVERIFY(author.window.save());
+    QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Mine\n"));
+}
+
+void TestAuthorSaving::closingAsksForWhatIsNotSaved()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    beginLab(author, QStringLiteral("Close"));
+    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
+    QVERIFY(!author.window.close());
+    QVERIFY(author.window.isVisible());
+    OpenAuthor::answerQuestion(QStringLiteral("Discard"));
+    QVERIFY(author.window.close());
+}
+
+QTEST_MAIN(TestAuthorSaving)
+#include "test_author_saving.moc"
