@@ -180,10 +180,14 @@ void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns
     QList<QRectF> rects;
     rects.reserve(static_cast<qsizetype>(columns.size()));
     for (const HitColumn &column : columns) {
-        const double x = std::round(left + column.x);
         const double reach = reaches[column.count];
-        rects.emplaceBack(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0,
-                          2.0 * reach);
+        const double x = std::round(left + column.x) - (crowded ? 0.0 : 1.0);
+        const QRectF rect(x, middle - reach, crowded ? 1.0 : 2.0, 2.0 * reach);
+        // Beside one of the same height it is drawn with that: few are faster than many.
+        if (!rects.isEmpty() && rects.last().right() == x && rects.last().top() == rect.top())
+            rects.last().setRight(rect.right());
+        else
+            rects.append(rect);
     }
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().along);
