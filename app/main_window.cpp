@@ -28,6 +28,9 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace cradle {
 
 namespace {
@@ -35,6 +38,12 @@ namespace {
 /// Raised when the panes change so that a kept layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize firstSize{1440, 900}; ///< px
+
+// Of the right column, for the values.
+constexpr double usualValues = 0.36;
+constexpr double leastValues = 242.0; ///< px: a hit is told, and how far off the exact motion is
+constexpr double mostValues = 300.0;  ///< px
+constexpr double samePart = 0.03;     ///< of the column, that a resize may move
 
 QToolBar *fixedBar(QMainWindow *window, Qt::ToolBarArea area, QWidget *content, const QString &name)
 {
@@ -69,7 +78,8 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     resize(firstSize.boundedTo(room));
     arrangePanes();
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion);
+    if (restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion))
+        m_valuesPart = 0.0; // it is the student's
     m_scene->setFocus();
 }
 
@@ -153,8 +163,39 @@ void MainWindow::arrangePanes()
         addDockWidget(Qt::RightDockWidgetArea, dock(name));
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
     resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
-    resizeDocks({dock("momentum"), dock("energy"), dock("values")}, {224, 224, 320}, Qt::Vertical);
     showMode();
+    m_valuesPart = 0.0;
+    shareColumn();
+}
+
+/// The charts and the values share the right column while nobody has given them other heights: the
+/// values get what two circles need, and a little more where there is much.
+void MainWindow::shareColumn()
+{
+    QList<QDockWidget *> column;
+    double whole = 0.0;
+    for (const char *name : {"momentum", "energy", "values"}) {
+        column.append(findChild<QDockWidget *>(QLatin1String(name)));
+        QDockWidget *dock = column.last();
+        if (dock->isHidden() || dock->isFloating() || !tabifiedDockWidgets(dock).isEmpty()
+            || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
+            return;
+        whole += dock->height();
+    }
+    const double part = column.last()->height() / whole;
+    if (m_valuesPart != 0.0 && std::abs(part - m_valuesPart) > samePart)
+        return;
+    const double values = std::clamp(usualValues * whole, leastValues, mostValues);
+    const int chart = static_cast<int>(0.5 * (whole - values));
+    resizeDocks(column, {chart, chart, static_cast<int>(values)}, Qt::Vertical);
+    m_valuesPart = values / whole;
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    if (m_valuesPart != 0.0)
+        shareColumn();
 }
 
 void MainWindow::chooseTheme(ThemeChoice choice)

@@ -90,6 +90,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override; ///< of a lab: a folder or one file
     void closeEvent(QCloseEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void makePanes();
@@ -99,6 +100,7 @@ private:
     void wireCharts();
     [[nodiscard]] RunSource runSource(); ///< of the run that goes on
     void arrangePanes();
+    void shareColumn();
     void retranslate();
     void restoreChoices();
     void showTask();
@@ -137,6 +139,7 @@ private:
     QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
     bool m_unlocked = false;
+    double m_valuesPart = 0.0; ///< of the right column; 0 where others have chosen
 };
 
 } // namespace cradle

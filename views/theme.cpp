@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace cradle {
 
@@ -55,7 +57,7 @@ QColor mix(const QColor &a, const QColor &b, double share)
 }
 
 /// \p colour, mixed with black or white until its contrast to \p background is reached.
-QColor withContrast(const QColor &colour, const QColor &background, double wanted)
+QColor findContrast(const QColor &colour, const QColor &background, double wanted)
 {
     const bool darken = luminance(background) > 0.18;
     const QColor end = darken ? QColor(Qt::black) : QColor(Qt::white);
@@ -65,6 +67,21 @@ QColor withContrast(const QColor &colour, const QColor &background, double wante
             return mixed;
     }
     return end;
+}
+
+/// The same, remembered: every frame asks for the same few colours, a crowd for hundreds of times.
+QColor withContrast(const QColor &colour, const QColor &background, double wanted)
+{
+    constexpr std::size_t mostKept = 1000;
+    using Question = std::tuple<quint64, quint64, double>;
+    thread_local std::map<Question, QColor> answers;
+    const Question question{colour.rgba64(), background.rgba64(), wanted};
+    const auto known = answers.find(question);
+    if (known != answers.end())
+        return known->second;
+    if (answers.size() >= mostKept)
+        answers.clear();
+    return answers.emplace(question, findContrast(colour, background, wanted)).first->second;
 }
 
 QFont textFont()

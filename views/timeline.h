@@ -69,6 +69,8 @@ private:
     void retranslate();
     void addEndLabels(std::vector<Label> &labels) const;
     void addMarkLabels(std::vector<Label> &labels) const;
+    [[nodiscard]] std::optional<std::size_t> shownHit() const; ///< the last one so far
+    void addShownHitLabel(std::vector<Label> &labels, const std::vector<HitColumn> &all) const;
     void addHitLabels(std::vector<Label> &labels, const std::vector<HitColumn> &all) const;
     void addLabel(std::vector<Label> &labels, double x, const QString &text,
                   const QColor &colour) const;

@@ -79,7 +79,16 @@ std::vector<Timeline::Label> Timeline::labelsAt(const std::vector<HitColumn> &co
 {
     std::vector<Label> all;
     addMarkLabels(all);
+    // At its very moment a hit is what to read, not when the run ends.
+    const Recording &recording = m_simulation.recording();
+    const auto shown = shownHit();
+    const bool atHit =
+        shown && recording.hits()[*shown].step == recording.step(m_simulation.current());
+    if (atHit)
+        addShownHitLabel(all, columns);
     addEndLabels(all);
+    if (!atHit)
+        addShownHitLabel(all, columns);
     addHitLabels(all, columns);
     return all;
 }
@@ -134,15 +143,24 @@ void Timeline::addHitLabel(std::vector<Label> &labels, const HitColumn &column) 
              readableOn(theme().along, theme().panel));
 }
 
-void Timeline::addHitLabels(std::vector<Label> &labels, const std::vector<HitColumn> &all) const
+std::optional<std::size_t> Timeline::shownHit() const
 {
     const Recording &recording = m_simulation.recording();
-    // The hit that is shown keeps its label, whatever the others find room for.
-    const auto shown = lastHit(recording.hits(), recording.step(m_simulation.current()));
+    return lastHit(recording.hits(), recording.step(m_simulation.current()));
+}
+
+/// The hit that is shown keeps its label, whatever the others find room for.
+void Timeline::addShownHitLabel(std::vector<Label> &labels, const std::vector<HitColumn> &all) const
+{
+    const auto shown = shownHit();
     for (const HitColumn &column : all) {
         if (shown && *shown >= column.first && *shown < column.first + column.count)
             addHitLabel(labels, column);
     }
+}
+
+void Timeline::addHitLabels(std::vector<Label> &labels, const std::vector<HitColumn> &all) const
+{
     if (isFuller(all, fullPart))
         return;
     double free = 0.0;
@@ -180,10 +198,14 @@ void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns
     QList<QRectF> rects;
     rects.reserve(static_cast<qsizetype>(columns.size()));
     for (const HitColumn &column : columns) {
-        const double x = std::round(left + column.x);
         const double reach = reaches[column.count];
-        rects.emplaceBack(x - (crowded ? 0.0 : 1.0), middle - reach, crowded ? 1.0 : 2.0,
-                          2.0 * reach);
+        const double x = std::round(left + column.x) - (crowded ? 0.0 : 1.0);
+        const QRectF rect(x, middle - reach, crowded ? 1.0 : 2.0, 2.0 * reach);
+        // Beside one of the same height it is drawn with that: few are faster than many.
+        if (!rects.isEmpty() && rects.last().right() == x && rects.last().top() == rect.top())
+            rects.last().setRight(rect.right());
+        else
+            rects.append(rect);
     }
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().along);

@@ -45,6 +45,8 @@ private slots:
     void valuesAndSentencesAreWhole();
     void circlesAreWhole_data() { addLanguagesAndModes(); }
     void circlesAreWhole();
+    void chartsGetWhatTheValuesDoNotNeed();
+    void heightsOfTheStudentStay();
 
 private:
     static void addLanguagesAndModes();
@@ -147,6 +149,37 @@ void TestSmallWindow::circlesAreWhole()
     }
     // Beside the program the pane is lower by its tabs, and may scroll.
     QVERIFY(mode == Mode::Code || isWhollySeen(*table));
+}
+
+void TestSmallWindow::chartsGetWhatTheValuesDoNotNeed()
+{
+    open(QStringLiteral("en"), Mode::Explore, QStringLiteral("L42T17"));
+    const auto height = [this](const char *name) {
+        return m_open->window.findChild<QDockWidget *>(QLatin1String(name))->height();
+    };
+    const int chart = height("energy");
+    m_open->window.resize(1920, 1080);
+    QTest::qWait(100);
+    QVERIFY2(height("values") <= 305, qPrintable(QString::number(height("values"))));
+    QVERIFY2(height("energy") >= chart + 100, qPrintable(QString::number(height("energy"))));
+    m_open->window.resize(1280, 720);
+    QTest::qWait(100);
+    QVERIFY(std::abs(height("energy") - chart) <= 2);
+}
+
+void TestSmallWindow::heightsOfTheStudentStay()
+{
+    open(QStringLiteral("en"), Mode::Explore, QStringLiteral("L42T17"));
+    const auto dock = [this](const char *name) {
+        return m_open->window.findChild<QDockWidget *>(QLatin1String(name));
+    };
+    m_open->window.resizeDocks({dock("energy"), dock("values")}, {130, 300}, Qt::Vertical);
+    QTest::qWait(50);
+    const double part = dock("values")->height() / (1.0 * dock("momentum")->height());
+    m_open->window.resize(1920, 1080);
+    QTest::qWait(100);
+    const double after = dock("values")->height() / (1.0 * dock("momentum")->height());
+    QVERIFY2(std::abs(after / part - 1.0) < 0.1, qPrintable(QString::number(after / part)));
 }
 
 QTEST_MAIN(TestSmallWindow)

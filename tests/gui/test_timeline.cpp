@@ -51,6 +51,7 @@ private slots:
     void labelsNeverOverlap_data();
     void labelsNeverOverlap();
     void labelsTellEndsAndHits();
+    void hitAtTheEndIsNamed();
     void marksComeFirst();
     void stoppedProgramIsMarked();
     void runsOnFromThePast();
@@ -168,6 +169,26 @@ void TestTimeline::labelsTellEndsAndHits()
     for (const auto &wanted : {QStringLiteral("0 s"), QStringLiteral("2.0 s"),
                                QStringLiteral("hit 1"), QStringLiteral("hit 2")})
         QVERIFY2(texts.contains(wanted), qPrintable(texts.join(u'|')));
+}
+
+void TestTimeline::hitAtTheEndIsNamed()
+{
+    Simulation simulation(bouncing());
+    Timeline timeline(simulation);
+    timeline.resize(1000, 56);
+    simulation.seekNextHit();
+    QCOMPARE(simulation.current(), simulation.recording().last());
+    const auto has = [&timeline](const QString &text) {
+        const auto labels = timeline.labels();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&text](const Timeline::Label &label) { return label.text == text; });
+    };
+    QVERIFY(has(QStringLiteral("hit 1")));
+    const QString end = QStringLiteral("%1 s").arg(simulation.time(), 0, 'f', 1);
+    QVERIFY(!has(end)); // there is room for one of them
+    run(simulation, 120);
+    QVERIFY(has(QStringLiteral("hit 1")));
+    QVERIFY(has(QStringLiteral("%1 s").arg(simulation.time(), 0, 'f', 1)));
 }
 
 void TestTimeline::marksComeFirst()

@@ -19,6 +19,7 @@ struct TrailText {
 };
 
 constexpr double trailOpacity = 0.5;
+constexpr double trailOpacityInDark = 0.75; ///< a faded colour is darker there, not paler
 constexpr double centreOpacity = 0.7;
 constexpr double trailWidth = 2.0;          ///< px
 constexpr double centreWidth = 1.5;         ///< px, of its way and its mark
@@ -83,10 +84,11 @@ void addTrails(DrawList &list, const SceneMoment &moment, const std::vector<QCol
         return;
     const std::vector<qint64> frames =
         framesBack(moment, trailSeconds, std::min(longestTrail, trailSegments / drawn.size()));
+    const double newest = theme().dark ? trailOpacityInDark : trailOpacity;
     for (std::size_t k = 1; k < frames.size(); ++k) {
         const auto from = moment.recording.circles(frames[k - 1]);
         const auto to = moment.recording.circles(frames[k]);
-        const double opacity = opacityAt(moment, frames[k], trailSeconds, trailOpacity);
+        const double opacity = opacityAt(moment, frames[k], trailSeconds, newest);
         for (const int index : drawn) {
             const auto i = static_cast<std::size_t>(index);
             if (from[i].position == to[i].position)
