@@ -85,10 +85,11 @@ CheckOutcome outcomeOf(const Plan &plan)
     return outcome;
 }
 
-/// The line of the program that moved a circle last in a step of that scene.
-int lineOf(const Submission &submission, const Variant &variant, qint64 step)
+/// The line of the program that last moved the circle of \p fault, or any if it is of none alone,
+/// in that step of that scene; 0 if none did.
+int lineOf(const Submission &submission, const Variant &variant, const Fault &fault)
 {
-    if (!submission.script || step < 1)
+    if (!submission.script || fault.step < 1)
         return 0;
     StudentScript program(*submission.script,
                           {.pinned = variant.pinned, .quiet = true, .locked = {}});
@@ -96,13 +97,17 @@ int lineOf(const Submission &submission, const Variant &variant, qint64 step)
     if (program.begin(scene) || !program.moves())
         return 0;
     World world = initialWorld(scene);
-    for (; world.step < step - 1; ++world.step) {
+    for (; world.step < fault.step - 1; ++world.step) {
         world.time = static_cast<double>(world.step) * scene.timestep;
         if (program.advance(world, scene.timestep))
             return 0;
     }
-    const std::vector<Assignment> assignments = program.trace(world, scene.timestep);
-    return assignments.empty() ? 0 : assignments.back().line;
+    int line = 0;
+    for (const Assignment &assignment : program.trace(world, scene.timestep)) {
+        if (fault.circle < 0 || assignment.circle == fault.circle)
+            line = assignment.line;
+    }
+    return line;
 }
 
 /// Judges one submission; used once.
@@ -213,7 +218,7 @@ private:
             return;
         fail(outcome, *fault, variant);
         if (m_submission.script) {
-            outcome.line = lineOf(m_submission, variant, fault->step);
+            outcome.line = lineOf(m_submission, variant, *fault);
             keep(plan, i, std::move(run));
         }
     }

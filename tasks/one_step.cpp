@@ -110,7 +110,13 @@ bool OneStep::agreesAtSomeNormal(const Observation &o, qint64 k)
     if (o.circleCount() != 2)
         return false;
     const Vec2 gravity = o.variant.preset.gravity;
-    if (!motion::isKicked(o, 0, k, gravity) && !motion::isKicked(o, 1, k, gravity))
+    // Who only does not fall has not been hit.
+    const auto isHit = [&](int i) {
+        const Vec2 before = o.circle(i, k).velocity;
+        return motion::isKicked(o, i, k, gravity)
+               && length(o.circle(i, k + 1).velocity - before) > same * (1.0 + length(before));
+    };
+    if (!isHit(0) && !isHit(1))
         return false;
     const double dt = o.timestep();
     const World world = o.states.world(k);

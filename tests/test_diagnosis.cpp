@@ -232,6 +232,10 @@ void TestDiagnosis::unknownMistakeIsNotExplained_data()
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
     row("L42T3", "air",
         [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });
+    row("L42T4", "circle 2 put where circle 1 is", [](OtherForm &f) {
+        f.integrate =
+            lab("if c.index == 1 then ") + euler + lab(" else c.position = circle1.position end");
+    });
     row("L42T12", "turned by an angle", [](OtherForm &f) {
         f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
     });

@@ -46,7 +46,8 @@ Fault Turn::fault(const QString &text, double expected, double observed) const
             .expected = expected,
             .observed = observed,
             .unit = QStringLiteral("m/s"),
-            .step = step + 1};
+            .step = step + 1,
+            .circle = circle};
 }
 
 /// Judges what happened on one axis, between the walls \p low and \p high.
@@ -148,7 +149,8 @@ std::optional<Fault> outside(const CheckSpec &check, const Observation &o, doubl
                              .expected = allowed,
                              .observed = beyond,
                              .unit = QStringLiteral("m"),
-                             .step = k};
+                             .step = k,
+                             .circle = i};
             }
         }
     }
@@ -180,7 +182,8 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
                          .expected = -into,
                          .observed = into,
                          .unit = QStringLiteral("m/s"),
-                         .step = k + 2 - patience};
+                         .step = k + 2 - patience,
+                         .circle = i};
         }
     }
     return std::nullopt;

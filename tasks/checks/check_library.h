@@ -13,6 +13,7 @@ struct Fault {
     std::optional<double> observed{}; ///< in \c unit
     QString unit{};
     qint64 step = -1; ///< where it first shows; −1 if nowhere in particular
+    int circle = -1;  ///< that shows it, from 0; −1 if it is none alone
 };
 
 /// Judges \p observation by the kind and the parameters of \p check. Kinds:

@@ -66,7 +66,8 @@ Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
             .expected = x ? gravity.x : gravity.y,
             .observed = x ? observed.x : observed.y,
             .unit = QStringLiteral("m/s²"),
-            .step = k + 1};
+            .step = k + 1,
+            .circle = i};
 }
 
 Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator wanted)
@@ -96,7 +97,8 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
             .expected = x ? right.x : right.y,
             .observed = x ? observed.x : observed.y,
             .unit = QStringLiteral("m"),
-            .step = k + 1};
+            .step = k + 1,
+            .circle = i};
 }
 
 Fault nothingToSee(int i)
@@ -206,7 +208,8 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
                          .expected = x ? right.x : right.y,
                          .observed = x ? observed.x : observed.y,
                          .unit = QStringLiteral("m"),
-                         .step = k + 1};
+                         .step = k + 1,
+                         .circle = i};
         }
     }
     return std::nullopt;

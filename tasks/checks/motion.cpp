@@ -79,7 +79,8 @@ std::optional<Fault> leap(const Observation &o, int i, qint64 k, double way)
                  .expected = way / 2.0,
                  .observed = moved,
                  .unit = QStringLiteral("m"),
-                 .step = k + 1};
+                 .step = k + 1,
+                 .circle = i};
 }
 
 double wallGap(const Observation &o, const Circle &c, Wall wall)

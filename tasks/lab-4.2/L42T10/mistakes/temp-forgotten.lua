@@ -1,8 +1,8 @@
 -- Both circles ended with the same velocity
 --
--- Circle 1 brought (2, 0) m/s, circle 2 rested, and after the hit both stand still. The first
--- assignment overwrote a velocity that the second one still needed, so a momentum of 522.8 kg
--- m/s is gone. Look at the order in which the two velocities are read and written.
+-- Circle 1 brought (2, 0) m/s, circle 2 rested, and after the hit both stand still. What
+-- circle 1 brought was overwritten before circle 2 had got it, so a momentum of 522.8 kg m/s
+-- is gone. Look at the order in which the two velocities are read and written.
 
 -- Runs once, when the scene is in place.
 function on_load()

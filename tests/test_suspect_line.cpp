@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/lab_test.h"
+
+#include "tasks/lab_reader.h"
+
+#include <algorithm>
+
+using namespace cradle;
+
+/// Which line of a program a failed check names: one that moved the circle of which it speaks.
+class TestSuspectLine : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void lineMovesTheCircleThatIsWrong_data();
+    void lineMovesTheCircleThatIsWrong();
+};
+
+namespace {
+
+/// Both circles of step 5; the lines that move them are put in.
+QString program(const char *circle1, const char *circle2)
+{
+    return QStringLiteral(R"lua(function on_load()
+  circle2.position = circle1.position
+  circle2.velocity = circle1.velocity
+end
+function on_update(h)
+  local old1, old2 = circle1.position, circle2.position
+  %1
+  %2
+  for i, old in ipairs({old1, old2}) do
+    local c = circles[i]
+    local p, v = c.position, c.velocity
+    if math.abs(p.x) > 3.8 and p.x * v.x > 0 then
+      c.position, c.velocity = old, vec(-v.x, v.y)
+    end
+    if math.abs(p.y) > 3.8 and p.y * v.y > 0 then
+      c.position, c.velocity = old, vec(c.velocity.x, -v.y)
+    end
+  end
+end)lua")
+        .arg(QString::fromLatin1(circle1), QString::fromLatin1(circle2));
+}
+
+constexpr char euler[] = "circle1.position, circle1.velocity = circle1.position + "
+                         "circle1.velocity * h, circle1.velocity + gravity * h";
+constexpr char twiceEuler[] = "circle1.position, circle1.velocity = circle1.position + "
+                              "circle1.velocity * h, circle1.velocity + 2 * gravity * h";
+constexpr char symplectic[] = "circle2.velocity = circle2.velocity + gravity * h "
+                              "circle2.position = circle2.position + circle2.velocity * h";
+constexpr char upward[] = "circle2.velocity = circle2.velocity - gravity * h "
+                          "circle2.position = circle2.position + circle2.velocity * h";
+
+} // namespace
+
+void TestSuspectLine::lineMovesTheCircleThatIsWrong_data()
+{
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("check");
+    QTest::addColumn<int>("line");
+    const auto row = [](const char *name, const QString &source, const char *check, int line) {
+        QTest::newRow(name) << source << QString::fromLatin1(check) << line;
+    };
+    row("circle 1, before circle 2", program(twiceEuler, symplectic), "circle1-euler", 7);
+    row("circle 2, after circle 1", program(euler, upward), "circle2-symplectic", 8);
+    row("circle 2, before circle 1", program(upward, euler), "circle2-symplectic", 7);
+    row("circle 1, after circle 2", program(symplectic, twiceEuler), "circle1-euler", 8);
+    row("circle 1 not moved", program("", symplectic), "circle1-euler", 0);
+    row("circle 2 not moved", program(euler, ""), "circle2-symplectic", 0);
+}
+
+void TestSuspectLine::lineMovesTheCircleThatIsWrong()
+{
+    QFETCH(QString, source);
+    QFETCH(QString, check);
+    QFETCH(int, line);
+    const Task &step = task(QStringLiteral("L42T5"));
+    const CheckReport report = *judgeTask(m_lab, step, Submission(step.preset, source), 1);
+    const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [&](const CheckOutcome &each) { return each.id == check; });
+    QVERIFY(found != report.checks.end());
+    QVERIFY2(!found->passed && !report.error, qPrintable(failedChecks(report)));
+    QCOMPARE(found->line, line);
+}
+
+QTEST_GUILESS_MAIN(TestSuspectLine)
+#include "test_suspect_line.moc"
