@@ -3616,6 +3616,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>Reload from the folder</source>
         <translation>Aus dem Ordner neu laden</translation>
     </message>
+    <message>
+        <source>New lab</source>
+        <translation>Neues Lab</translation>
+    </message>
 </context>
 <context>
     <name>cradle::AuthorWindow</name>
@@ -6503,10 +6507,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Alt+Down</source>
         <translation>Alt+Ab</translation>
-    </message>
-    <message>
-        <source>New lab</source>
-        <translation>Neues Lab</translation>
     </message>
     <message>
         <source>Title, version and id of the lab</source>
