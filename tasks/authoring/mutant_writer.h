@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/program_tokens.h"
 #include "tasks/authoring/mutations.h"
+#include "tasks/authoring/program_tokens.h"
 
 #include <QSet>
 #include <QStringList>
