@@ -79,7 +79,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     arrangePanes();
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     if (restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion))
-        m_valuesPart = 0.0; // it is the student's
+        m_sharesColumn = false; // it is the student's
     m_scene->setFocus();
 }
 
@@ -164,8 +164,10 @@ void MainWindow::arrangePanes()
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
     resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
     showMode();
-    m_valuesPart = 0.0;
-    shareColumn();
+    m_sharesColumn = true;
+    m_valuesPart.reset();
+    if (isVisible()) // else it is shared as soon as the panes have heights
+        shareColumn();
 }
 
 /// The charts and the values share the right column while nobody has given them other heights: the
@@ -183,10 +185,10 @@ void MainWindow::shareColumn()
         whole += dock->height();
     }
     const double part = column.last()->height() / whole;
-    if (m_valuesPart != 0.0 && std::abs(part - m_valuesPart) > samePart)
+    if (m_valuesPart && std::abs(part - *m_valuesPart) > samePart)
         return;
     const double values = std::clamp(usualValues * whole, leastValues, mostValues);
-    const int chart = static_cast<int>(0.5 * (whole - values));
+    const int chart = static_cast<int>(0.5 * std::max(0.0, whole - values));
     resizeDocks(column, {chart, chart, static_cast<int>(values)}, Qt::Vertical);
     m_valuesPart = values / whole;
 }
@@ -194,7 +196,7 @@ void MainWindow::shareColumn()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    if (m_valuesPart != 0.0)
+    if (m_sharesColumn)
         shareColumn();
 }
 

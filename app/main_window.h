@@ -139,7 +139,8 @@ private:
     QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
     bool m_unlocked = false;
-    double m_valuesPart = 0.0; ///< of the right column; 0 where others have chosen
+    bool m_sharesColumn = false;        ///< the student has not taken over the right column
+    std::optional<double> m_valuesPart; ///< of the right column, as it was shared last
 };
 
 } // namespace cradle

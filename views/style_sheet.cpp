@@ -133,6 +133,8 @@ QSlider::handle:horizontal:focus { border-color: @accent; background: @accent; }
 const QString lists = QStringLiteral(R"(
 QTabWidget::pane { border: none; border-top: 1px solid @border; background: @panel; }
 QTabBar { background: @window; }
+QTabBar QToolButton { min-height: 0; padding: 0; border: none; border-radius: 0;
+    background: @window; }
 QTabBar::tab { background: transparent; color: @mutedText; padding: 8px 14px 7px 14px;
     border: none; border-top: 2px solid transparent; }
 QTabBar[kind="narrow"]::tab { padding: 8px 5px 7px 5px; }
