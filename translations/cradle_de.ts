@@ -4878,7 +4878,7 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
     <message>
         <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5 kg m/s.</source>
-        <translation>Stoß %1 bei %2 s, Kreis %6 an: %7; Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
+        <translation>Stoß %1 bei %2 s, Kreis %6 gegen %7: Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
     </message>
     <message>
         <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
