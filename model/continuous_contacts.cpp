@@ -28,8 +28,8 @@ std::size_t at(int index)
 
 } // namespace
 
-/// For the solver of contacts. Where hits lose nothing, energy is to be kept; a heap overlaps by
-/// less than a thousandth of a radius with so many.
+/// For the solver of contacts. Where hits lose nothing, energy is to be kept; with so many a heap
+/// of 1,000 overlaps by 0.03 radii, one of 300 by 0.001.
 int ContinuousStep::mostRounds() const
 {
     return m_lossy ? 500 : 4000;
