@@ -15,6 +15,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -185,8 +186,12 @@ Result<QByteArray> readFile(const QString &path, qint64 maxBytes)
     if (!file.open(QIODevice::ReadOnly))
         return Error{.message = SchemaText::tr("cannot be read: %1").arg(file.errorString()),
                      .file = path};
-    // One byte more than allowed tells too large, even where the size is not known beforehand.
-    const QByteArray text = file.read(maxBytes + 1);
+    // Room is taken for what there is, not for all that may be; some sizes are not known before.
+    constexpr qint64 part = 64 * 1024;
+    QByteArray text = file.read(std::min(maxBytes, file.size()) + 1);
+    for (QByteArray more = file.read(part); text.size() <= maxBytes && !more.isEmpty();
+         more = file.read(part))
+        text += more;
     if (text.size() > maxBytes) {
         return Error{.message = SchemaText::tr("the file is too large; at most %1 are right")
                                     .arg(QLocale::c().formattedDataSize(maxBytes)),
