@@ -22,6 +22,7 @@ private slots:
     void everyWordHasAHeading_data();
     void everyWordHasAHeading();
     void translationHasTheSameEntries();
+    void pageBeginsAtItsTop();
     void pageFollowsTheLanguage();
     void pageShowsWords();
     void pageSearches();
@@ -99,6 +100,17 @@ void TestApiPage::translationHasTheSameEntries()
     QVERIFY(signatures(s("lua-api.md")).size() > 20);
     QCOMPARE(signatures(s("lua-api.de.md")), signatures(s("lua-api.md")));
     QCOMPARE(linesOf(s("lua-api.de.md"), s("- ")).size(), linesOf(s("lua-api.md"), s("- ")).size());
+}
+
+void TestApiPage::pageBeginsAtItsTop()
+{
+    ApiPage page;
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    page.showWord({});
+    const auto *text = page.findChild<QTextBrowser *>();
+    QVERIFY(text->verticalScrollBar()->maximum() > 0);
+    QCOMPARE(text->verticalScrollBar()->value(), 0);
 }
 
 void TestApiPage::pageFollowsTheLanguage()

@@ -88,6 +88,7 @@ void ApiPage::retranslate()
 {
     //: The file of the page in your language: docs/lua-api.LANGUAGE.md, if there is one
     m_view->setMarkdown(pageText(tr(":/help/lua-api.md")), {});
+    m_view->moveCursor(QTextCursor::Start); // else it stays in sight, at the end of the page
     listHeadings();
     setWindowTitle(tr("API reference"));
     m_search->setPlaceholderText(tr("Search (Return: next place in the text)"));
