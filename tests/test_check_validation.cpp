@@ -167,10 +167,11 @@ void TestCheckValidation::everyBoundHolds()
         if (p.type == ParameterInfo::Type::Vector)
             value = QJsonArray{number, number};
         else if (p.type == ParameterInfo::Type::Vectors)
-            value = QJsonArray{QJsonArray{number, number}};
+            value = QJsonArray{QJsonValue(QJsonArray{number, number})};
         QJsonObject parameters{{parameter, value}};
         if (kind == QLatin1String("after_contact") && parameter != QLatin1String("velocities"))
-            parameters.insert(QStringLiteral("velocities"), QJsonArray{QJsonArray{0, 0}});
+            parameters.insert(QStringLiteral("velocities"),
+                              QJsonArray{QJsonValue(QJsonArray{0, 0})});
         const QJsonObject check{{QStringLiteral("kind"), kind},
                                 {QStringLiteral("parameters"), parameters}};
         return findCheckFaults({{QStringLiteral("checks"), QJsonArray{check}}}, 2, {}).empty();

@@ -43,9 +43,10 @@ CheckSpec checkOf(const char *kind, const QJsonObject &parameters, std::vector<i
     return check;
 }
 
-QJsonArray pair(double x, double y)
+/// A value, for an array of one array is that array itself to some compilers (CWG 2137).
+QJsonValue pair(double x, double y)
 {
-    return {x, y};
+    return QJsonArray{x, y};
 }
 
 /// Two circles on the x axis that meet after about 0.5 s with a closing speed of 2 m/s.

@@ -151,8 +151,9 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     } else {
         more.id = QStringLiteral("end");
         more.kind = QStringLiteral("ends_at");
-        more.parameters = {{QStringLiteral("positions"), QJsonArray{QJsonArray{-1.0007, 0.0}}},
-                           {QStringLiteral("tolerance"), 1e-3}};
+        more.parameters = {
+            {QStringLiteral("positions"), QJsonArray{QJsonValue(QJsonArray{-1.0007, 0.0})}},
+            {QStringLiteral("tolerance"), 1e-3}};
         task.checks.push_back(more);
     }
     const std::vector<LabFinding> findings = findingsOf(task);
@@ -211,8 +212,9 @@ void TestLabVerifier::usedUpToleranceIsMeasured()
     const Task task = soundTask();
     CheckSpec check = task.checks[0];
     check.kind = QStringLiteral("ends_at");
-    check.parameters = {{QStringLiteral("positions"), QJsonArray{QJsonArray{-1.0 + off, 0.0}}},
-                        {QStringLiteral("tolerance"), 1e-3}};
+    check.parameters = {
+        {QStringLiteral("positions"), QJsonArray{QJsonValue(QJsonArray{-1.0 + off, 0.0})}},
+        {QStringLiteral("tolerance"), 1e-3}};
     const auto found = findTightTolerance(task, check, [] { return false; });
     QCOMPARE(found.has_value(), tight);
     if (found) {
