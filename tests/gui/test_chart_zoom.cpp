@@ -4,6 +4,7 @@
 #include "tests/gui/chart_scenes.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
+#include "views/charts/note_place.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -28,6 +29,8 @@ private slots:
     void clickOnAHitGoesThere();
     void noteTellsBeforeAndAfter();
     void noteOnAWallHasOneCircle();
+    void noteInALowChartIsShort();
+    void noteLiesBetweenCurves();
     void menuEndsTheZoom();
 
 private:
@@ -247,6 +250,42 @@ void TestChartZoom::noteOnAWallHasOneCircle()
     settle();
     QVERIFY(m_momentum->plot().note());
     QCOMPARE(m_momentum->plot().note()->rows.size(), std::size_t{1});
+}
+
+void TestChartZoom::noteInALowChartIsShort()
+{
+    const qint64 step = m_simulation->recording().hits().front().step;
+    m_simulation->seek(step);
+    settle();
+    const QRectF whole = m_momentum->plot().noteRect();
+    for (ChartPane *chart :
+         {static_cast<ChartPane *>(m_momentum.get()), static_cast<ChartPane *>(m_energy.get())}) {
+        chart->resize(356, 172); // at 1280 x 720
+        settle();
+        const ChartPlot &plot = chart->plot();
+        const QRectF note = plot.noteRect();
+        QVERIFY(plot.plotArea().contains(note));
+        QVERIFY(note.width() < 0.75 * whole.width() && note.height() < whole.height());
+        const double cursor = plot.xOf(m_simulation->time());
+        QVERIFY(cursor < note.left() || cursor > note.right());
+        for (const auto &[text, rect] : plot.labels())
+            QVERIFY2(!rect.intersects(note), qPrintable(text));
+    }
+}
+
+void TestChartZoom::noteLiesBetweenCurves()
+{
+    const QRectF plot(40.0, 4.0, 300.0, 100.0);
+    const auto level = [&plot](double y) {
+        return CurveProfile({{plot.left(), y}, {plot.right(), y}}, plot);
+    };
+    const std::vector<CurveProfile> curves{level(20.0), level(90.0)};
+    const NotePlace between = quietestPlace(plot, curves, {100.0, 50.0}, 320.0);
+    QCOMPARE(between.hidden, 0.0);
+    QVERIFY(between.rect.top() > 20.0 && between.rect.bottom() < 90.0);
+    QVERIFY(between.rect.right() < 320.0 && between.rect.right() > 300.0);
+    // Of two that cannot be missed together it hides one.
+    QCOMPARE(quietestPlace(plot, curves, {100.0, 70.0}, 320.0).hidden, 101.0);
 }
 
 void TestChartZoom::menuEndsTheZoom()

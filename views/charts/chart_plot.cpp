@@ -4,6 +4,7 @@
 
 #include "views/charts/hit_columns.h"
 #include "views/charts/needed_points.h"
+#include "views/charts/note_place.h"
 #include "views/charts/number_text.h"
 #include "views/charts/subscript_text.h"
 #include "views/theme.h"
@@ -28,6 +29,9 @@ constexpr double axisRoom = 22.0;    ///< px for the times below the plot
 constexpr double tickHeight = 40.0;  ///< px from one value to the next, at least
 constexpr int leastTicks = 4;        ///< however low the plot is
 constexpr double margin = 0.08;      ///< of the height, above and below the range
+
+constexpr double wholeNoteShare =
+    0.3; ///< of the plot that a note may cover without being cut short
 
 /// A curve that is longer than so many widths of the plot fills its columns from top to bottom.
 constexpr double denseLength = 8.0;
@@ -79,6 +83,7 @@ void ChartPlot::showMoment(const ChartMoment &moment, const std::vector<ChartCur
     setCurves(curves);
     layOut();
     fillSeries();
+    placeNote();
     placeLabels();
     markHits(hits);
     viewport()->update();
@@ -183,6 +188,24 @@ void ChartPlot::fillSeries()
     }
 }
 
+/// Whole where that hides no more than the short one, which is small enough to lie between curves.
+void ChartPlot::placeNote()
+{
+    m_noteRect = {};
+    if (!m_moment.note)
+        return;
+    const auto placed = [this](NoteForm form) {
+        return quietestPlace(m_area, m_profiles, sizeOf(*m_moment.note, form, smallFont()),
+                             xOf(m_moment.shown));
+    };
+    const NotePlace whole = placed(NoteForm::Whole);
+    const NotePlace cut = placed(NoteForm::Short);
+    const bool isRoomy = whole.rect.width() * whole.rect.height()
+                         < wholeNoteShare * m_area.width() * m_area.height();
+    m_noteForm = isRoomy && whole.hidden <= cut.hidden ? NoteForm::Whole : NoteForm::Short;
+    m_noteRect = m_noteForm == NoteForm::Whole ? whole.rect : cut.rect;
+}
+
 void ChartPlot::placeLabels()
 {
     m_labelTexts.clear();
@@ -200,7 +223,7 @@ void ChartPlot::placeLabels()
         if (!curve.isLabelled)
             sizes.back() = {};
     }
-    m_labelRects = m_layout.place(m_area, m_profiles, sizes, noteRect());
+    m_labelRects = m_layout.place(m_area, m_profiles, sizes, m_noteRect);
 }
 
 void ChartPlot::markHits(const std::deque<Hit> &hits)
@@ -227,17 +250,6 @@ double ChartPlot::valueAt(double y) const
 {
     const double part = m_area.height() > 0.0 ? (m_area.bottom() - y) / m_area.height() : 0.0;
     return m_scale.low + std::clamp(part, 0.0, 1.0) * (m_scale.high - m_scale.low);
-}
-
-/// In the corner that is farther from the cursor.
-QRectF ChartPlot::noteRect() const
-{
-    if (!m_moment.note)
-        return {};
-    const QSizeF size = sizeOf(*m_moment.note, smallFont());
-    const bool left = xOf(m_moment.shown) > m_area.center().x();
-    const double x = left ? m_area.left() + 4.0 : m_area.right() - size.width() - 4.0;
-    return {QPointF(std::round(x), m_area.center().y() - std::round(0.5 * size.height())), size};
 }
 
 std::vector<std::pair<QString, QRectF>> ChartPlot::labels() const

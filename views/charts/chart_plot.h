@@ -75,6 +75,7 @@ public:
     [[nodiscard]] double xOf(double time) const;  ///< px
     [[nodiscard]] double yOf(double value) const; ///< px
     [[nodiscard]] const std::optional<HitNote> &note() const { return m_moment.note; }
+    [[nodiscard]] QRectF noteRect() const { return m_noteRect; } ///< px; empty without a note
     [[nodiscard]] const std::vector<ChartCurve> &curves() const { return m_curves; }
     [[nodiscard]] TimeWindow::Span timeSpan() const { return {m_moment.from, m_moment.to}; }
     [[nodiscard]] ValueSpan valueSpan() const { return {m_scale.low, m_scale.high}; }
@@ -118,6 +119,7 @@ private:
     void setCurves(const std::vector<ChartCurve> &curves);
     void layOut();
     void fillSeries();
+    void placeNote();
     void placeLabels();
     void markHits(const std::deque<Hit> &hits);
     void drawTicks(QPainter &painter) const;
@@ -130,7 +132,6 @@ private:
     void pick(double x);
     void chooseBox();
     [[nodiscard]] QRectF box() const; ///< px: that is dragged
-    [[nodiscard]] QRectF noteRect() const;
     [[nodiscard]] QFont smallFont() const;
 
     QValueAxis *m_timeAxis;
@@ -147,6 +148,8 @@ private:
     bool m_isOnHit = false; ///< the drag began on a hit and has not left it
     QString m_emptyText;    ///< shown instead of a run
 
+    NoteForm m_noteForm = NoteForm::Whole;
+    QRectF m_noteRect; ///< px
     LabelLayout m_layout;
     std::vector<CurveProfile> m_profiles;
     std::vector<QString> m_labelTexts;

@@ -212,7 +212,7 @@ void ChartPlot::drawOver(QPainter &painter) const
     painter.setRenderHint(QPainter::Antialiasing, true);
     drawLabels(painter);
     if (m_moment.note)
-        drawNote(painter, *m_moment.note, noteRect());
+        drawNote(painter, *m_moment.note, m_noteForm, m_noteRect);
     if (m_drag == Drag::Box)
         drawBox(painter);
 }

@@ -11,7 +11,6 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cradle {
@@ -22,12 +21,10 @@ struct HitNoteText {
     Q_DECLARE_TR_FUNCTIONS(HitNote)
 };
 
-constexpr double pad = 6.0;        ///< px around the table
-constexpr double columnGap = 10.0; ///< px
-constexpr std::size_t columns = 4;
-constexpr double noise = 1e-9; ///< of the scale: less is no change
-
-using Cells = std::array<QString, columns>;
+constexpr double pad = 6.0;            ///< px around the table
+constexpr double columnGap = 10.0;     ///< px
+constexpr double shortColumnGap = 5.0; ///< px
+constexpr double noise = 1e-9;         ///< of the scale: less is no change
 
 QString changeText(const HitNote::Row &row, double scale)
 {
@@ -36,27 +33,44 @@ QString changeText(const HitNote::Row &row, double scale)
     return change > noise * scale ? QLatin1Char('+') + text : text;
 }
 
-Cells cellsOf(const HitNote::Row &row, double scale)
-{
-    return {row.name, shortNumber(row.before, scale), shortNumber(row.after, scale),
-            changeText(row, scale)};
-}
+/// What is written: a line above columns, the first of which stands left, the others right.
+struct Table {
+    QString title;
+    std::vector<QStringList> rows; ///< all of one length
+    bool hasHead = false;          ///< the first row names the columns
+    double gap = columnGap;        ///< px between two columns
+};
 
-std::vector<Cells> cellsOf(const HitNote &note)
+Table tableOf(const HitNote &note, NoteForm form)
 {
-    std::vector<Cells> all{{note.unit, HitNoteText::tr("before"), HitNoteText::tr("after"),
-                            HitNoteText::tr("change")}};
+    const double scale = note.scale();
+    Table table;
+    if (form == NoteForm::Short) {
+        table.title = note.unit;
+        table.gap = shortColumnGap;
+        for (const HitNote::Row &row : note.rows)
+            table.rows.push_back({row.name, shortNumber(row.before, scale), QString(QChar(0x2192)),
+                                  shortNumber(row.after, scale)});
+        return table;
+    }
+    table.title = note.title;
+    table.hasHead = true;
+    table.rows.push_back({note.unit, HitNoteText::tr("before"), HitNoteText::tr("after"),
+                          HitNoteText::tr("change")});
     for (const HitNote::Row &row : note.rows)
-        all.push_back(cellsOf(row, note.scale()));
-    return all;
+        table.rows.push_back({row.name, shortNumber(row.before, scale),
+                              shortNumber(row.after, scale), changeText(row, scale)});
+    return table;
 }
 
-std::array<double, columns> widthsOf(const std::vector<Cells> &cells, const QFont &font)
+/// Of each column, px.
+std::vector<double> widthsOf(const Table &table, const QFont &font)
 {
-    std::array<double, columns> widths{};
-    for (const Cells &row : cells) {
-        for (std::size_t c = 0; c < columns; ++c)
-            widths[c] = std::max(widths[c], std::ceil(subscriptWidth(font, row[c])));
+    std::vector<double> widths(static_cast<std::size_t>(table.rows.front().size()));
+    for (const QStringList &row : table.rows) {
+        for (std::size_t c = 0; c < widths.size(); ++c)
+            widths[c] = std::max(widths[c],
+                                 std::ceil(subscriptWidth(font, row[static_cast<qsizetype>(c)])));
     }
     return widths;
 }
@@ -132,19 +146,19 @@ std::optional<HitNote> noteOn(const Recording &recording, qint64 index, const Hi
     return note;
 }
 
-QSizeF sizeOf(const HitNote &note, const QFont &font)
+QSizeF sizeOf(const HitNote &note, NoteForm form, const QFont &font)
 {
-    const QFontMetricsF metrics(font);
-    const auto cells = cellsOf(note);
-    double width = columnGap * (columns - 1);
-    for (const double column : widthsOf(cells, font))
+    const Table table = tableOf(note, form);
+    const std::vector<double> widths = widthsOf(table, font);
+    double width = table.gap * static_cast<double>(widths.size() - 1);
+    for (const double column : widths)
         width += column;
-    width = std::max(width, std::ceil(metrics.horizontalAdvance(note.title)));
-    return {width + 2.0 * pad,
-            std::ceil(metrics.height()) * static_cast<double>(cells.size() + 1) + pad};
+    width = std::max(width, std::ceil(subscriptWidth(font, table.title)));
+    const double lines = static_cast<double>(table.rows.size() + 1);
+    return {width + 2.0 * pad, std::ceil(QFontMetricsF(font).height()) * lines + pad};
 }
 
-void drawNote(QPainter &painter, const HitNote &note, const QRectF &rect)
+void drawNote(QPainter &painter, const HitNote &note, NoteForm form, const QRectF &rect)
 {
     const Theme &colours = theme();
     const QFontMetricsF metrics(painter.font());
@@ -155,23 +169,25 @@ void drawNote(QPainter &painter, const HitNote &note, const QRectF &rect)
     painter.setBrush(behind);
     painter.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
     painter.setBrush(Qt::NoBrush);
+    const Table table = tableOf(note, form);
+    const std::vector<double> widths = widthsOf(table, painter.font());
     double baseline = rect.top() + 0.5 * pad + std::round(metrics.ascent());
     painter.setPen(readableOn(colours.along, colours.panel));
-    painter.drawText(QPointF(rect.left() + pad, baseline), note.title);
+    drawSubscripted(painter, QPointF(rect.left() + pad, baseline), table.title);
 
-    const auto cells = cellsOf(note);
-    const auto widths = widthsOf(cells, painter.font());
-    for (std::size_t r = 0; r < cells.size(); ++r) {
+    const std::size_t head = table.hasHead ? 1 : 0;
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
         baseline += height;
-        const bool named = r > 0 && note.rows[r - 1].colour.isValid();
-        const QColor text = r == 0 ? colours.mutedText : colours.text;
+        const bool isHead = r < head;
+        const QColor text = isHead ? colours.mutedText : colours.text;
+        const QColor own = isHead ? QColor() : note.rows[r - head].colour;
         double x = rect.left() + pad;
-        for (std::size_t c = 0; c < columns; ++c) {
-            const double advance = metrics.horizontalAdvance(cells[r][c]);
-            painter.setPen(c == 0 && named ? readableOn(note.rows[r - 1].colour, colours.panel)
-                                           : text);
-            drawSubscripted(painter, {c == 0 ? x : x + widths[c] - advance, baseline}, cells[r][c]);
-            x += widths[c] + columnGap;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            const QString &cell = table.rows[r][static_cast<qsizetype>(c)];
+            const double indent = c == 0 ? 0.0 : widths[c] - metrics.horizontalAdvance(cell);
+            painter.setPen(c == 0 && own.isValid() ? readableOn(own, colours.panel) : text);
+            drawSubscripted(painter, {x + indent, baseline}, cell);
+            x += widths[c] + table.gap;
         }
     }
 }

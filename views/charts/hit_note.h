@@ -54,9 +54,13 @@ using HitMeasure = std::function<double(std::span<const std::pair<double, Vec2>>
 /// The circles of the rows of such a note: one or two indices, the row of both has none.
 [[nodiscard]] std::vector<std::size_t> circlesOf(const Hit &hit);
 
+/// Whole with its title and the changes, or, where there is little room, the numbers before and
+/// after alone.
+enum class NoteForm { Whole, Short };
+
 /// How large a note is in \p font, px.
-[[nodiscard]] QSizeF sizeOf(const HitNote &note, const QFont &font);
+[[nodiscard]] QSizeF sizeOf(const HitNote &note, NoteForm form, const QFont &font);
 /// Draws it in the painter's font with its frame.
-void drawNote(QPainter &painter, const HitNote &note, const QRectF &rect);
+void drawNote(QPainter &painter, const HitNote &note, NoteForm form, const QRectF &rect);
 
 } // namespace cradle

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/charts/note_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cradle {
+
+namespace {
+
+constexpr double stride = 4.0;     ///< px from one place that is tried to the next
+constexpr double inset = 4.0;      ///< px from the edges of the plot
+constexpr double curveGap = 2.0;   ///< px that a note keeps from curves
+constexpr double cursorGap = 5.0;  ///< px that it keeps from the cursor
+constexpr double cursorCost = 1e4; ///< hidden columns: what happens there is what it is about
+constexpr double wayCost = 0.05;   ///< of a px from the cursor: less than a column of a curve
+
+/// Columns of pixels in which a curve is hidden, for each curve.
+double hiddenColumns(const QRectF &plot, const std::vector<CurveProfile> &curves,
+                     const QRectF &rect)
+{
+    double sum = 0.0;
+    const int from = static_cast<int>(rect.left() - plot.left());
+    const int to = static_cast<int>(rect.right() - plot.left());
+    for (const CurveProfile &curve : curves) {
+        for (int column = from; column <= to; ++column) {
+            if (curve.covers(column) && curve.top(column) < rect.bottom() + curveGap
+                && curve.bottom(column) > rect.top() - curveGap)
+                sum += 1.0;
+        }
+    }
+    return sum;
+}
+
+} // namespace
+
+NotePlace quietestPlace(const QRectF &plot, const std::vector<CurveProfile> &curves, QSizeF size,
+                        double cursor)
+{
+    const QRectF room = plot.adjusted(inset, inset, -inset, -inset);
+    const QPointF first(std::round(room.left()), std::round(room.top()));
+    NotePlace best{QRectF(first, size), hiddenColumns(plot, curves, QRectF(first, size))};
+    double least = std::numeric_limits<double>::infinity();
+    for (double y = first.y(); y + size.height() <= room.bottom(); y += stride) {
+        for (double x = first.x(); x + size.width() <= room.right(); x += stride) {
+            const QRectF rect(QPointF(x, y), size);
+            const bool onCursor =
+                rect.left() - cursorGap < cursor && cursor < rect.right() + cursorGap;
+            const double way = std::abs(rect.center().x() - cursor)
+                               + std::abs(rect.center().y() - plot.center().y());
+            const double hidden = hiddenColumns(plot, curves, rect);
+            const double cost = hidden + wayCost * way + (onCursor ? cursorCost : 0.0);
+            if (cost < least) {
+                least = cost;
+                best = {rect, hidden};
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace cradle
