@@ -4,6 +4,7 @@
 
 #include "views/scene/arrow_lanes.h"
 #include "views/scene/handles.h"
+#include "views/scene/leaving_arrow.h"
 #include "views/theme.h"
 
 #include <QCoreApplication>
@@ -29,7 +30,6 @@ constexpr double normalHead = 8.0;   ///< px
 /// What a place costs that lies on two other arrows: there the label of one that leaves the picture
 /// would hide more than it tells.
 constexpr double coveringCost = 7.5;
-constexpr double edgeGap = 8.0;   ///< px from the edge of the picture to what labels stand at
 constexpr double normalGap = 6.0; ///< px that arrows keep from the normal
 
 // Which labels find a place first; names come after all of them.
@@ -67,25 +67,6 @@ QColor textColour(const QColor &colour)
     QColor readable = readableOn(opaque, theme().scene);
     readable.setAlphaF(colour.alphaF());
     return readable;
-}
-
-/// The part of \p stretch that is seen, if it begins there.
-Stretch visiblePart(const Stretch &stretch, const Camera &camera)
-{
-    const QPointF from = camera.toPixels(stretch.from);
-    const QPointF way = camera.toPixels(stretch.to) - from;
-    const QRectF seen =
-        QRectF({}, camera.viewport()).adjusted(edgeGap, edgeGap, -edgeGap, -edgeGap);
-    if (!seen.contains(from))
-        return stretch;
-    double share = 1.0;
-    if (way.x() != 0.0)
-        share =
-            std::min(share, ((way.x() > 0.0 ? seen.right() : seen.left()) - from.x()) / way.x());
-    if (way.y() != 0.0)
-        share =
-            std::min(share, ((way.y() > 0.0 ? seen.bottom() : seen.top()) - from.y()) / way.y());
-    return {stretch.from, stretch.from + share * (stretch.to - stretch.from)};
 }
 
 /// One circle of the hit, where it was then.
@@ -145,11 +126,13 @@ private:
                   const QColor &labelColour, int rank, const QString &text)
     {
         const Stretch place = m_lanes.place(circle.body, arrowTip({}, velocity, m_scene));
-        m_draft.list.arrows.push_back({.from = place.from,
-                                       .to = place.to,
-                                       .colour = faded(colour, m_opacity),
-                                       .width = 2.5,
-                                       .head = 12.0});
+        cradle::addArrow(m_draft.list,
+                         {.from = place.from,
+                          .to = place.to,
+                          .colour = faded(colour, m_opacity),
+                          .width = 2.5,
+                          .head = 12.0},
+                         m_camera);
         const Stretch seen = visiblePart(place, m_camera);
         m_draft.wishes.push_back({.label = {.anchor = seen.to,
                                             .text = text,

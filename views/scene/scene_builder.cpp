@@ -7,6 +7,7 @@
 #include "views/scene/ghost.h"
 #include "views/scene/handles.h"
 #include "views/scene/hit_parts.h"
+#include "views/scene/leaving_arrow.h"
 #include "views/scene/program_drawings.h"
 #include "views/scene/scene_labels.h"
 #include "views/scene/trails.h"
@@ -115,17 +116,18 @@ QColor arrowColour(const QColor &colour)
 }
 
 void addVelocity(SceneDraft &draft, const SceneMoment &moment, const Circle &circle,
-                 const QColor &colour, bool labelled)
+                 const QColor &colour, bool labelled, const Camera &camera)
 {
     if (circle.velocity == Vec2{})
         return;
     const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset);
-    draft.list.arrows.push_back(
-        {.from = circle.position, .to = tip, .colour = arrowColour(colour), .width = 2.5});
+    addArrow(draft.list,
+             {.from = circle.position, .to = tip, .colour = arrowColour(colour), .width = 2.5},
+             camera);
     if (!labelled)
         return;
     const QString speed = QString::number(length(circle.velocity), 'f', 2);
-    draft.wishes.push_back({.label = {.anchor = tip,
+    draft.wishes.push_back({.label = {.anchor = visiblePart({circle.position, tip}, camera).to,
                                       .text = SceneText::tr("%1 m/s").arg(speed),
                                       .colour = theme().text},
                             .direction = circle.velocity,
@@ -232,7 +234,7 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
         if (options.names && (marked || !isCrowd(moment)))
             addName(draft, moment, circles[at], i, colours[at], look.camera.pixelsPerMetre());
         if (options.velocities && (marked || !isCrowd(moment)) && !standsInHit(i))
-            addVelocity(draft, moment, circles[at], colours[at], marked);
+            addVelocity(draft, moment, circles[at], colours[at], marked, look.camera);
     }
     for (LabelWish &wish : draft.wishes) {
         if (!hits.empty() && wish.rank == nameRank)
