@@ -4,6 +4,8 @@
 
 #include <QAction>
 
+#include <algorithm>
+
 namespace cradle {
 
 ActionButton::ActionButton(QAction *action, QWidget *parent)
@@ -26,6 +28,26 @@ void ActionButton::setCollapsed(bool collapsed)
 {
     m_collapsed = collapsed;
     followAction();
+}
+
+void ActionButton::setTexts(const QStringList &texts)
+{
+    m_texts = texts;
+    updateGeometry();
+}
+
+int ActionButton::textWidth() const
+{
+    int widest = fontMetrics().horizontalAdvance(text());
+    for (const QString &other : m_texts)
+        widest = std::max(widest, fontMetrics().horizontalAdvance(other));
+    return m_collapsed ? 0 : widest;
+}
+
+QSize ActionButton::sizeHint() const
+{
+    const int spare = textWidth() - fontMetrics().horizontalAdvance(text());
+    return QPushButton::sizeHint() + QSize(spare, 0);
 }
 
 void ActionButton::followAction()

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QRadioButton>
 #include <QTabBar>
 #include <QTableView>
 
@@ -22,6 +23,9 @@ bool usesKey(const QObject *control, const QKeyEvent &event)
     const bool sideways = key == Qt::Key_Left || key == Qt::Key_Right;
     if ((event.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
         return false;
+    // Space does nothing to a radio button that is chosen already.
+    if (const auto *radio = qobject_cast<const QRadioButton *>(control))
+        return space && !radio->isChecked();
     if (qobject_cast<const QAbstractButton *>(control))
         return space;
     if (qobject_cast<const QAbstractSlider *>(control) || qobject_cast<const QTabBar *>(control))

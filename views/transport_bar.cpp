@@ -213,6 +213,8 @@ void TransportBar::retranslate()
     m_time->setAccessibleName(tr("Time"));
     m_stepCount->setAccessibleName(tr("Steps since the start"));
     m_progress->setAccessibleName(tr("Progress of the check"));
+    m_runButton->setTexts({tr("Run"), tr("Pause")});
+    m_checkButton->setTexts({tr("Check"), tr("Stop")});
     showRunning();
     showMoment();
     measureReadout();

@@ -112,10 +112,8 @@ void TransportBar::collapse()
 QSize TransportBar::minimumSizeHint() const
 {
     int width = layout()->minimumSize().width();
-    for (const ActionButton *button : m_buttons) {
-        if (!button->isCollapsed())
-            width -= button->fontMetrics().horizontalAdvance(button->text());
-    }
+    for (const ActionButton *button : m_buttons)
+        width -= button->textWidth();
     if (!m_speedCaption->isHidden())
         width -= m_speedCaption->sizeHint().width();
     return {width, layout()->minimumSize().height()};

@@ -61,7 +61,7 @@ void TestCharts::eachCircleHasItsTotal()
         const double total = measure(circles[i], {0.0, -9.81}, 4.0).total();
         QCOMPARE(curves.circle(i).total.lastValue(), total);
         const QString label =
-            QStringLiteral("total %1 %2").arg(i + 1).arg(QString::number(total, 'f', 1));
+            QStringLiteral("total %1: %2").arg(i + 1).arg(QString::number(total, 'f', 1));
         const auto isShown = [&] {
             const auto labels = chart.plot().labels();
             return std::any_of(labels.begin(), labels.end(),
@@ -190,7 +190,7 @@ void TestCharts::labelsNameTheCurvesAndTheValueOfTheSum()
     // m = 7800 · 4/3 π 0.2³ = 261.4 kg at 2 m/s
     QVERIFY2(texts.contains(QStringLiteral("circle 1")), qPrintable(texts.join(u'|')));
     QVERIFY2(texts.contains(QStringLiteral("circle 2")), qPrintable(texts.join(u'|')));
-    QVERIFY2(texts.contains(QStringLiteral("sum p_x 522.8")), qPrintable(texts.join(u'|')));
+    QVERIFY2(texts.contains(QStringLiteral("sum p_x: 522.8")), qPrintable(texts.join(u'|')));
 }
 
 void TestCharts::noiseIsNotBlownUp()

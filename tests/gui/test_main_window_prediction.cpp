@@ -75,6 +75,9 @@ void TestMainWindowPrediction::answerIsKeptBetweenStarts()
     QTest::keyClick(higher, Qt::Key_Space);
     QVERIFY(!m_open->simulation().isRunning()); // the key was the answer's
     QVERIFY(m_open->bench.guess() == Guess{.answer = 0});
+    QTest::keyClick(higher, Qt::Key_Space);
+    QVERIFY(m_open->simulation().isRunning()); // the answer has no use for it any more
+    m_open->simulation().pause();
     reopen();
     QCOMPARE(m_open->bench.task()->id, QStringLiteral("L42T5"));
     QVERIFY(m_open->bench.guess() == Guess{.answer = 0});

@@ -56,6 +56,7 @@ private slots:
     void stepsForwardAndBack();
     void keysDriveTheSimulation();
     void runsAndPauses();
+    void nothingMovesWhenTheRunBegins();
     void goesToTheNextHitAndBack();
     void speedGoesInPowersOfTwo();
     void readoutDoesNotJump();
@@ -118,6 +119,20 @@ void TestTransportBar::runsAndPauses()
     QCOMPARE(bar.runAction()->text(), QStringLiteral("Pause"));
     simulation.pause();
     QCOMPARE(bar.runAction()->text(), QStringLiteral("Run"));
+}
+
+void TestTransportBar::nothingMovesWhenTheRunBegins()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.resize(1280, bar.sizeHint().height());
+    bar.show();
+    const QAbstractButton *nextHit = buttonOf(bar, QStringLiteral("Next hit"));
+    const QRect before = nextHit->geometry();
+    simulation.start();
+    bar.layout()->activate();
+    QVERIFY(buttonOf(bar, QStringLiteral("Pause")));
+    QCOMPARE(nextHit->geometry(), before);
 }
 
 void TestTransportBar::goesToTheNextHitAndBack()

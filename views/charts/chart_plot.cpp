@@ -216,7 +216,7 @@ void ChartPlot::placeLabels()
         QString text = curve.label;
         if (curve.showsValue)
             text +=
-                QLatin1Char(' ')
+                QStringLiteral(": ")
                 + shortNumber(curve.samples->valueAt(m_moment.shown + curve.shift), m_moment.scale);
         m_labelTexts.push_back(text);
         sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
