@@ -102,7 +102,12 @@ void CodeDesk::wireSteps()
 void CodeDesk::wireSimulation()
 {
     const Simulation *simulation = &m_workbench.simulation();
-    connect(simulation, &Simulation::programFailed, this, &CodeDesk::showError);
+    connect(simulation, &Simulation::programFailed, this, [this](const ProgramError &error) {
+        showError(error);
+        // What already fails when it is loaded does so at every edit: who types is not taken away.
+        if (error.step > 0)
+            m_pane.editor().revealLine(error.line);
+    });
     connect(simulation, &Simulation::restarted, this, [this, simulation] {
         if (!simulation->programError())
             clearError();

@@ -4,6 +4,7 @@
 #include "views/code/code_colours.h"
 
 #include <QImage>
+#include <QScrollBar>
 #include <QWheelEvent>
 
 #include <memory>
@@ -31,6 +32,7 @@ private slots:
     void knowsWordsForHelp();
     void marksStandWithTheirLines();
     void errorAfterTheLastLineIsShown();
+    void messageIsScrolledIntoSight();
     void zoomsByKeyAndWheel();
     void commentsAndUncomments();
     void everyColourCanBeRead();
@@ -188,6 +190,27 @@ void TestCodeEditor::errorAfterTheLastLineIsShown()
     m_open->editor().clearError();
     m_open->editor().setError(0, s("no line"));
     QCOMPARE(m_open->editor().errorLine(), 0);
+}
+
+void TestCodeEditor::messageIsScrolledIntoSight()
+{
+    QStringList lines;
+    for (int i = 1; i <= 60; ++i)
+        lines << QStringLiteral("-- line %1").arg(i);
+    CodeEditor &editor = m_open->editor();
+    editor.setText(lines.join(u'\n'));
+    auto *area = editor.findChild<QAbstractScrollArea *>();
+    const auto top = [area] { return area->verticalScrollBar()->value(); };
+    const int seen = area->verticalScrollBar()->pageStep();
+    QCOMPARE(top(), 0);
+    editor.setError(2, s("one\ntwo"));
+    QCOMPARE(top(), 0);                   // there is room
+    editor.setError(seen, s("one\ntwo")); // in the last line that is seen
+    QCOMPARE(top(), 2);
+    editor.setError(50, s("one\ntwo"));
+    QCOMPARE(top(), 2); // far from what is looked at: only if asked for
+    editor.revealLine(50);
+    QVERIFY(top() > 50 - seen && top() + seen >= 52);
 }
 
 void TestCodeEditor::zoomsByKeyAndWheel()

@@ -96,7 +96,7 @@ void TestCodePane::headerSaysStateAndRuns()
     m_open->pane.setAppliesAtOnce(true);
     QCOMPARE(toggled.size(), 1);
     m_open->pane.setState(CodeState::Broken);
-    QVERIFY(m_open->says(s("does not parse: the last good version runs")));
+    QVERIFY(m_open->says(s("cannot be read: the last good version runs")));
     m_open->pane.setState(CodeState::Unsaved);
     QVERIFY(m_open->says(s("not saved")));
 }

@@ -45,7 +45,8 @@ public:
     [[nodiscard]] QString wordUnderCursor() const;
     [[nodiscard]] int currentLine() const;
     void goToLine(int line);
-    void revealLine(int line); ///< scrolls there if it must; the cursor stays
+    /// Scrolls there if it must, and so that a message below it is seen; the cursor stays.
+    void revealLine(int line);
     [[nodiscard]] QString selectedText() const;
     void selectAll();
 
@@ -85,7 +86,17 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    /// Where a line is shown, in rows of the text.
+    struct Rows {
+        int first = 0; ///< of the line
+        int count = 0; ///< of the line and the message below it
+        int top = 0;   ///< the first that is seen
+        int seen = 0;  ///< how many are
+    };
+
     void tellEdit();
+    void revealMessage(int line);
+    [[nodiscard]] Rows rowsOf(int line) const;
     void applyMarks();
     void showErrorMessage();
     void describe();

@@ -112,7 +112,7 @@ QString CodePane::textOf(CodeState state)
     case CodeState::Broken:
         break;
     }
-    return tr("does not parse: the last good version runs");
+    return tr("cannot be read: the last good version runs");
 }
 
 void CodePane::setAppliesAtOnce(bool atOnce)
