@@ -18,6 +18,7 @@ private slots:
     void forbiddenNameIsAbsent();
     void misspeltNameIsToldTheRightOne_data();
     void misspeltNameIsToldTheRightOne();
+    void oneCircleIsToldInTheSingular();
     void nameOfItsOwnIsWelcome_data();
     void nameOfItsOwnIsWelcome();
     void ownGlobalsAreSuggestedToo();
@@ -113,6 +114,16 @@ void TestScriptNames::misspeltNameIsToldTheRightOne()
     const ScriptRun run =
         runScript(lua("local function work()\n") + statement + lua("\nend\nlocal r = work()"));
     VERIFY_STOPS(run, 2, words);
+}
+
+void TestScriptNames::oneCircleIsToldInTheSingular()
+{
+    Preset preset = twoCircles();
+    preset.circles.pop_back();
+    VERIFY_STOPS(runScript(lua("print(circle2)"), 0, {}, preset), 1,
+                 lua("there is no circle2: the scene has 1 circle"));
+    QVERIFY(
+        !runScript(lua("print(circle2)"), 0, {}, preset).error->message.contains(lua("circles")));
 }
 
 void TestScriptNames::nameOfItsOwnIsWelcome_data()

@@ -94,7 +94,10 @@ QStringList globalNames(lua_State *L)
         raise(L, why);
     const auto count = ScriptHost::of(L).circles.size();
     if (name.startsWith(QLatin1String("circle")) && name.mid(6).toUInt() > count)
-        raise(L, WorldText::tr("there is no %1: the scene has %2 circles").arg(name).arg(count));
+        raise(L,
+              count == 1
+                  ? WorldText::tr("there is no %1: the scene has 1 circle").arg(name)
+                  : WorldText::tr("there is no %1: the scene has %2 circles").arg(name).arg(count));
     const QString near = nearestName(name, globalNames(L));
     if (!near.isEmpty())
         raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, near));

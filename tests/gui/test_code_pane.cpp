@@ -120,6 +120,7 @@ void TestCodePane::steppingShowsLocals()
     const auto *table = m_open->shown<QTableWidget>();
     QVERIFY(table);
     QCOMPARE(table->rowCount(), 2);
+    QVERIFY(table->width() < m_open->editor().width() / 3); // no wider than such names need
     QCOMPARE(table->item(1, 1)->text(), s("(2, 0)"));
     QVERIFY(!m_open->says(s("None at this line")));
     m_open->pane.showLocals({});

@@ -21,7 +21,6 @@ namespace cradle {
 
 namespace {
 
-constexpr int localsWidth = 290;     ///< px
 constexpr double localsShare = 0.42; ///< of the pane, at most
 
 } // namespace
@@ -189,8 +188,9 @@ bool CodePane::isSolutionShown() const
 void CodePane::share()
 {
     const int whole = m_splitter->width();
-    const int locals =
-        m_locals->isHidden() ? 0 : std::min(localsWidth, static_cast<int>(localsShare * whole));
+    const int locals = m_locals->isHidden() ? 0
+                                            : std::min(m_locals->sizeHint().width(),
+                                                       static_cast<int>(localsShare * whole));
     const int solution = m_solution->isHidden() ? 0 : (whole - locals) / 2;
     m_splitter->setSizes({whole - locals - solution, solution, locals});
 }

@@ -11,12 +11,17 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+
 namespace cradle {
 
 namespace {
 
 constexpr int rowHeight = 22;  ///< px
 constexpr int narrowest = 150; ///< px
+constexpr int widest = 290;    ///< px
+constexpr int cellRoom = 44;   ///< px beside the texts of a row
 
 } // namespace
 
@@ -73,6 +78,19 @@ void LocalsTable::setLocals(const std::vector<ProgramValue> &locals)
         m_table->setItem(row, 0, name);
         m_table->setItem(row, 1, value);
     }
+}
+
+QSize LocalsTable::sizeHint() const
+{
+    std::array<int, 2> columns{};
+    const QFontMetrics metrics(m_table->font());
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        for (int c = 0; c < 2; ++c) {
+            int &width = columns[static_cast<std::size_t>(c)];
+            width = std::max(width, metrics.horizontalAdvance(m_table->item(row, c)->text()));
+        }
+    }
+    return {std::clamp(columns[0] + columns[1] + cellRoom, narrowest, widest), 160};
 }
 
 void LocalsTable::changeEvent(QEvent *event)

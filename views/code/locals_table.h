@@ -21,7 +21,7 @@ public:
     explicit LocalsTable(QWidget *parent = nullptr);
 
     void setLocals(const std::vector<ProgramValue> &locals);
-    [[nodiscard]] QSize sizeHint() const override { return {220, 160}; }
+    [[nodiscard]] QSize sizeHint() const override; ///< as wide as its names and values
 
 protected:
     void changeEvent(QEvent *event) override;
