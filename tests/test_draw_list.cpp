@@ -26,6 +26,7 @@ private slots:
     void zoomKeepsThePlaceUnderThePointer();
     void dragSnapsUnlessFreed();
     void arrowsOfWhatFallsFitTheSquare();
+    void circleOutOfSightIsPointedTo();
     void newCircleIsFreeAndNamed();
     void duplicateLiesOnTheOriginalWhereCirclesPass();
 };
@@ -187,6 +188,34 @@ void TestDrawList::arrowsOfWhatFallsFitTheSquare()
     // Where little can be gained by falling, arrows are as long as ever.
     preset.gravity = {0.0, -0.5};
     QCOMPARE(arrowTip({}, {2.0, 0.0}, preset), (Vec2{1.5, 0.0}));
+}
+
+/// 700 px show 10 m: the edge is 5 m from the centre.
+void TestDrawList::circleOutOfSightIsPointedTo()
+{
+    Preset preset = twoCircles();
+    preset.laws.walls = WallLaw::None;
+    preset.circles[0].body = {.position = {-12.0, 3.0}, .velocity = {-1.0, 0.0}};
+    const Simulation simulation(preset);
+    const SceneLook look = lookAt(preset);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
+    QCOMPARE(list.discs.size(), std::size_t{2});
+    QCOMPARE(list.arrows.size(), std::size_t{1}); // no velocity besides
+    const DrawList::Arrow &pointer = list.arrows[0];
+    QCOMPARE(pointer.colour, circleColour(preset.circles[0].colour));
+    QVERIFY(near(pointer.to, {-5.0 + 6.0 / 70.0, 3.0}));
+    QVERIFY(near(normalized(pointer.to - pointer.from), {-1.0, 0.0}));
+    const auto name = std::find_if(list.labels.begin(), list.labels.end(), [](const auto &label) {
+        return label.text == QStringLiteral("1");
+    });
+    QVERIFY(name != list.labels.end());
+    const QFontMetricsF metrics(labelFont(look.font));
+    QVERIFY(QRectF({}, look.camera.viewport()).contains(labelRect(*name, look.camera, metrics)));
+    // With its rim at the edge it is seen.
+    preset.circles[0].body.position = {-5.1, 3.0};
+    const Simulation nearer(preset);
+    const DrawList seen = buildScene(SceneMoment(nearer), {}, look);
+    QVERIFY(near(seen.arrows[0].from, {-5.1, 3.0}));
 }
 
 void TestDrawList::newCircleIsFreeAndNamed()

@@ -214,7 +214,6 @@ void TransportBar::retranslate()
     m_stepCount->setAccessibleName(tr("Steps since the start"));
     m_progress->setAccessibleName(tr("Progress of the check"));
     m_runButton->setTexts({tr("Run"), tr("Pause")});
-    m_checkButton->setTexts({tr("Check"), tr("Stop")});
     showRunning();
     showMoment();
     measureReadout();

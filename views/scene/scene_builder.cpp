@@ -8,6 +8,7 @@
 #include "views/scene/handles.h"
 #include "views/scene/hit_parts.h"
 #include "views/scene/leaving_arrow.h"
+#include "views/scene/lost_circle.h"
 #include "views/scene/program_drawings.h"
 #include "views/scene/scene_labels.h"
 #include "views/scene/trails.h"
@@ -231,9 +232,14 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
         const bool marked = i == look.selected || i == look.hovered;
         list.discs.push_back(
             {circles[at].position, circles[at].radius, colours[at], theme().scene, 1.0});
-        if (options.names && (marked || !isCrowd(moment)))
+        const bool told = marked || !isCrowd(moment);
+        if (told && isLost(circles[at], look.camera)) {
+            addPointer(draft, circles[at], shortName(moment.preset, i), colours[at], look.camera);
+            continue;
+        }
+        if (options.names && told)
             addName(draft, moment, circles[at], i, colours[at], look.camera.pixelsPerMetre());
-        if (options.velocities && (marked || !isCrowd(moment)) && !standsInHit(i))
+        if (options.velocities && told && !standsInHit(i))
             addVelocity(draft, moment, circles[at], colours[at], marked, look.camera);
     }
     for (LabelWish &wish : draft.wishes) {
