@@ -10,13 +10,13 @@ namespace cradle {
 
 namespace {
 
-constexpr double edgeGap = 8.0;     ///< px from the edge of the picture
-constexpr double stub = 4.0;        ///< px of shaft between the break and the head
-constexpr double breakGap = 4.0;    ///< px
-constexpr double breakReach = 5.0;  ///< px that a stroke reaches to either side
-constexpr double breakSlope = 2.0;  ///< px that its ends are off along the arrow
-constexpr double breakWidth = 1.5;  ///< px
-constexpr double leastShaft = 10.0; ///< px before the break
+constexpr double edgeGap = 8.0;    ///< px from the edge of the picture
+constexpr double stub = 4.0;       ///< px of shaft between the break and the head
+constexpr double breakGap = 4.0;   ///< px
+constexpr double breakReach = 5.0; ///< px that a stroke reaches to either side
+constexpr double breakSlope = 2.0; ///< px that its ends are off along the arrow
+constexpr double breakWidth = 1.5; ///< px
+constexpr double leastShaft = 2.0; ///< px before the break
 
 } // namespace
 
