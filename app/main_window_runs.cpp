@@ -54,18 +54,20 @@ void MainWindow::pinRun()
                                 m_workbench.simulation().recording(), m_pins.now()));
 }
 
-/// The run so far is kept, so that the new one can be compared with what would have come.
+/// What came after the moment shown is kept, so that the new run can be compared with it.
 void MainWindow::startNewRunHere()
 {
     const Simulation &simulation = m_workbench.simulation();
     if (simulation.atStart())
         return;
+    const bool wentOn = simulation.current() < simulation.recording().last();
     const std::vector<Circle> wanted = simulation.recording().world(simulation.current()).circles;
     PinnedRun old = PinnedRuns::keep(m_curves.whole(PinnedRuns::curveBytes), simulation.recording(),
                                      m_pins.now(), simulation.time());
     if (!m_workbench.document().startFromMoment())
         return;
-    m_pins.add(std::move(old));
+    if (wentOn)
+        m_pins.add(std::move(old));
     const auto &circles = simulation.preset().circles;
     for (std::size_t i = 0; i < circles.size(); ++i) {
         if (circles[i].body == wanted[i])

@@ -32,6 +32,7 @@ private slots:
     void memoryIsBounded();
     void newRunStartsFromTheMoment();
     void oldRunIsComparedFromTheBranchOn();
+    void newRunFromTheEndPinsNothing();
     void branchIsUndone();
     void impossibleBranchIsRefused();
     void sceneOffersTheBranch();
@@ -244,6 +245,14 @@ void TestPinnedRuns::oldRunIsComparedFromTheBranchOn()
     QVERIFY(pinned > 0 && now > 0);
     for (qsizetype i = 1; i < rows.size(); ++i)
         QCOMPARE(rows[i][pinned].toDouble(), rows[i][now].toDouble());
+}
+
+void TestPinnedRuns::newRunFromTheEndPinsNothing()
+{
+    simulation().seek(simulation().recording().last());
+    m_open->window.startNewRunHere();
+    QVERIFY(simulation().atStart());
+    QVERIFY(pins().runs().empty()); // nothing came after it
 }
 
 void TestPinnedRuns::branchIsUndone()
