@@ -55,6 +55,12 @@ void TestChartNumbers::numbersAreWritten_data()
     QTest::newRow("full") << fullNumber(-1.9973) << QStringLiteral("−1.9973");
     QTest::newRow("short, small") << shortNumber(0.0123456) << QStringLiteral("0.012");
     QTest::newRow("noise") << shortNumber(1e-12, 500.0) << QStringLiteral("0");
+    QTest::newRow("power") << withPower(shortNumber(-2.9612e6)) << QStringLiteral("−2.96·10⁶");
+    QTest::newRow("small power") << withPower(shortNumber(1.234e-5)) << QStringLiteral("1.23·10⁻⁵");
+    QTest::newRow("no power") << withPower(shortNumber(522.76)) << QStringLiteral("522.8");
+    QTest::newRow("no number") << withPower(QStringLiteral("–")) << QStringLiteral("–");
+    QTest::newRow("tick, large") << tickNumber(1e7, 5e6) << QStringLiteral("10⁷");
+    QTest::newRow("tick, large too") << tickNumber(5e6, 5e6) << QStringLiteral("5·10⁶");
     QTest::newRow("tick") << tickNumber(0.6000000001, 0.2) << QStringLiteral("0.6");
     QTest::newRow("tick at zero") << tickNumber(-1e-17, 0.2) << QStringLiteral("0");
 }

@@ -146,7 +146,7 @@ void ValuesPane::refresh()
 {
     m_hitsModel->update();
     const qint64 count = m_hitsModel->hitCount();
-    const QString title = count > 0 ? tr("Hits %L1").arg(count) : tr("Hits");
+    const QString title = count > 0 ? tr("Hits %1").arg(count) : tr("Hits");
     // A new text lays all the tabs out again, and the window with them.
     const bool rests = m_simulation.isRunning() && m_sinceTitle.isValid()
                        && m_sinceTitle.elapsed() < titleInterval;

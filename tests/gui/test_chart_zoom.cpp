@@ -29,6 +29,7 @@ private slots:
     void clickOnAHitGoesThere();
     void noteTellsBeforeAndAfter();
     void noteOnAWallHasOneCircle();
+    void noteIsMissingWhereManyHit();
     void noteInALowChartIsShort();
     void noteLiesBetweenCurves();
     void menuEndsTheZoom();
@@ -250,6 +251,27 @@ void TestChartZoom::noteOnAWallHasOneCircle()
     settle();
     QVERIFY(m_momentum->plot().note());
     QCOMPARE(m_momentum->plot().note()->rows.size(), std::size_t{1});
+}
+
+/// Of a crowd, one hit says nothing about the sums that are shown.
+void TestChartZoom::noteIsMissingWhereManyHit()
+{
+    const HitMeasure speed = [](auto bodies) { return length(bodies.front().second); };
+    for (const int count : {6, 7}) {
+        Preset preset;
+        preset.laws.walls = WallLaw::Reflect;
+        for (int i = 0; i < count; ++i) {
+            PresetCircle circle;
+            circle.body = {.position = {3.5, 0.5 * i}, .velocity = {1.0, 0.0}};
+            preset.circles.push_back(circle);
+        }
+        Simulation simulation(preset);
+        simulation.seekNextHit();
+        const auto shown = hitsShownAt(simulation.recording(), simulation.current());
+        QVERIFY(shown && static_cast<int>(shown->count) == count);
+        QCOMPARE(noteOn(simulation.recording(), simulation.current(), speed).has_value(),
+                 count == 6);
+    }
 }
 
 void TestChartZoom::noteInALowChartIsShort()

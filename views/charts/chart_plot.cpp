@@ -215,9 +215,9 @@ void ChartPlot::placeLabels()
     for (const ChartCurve &curve : m_curves) {
         QString text = curve.label;
         if (curve.showsValue)
-            text +=
-                QStringLiteral(": ")
-                + shortNumber(curve.samples->valueAt(m_moment.shown + curve.shift), m_moment.scale);
+            text += QStringLiteral(": ")
+                    + withPower(shortNumber(curve.samples->valueAt(m_moment.shown + curve.shift),
+                                            m_moment.scale));
         m_labelTexts.push_back(text);
         sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
         if (!curve.isLabelled)

@@ -24,6 +24,7 @@ struct HitNoteText {
 constexpr double pad = 6.0;            ///< px around the table
 constexpr double columnGap = 10.0;     ///< px
 constexpr double shortColumnGap = 5.0; ///< px
+constexpr std::size_t mostHits = 6;    ///< of more, the first alone says nothing
 constexpr double noise = 1e-9;         ///< of the scale: less is no change
 
 QString changeText(const HitNote::Row &row, double scale)
@@ -44,13 +45,14 @@ struct Table {
 Table tableOf(const HitNote &note, NoteForm form)
 {
     const double scale = note.scale();
+    const auto number = [scale](double value) { return withPower(shortNumber(value, scale)); };
     Table table;
     if (form == NoteForm::Short) {
         table.title = note.unit;
         table.gap = shortColumnGap;
         for (const HitNote::Row &row : note.rows)
-            table.rows.push_back({row.name, shortNumber(row.before, scale), QString(QChar(0x2192)),
-                                  shortNumber(row.after, scale)});
+            table.rows.push_back(
+                {row.name, number(row.before), QString(QChar(0x2192)), number(row.after)});
         return table;
     }
     table.title = note.title;
@@ -58,8 +60,8 @@ Table tableOf(const HitNote &note, NoteForm form)
     table.rows.push_back({note.unit, HitNoteText::tr("before"), HitNoteText::tr("after"),
                           HitNoteText::tr("change")});
     for (const HitNote::Row &row : note.rows)
-        table.rows.push_back({row.name, shortNumber(row.before, scale),
-                              shortNumber(row.after, scale), changeText(row, scale)});
+        table.rows.push_back(
+            {row.name, number(row.before), number(row.after), withPower(changeText(row, scale))});
     return table;
 }
 
@@ -118,7 +120,7 @@ std::vector<std::size_t> circlesOf(const Hit &hit)
 std::optional<HitNote> noteOn(const Recording &recording, qint64 index, const HitMeasure &measure)
 {
     const auto shown = hitsShownAt(recording, index);
-    if (!shown)
+    if (!shown || shown->count > mostHits)
         return std::nullopt;
     const Hit &hit = recording.hits()[shown->first];
     const qint64 number = recording.droppedHits() + static_cast<qint64>(shown->first) + 1;

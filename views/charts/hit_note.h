@@ -46,7 +46,8 @@ struct HitsShown {
 /// several together: the masses and velocities of each.
 using HitMeasure = std::function<double(std::span<const std::pair<double, Vec2>> bodies)>;
 
-/// The note on the first hit that shows at frame \p index of \p recording; nullopt if none does.
+/// The note on the first hit that shows at frame \p index of \p recording; nullopt if none does, or
+/// so many that one of them says nothing about the chart.
 /// Names and colours are left empty.
 [[nodiscard]] std::optional<HitNote> noteOn(const Recording &recording, qint64 index,
                                             const HitMeasure &measure);

@@ -76,12 +76,28 @@ QString shortNumber(double value, double scale)
     return withMinus(QString::number(value, 'f', decimals));
 }
 
+QString withPower(const QString &number)
+{
+    const qsizetype e = number.indexOf(u'e');
+    bool isNumber = false;
+    const int exponent = number.sliced(e + 1).replace(QChar(0x2212), u'-').toInt(&isNumber);
+    if (e < 0 || !isNumber)
+        return number;
+    const QString sign = exponent < 0 ? QString(QChar(0x207b)) : QString();
+    QString digits = QString::number(std::abs(exponent));
+    for (QChar &digit : digits)
+        digit = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").at(digit.digitValue());
+    const QString times = number.first(e);
+    const QString power = QStringLiteral("10") + sign + digits;
+    return times == u'1' ? power : QStringLiteral("%1·%2").arg(times, power);
+}
+
 QString tickNumber(double value, double step)
 {
     if (std::abs(value) < 0.5 * step)
         return QStringLiteral("0");
     if (std::abs(value) >= scientificFrom || step < 1e-4)
-        return withMinus(QString::number(value, 'g', 3));
+        return withPower(withMinus(QString::number(value, 'g', 3)));
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 4);
     return withMinus(QString::number(value, 'f', decimals));
 }

@@ -21,6 +21,9 @@ namespace cradle {
 /// rounding noise (10⁻⁹) of \p scale is "0".
 [[nodiscard]] QString shortNumber(double value, double scale = 0.0);
 
+/// "2.96e+06" as "2.96·10⁶", for eyes only; other numbers stay as they are.
+[[nodiscard]] QString withPower(const QString &number);
+
 /// For a tick of an axis whose ticks are \p step apart: no more decimals than the step needs.
 [[nodiscard]] QString tickNumber(double value, double step);
 
