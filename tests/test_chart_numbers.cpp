@@ -60,6 +60,7 @@ void TestChartNumbers::numbersAreWritten_data()
     QTest::newRow("no power") << withPower(shortNumber(522.76)) << QStringLiteral("522.8");
     QTest::newRow("no number") << withPower(QStringLiteral("–")) << QStringLiteral("–");
     QTest::newRow("tick, large") << tickNumber(1e7, 5e6) << QStringLiteral("10⁷");
+    QTest::newRow("tick, large, below zero") << tickNumber(-1e7, 5e6) << QStringLiteral("−10⁷");
     QTest::newRow("tick, large too") << tickNumber(5e6, 5e6) << QStringLiteral("5·10⁶");
     QTest::newRow("tick") << tickNumber(0.6000000001, 0.2) << QStringLiteral("0.6");
     QTest::newRow("tick at zero") << tickNumber(-1e-17, 0.2) << QStringLiteral("0");

@@ -21,6 +21,7 @@ private slots:
     void init();
     void cleanup() { m_open.reset(); }
     void cellTakesANumber();
+    void massIsAPlainNumber();
     void cellKeepsEditingWhatIsImpossible();
     void cellSpins();
     void refusedNumberStaysInSight();
@@ -50,6 +51,21 @@ void TestInspectorCircles::cellTakesANumber()
     QCOMPARE(m_open->preset().circles[0].body.velocity.x, 1.0 / 3.0);
     QCOMPARE(m_open->document.undoStack().undoText(),
              QStringLiteral("Change velocity of circle 1"));
+}
+
+/// 7800 · 4/3 π r³ kg
+void TestInspectorCircles::massIsAPlainNumber()
+{
+    const auto massWith = [this](double radius) {
+        Preset preset = twoCircles();
+        preset.circles[0].body.radius = radius;
+        m_open->document.edit(QStringLiteral("Radius"), preset);
+        const QModelIndex cell = m_open->table()->model()->index(0, CircleTableModel::Mass);
+        return cell.data().toString();
+    };
+    QCOMPARE(massWith(0.2), QStringLiteral("261.38"));
+    QCOMPARE(massWith(1.6), QStringLiteral("133827")); // as in Piston drop, not 1.3383e+05
+    QCOMPARE(massWith(0.002), QStringLiteral("0.00026138"));
 }
 
 void TestInspectorCircles::cellKeepsEditingWhatIsImpossible()

@@ -89,7 +89,9 @@ QString withPower(const QString &number)
         digit = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").at(digit.digitValue());
     const QString times = number.first(e);
     const QString power = QStringLiteral("10") + sign + digits;
-    return times == u'1' ? power : QStringLiteral("%1·%2").arg(times, power);
+    if (times == u'1' || times == QStringLiteral("−1"))
+        return times.chopped(1) + power;
+    return QStringLiteral("%1·%2").arg(times, power);
 }
 
 QString tickNumber(double value, double step)

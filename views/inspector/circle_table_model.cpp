@@ -98,8 +98,11 @@ QVariant CircleTableModel::text(const PresetCircle &circle, int column) const
         return shownCircleName(circle.name);
     if (column == IntegratorColumn)
         return integratorCell(circle.integrator);
-    if (column == Mass)
-        return QString::number(mass(circle.body), 'g', 5);
+    if (column == Mass) {
+        const double kilograms = mass(circle.body);
+        const bool fits = kilograms >= 1e4 && kilograms < 1e7;
+        return fits ? QString::number(kilograms, 'f', 0) : QString::number(kilograms, 'g', 5);
+    }
     return {};
 }
 
