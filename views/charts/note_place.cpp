@@ -15,9 +15,10 @@ constexpr double inset = 4.0;      ///< px from the edges of the plot
 constexpr double curveGap = 2.0;   ///< px that a note keeps from curves
 constexpr double cursorGap = 5.0;  ///< px that it keeps from the cursor
 constexpr double cursorCost = 1e4; ///< hidden columns: what happens there is what it is about
+constexpr double steepCost = 0.5;  ///< columns that a px of height is worth
 constexpr double wayCost = 0.05;   ///< of a px from the cursor: less than a column of a curve
 
-/// Columns of pixels in which a curve is hidden, for each curve.
+/// How much of the curves is hidden: columns of pixels, those of steep parts by their height.
 double hiddenColumns(const QRectF &plot, const std::vector<CurveProfile> &curves,
                      const QRectF &rect)
 {
@@ -26,9 +27,10 @@ double hiddenColumns(const QRectF &plot, const std::vector<CurveProfile> &curves
     const int to = static_cast<int>(rect.right() - plot.left());
     for (const CurveProfile &curve : curves) {
         for (int column = from; column <= to; ++column) {
-            if (curve.covers(column) && curve.top(column) < rect.bottom() + curveGap
-                && curve.bottom(column) > rect.top() - curveGap)
-                sum += 1.0;
+            const double height = std::min(curve.bottom(column), rect.bottom() + curveGap)
+                                  - std::max(curve.top(column), rect.top() - curveGap);
+            if (curve.covers(column) && height >= 0.0)
+                sum += std::max(1.0, steepCost * height);
         }
     }
     return sum;

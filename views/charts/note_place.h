@@ -9,7 +9,7 @@ namespace cradle {
 /// Where a note goes, and how much of the curves it hides.
 struct NotePlace {
     QRectF rect{};       ///< px
-    double hidden = 0.0; ///< columns of pixels, summed over the curves
+    double hidden = 0.0; ///< columns of pixels, steep parts by their height
 };
 
 /// Where in \p plot a note of \p size px hides the fewest columns of curves and leaves the cursor
