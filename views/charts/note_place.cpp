@@ -10,7 +10,9 @@ namespace cradle {
 
 namespace {
 
-constexpr double stride = 4.0;     ///< px from one place that is tried to the next
+constexpr double leastStride = 4.0; ///< px from one place that is tried to the next
+constexpr double across = 40.0;     ///< places that are tried, about
+constexpr double down = 24.0;
 constexpr double inset = 4.0;      ///< px from the edges of the plot
 constexpr double curveGap = 2.0;   ///< px that a note keeps from curves
 constexpr double cursorGap = 5.0;  ///< px that it keeps from the cursor
@@ -43,10 +45,12 @@ NotePlace quietestPlace(const QRectF &plot, const std::vector<CurveProfile> &cur
 {
     const QRectF room = plot.adjusted(inset, inset, -inset, -inset);
     const QPointF first(std::round(room.left()), std::round(room.top()));
+    const double toRight = std::max(leastStride, std::floor(room.width() / across));
+    const double toBottom = std::max(leastStride, std::floor(room.height() / down));
     NotePlace best{QRectF(first, size), hiddenColumns(plot, curves, QRectF(first, size))};
     double least = std::numeric_limits<double>::infinity();
-    for (double y = first.y(); y + size.height() <= room.bottom(); y += stride) {
-        for (double x = first.x(); x + size.width() <= room.right(); x += stride) {
+    for (double y = first.y(); y + size.height() <= room.bottom(); y += toBottom) {
+        for (double x = first.x(); x + size.width() <= room.right(); x += toRight) {
             const QRectF rect(QPointF(x, y), size);
             const bool onCursor =
                 rect.left() - cursorGap < cursor && cursor < rect.right() + cursorGap;
