@@ -37,6 +37,7 @@ private slots:
     void afreshIsWhatTheStepBeforeEndedWith();
     void errorIsMarkedWithItsLocals();
     void linesAreSteppedThrough();
+    void keysStepThroughLinesFromTheScene();
     void failureMarksItsLineAndShowsTheReference();
     void solutionIsShownAfterPassing();
     void solutionIsShownAfterAllHints();
@@ -172,6 +173,20 @@ void TestCodeDesk::linesAreSteppedThrough()
     emit pane.finishStepRequested();
     QCOMPARE(simulation().current(), 2);
     QVERIFY(std::abs(simulation().recording().circles(2)[0].position.x - (x + 2.0 / 60.0)) < 1e-12);
+}
+
+/// Also while the scene is watched, not only in the editor; without a program the keys rest.
+void TestCodeDesk::keysStepThroughLinesFromTheScene()
+{
+    write(drift);
+    m_open->press(Qt::Key_F11);
+    QCOMPARE(editor().executingLine(), 5);
+    m_open->press(Qt::Key_F11, Qt::ShiftModifier);
+    QCOMPARE(editor().executingLine(), 0);
+    QCOMPARE(simulation().current(), 1);
+    m_open->bench.setMode(Mode::Explore);
+    m_open->press(Qt::Key_F11);
+    QCOMPARE(editor().executingLine(), 0);
 }
 
 void TestCodeDesk::failureMarksItsLineAndShowsTheReference()

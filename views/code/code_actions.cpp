@@ -31,6 +31,9 @@ CodeActions::CodeActions(QWidget *pane)
     replace = make(Qt::CTRL | Qt::Key_H);
     findNext = make(Qt::Key_F3);
     findPrevious = make(Qt::SHIFT | Qt::Key_F3);
+    // What runs the program does so wherever the focus is, like the keys of the transport bar.
+    for (QAction *action : {run, stepLine, finishStep})
+        action->setShortcutContext(Qt::WindowShortcut);
     // The editor itself takes these keys; here they are only named.
     zoomIn = make(QKeySequence::ZoomIn, false);
     zoomOut = make(QKeySequence::ZoomOut, false);
