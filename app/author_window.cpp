@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/author_window.h"
 
+#include "app/lab_drop.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/checks_tab.h"
@@ -84,6 +85,9 @@ void AuthorWindow::wire()
     connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
     connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
     connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
+    // Queued: what is not saved is asked about when the drag is over.
+    connect(new LabDrop(this), &LabDrop::dropped, this, &AuthorWindow::openDropped,
+            Qt::QueuedConnection);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
     connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
