@@ -116,13 +116,17 @@ void AuthorWindow::wireProof()
         showTab(Checks);
         m_checksTab->showCheck(id);
     });
-    connect(
-        m_proofTab, &ProofTab::runRequested, this,
-        [this](const Preset &scene, const QString &source, qint64 step, const QString &finding) {
-            showTab(Scene);
-            m_visited = finding;
-            m_sceneTab->visit(scene, source, step);
-        });
+    connect(m_proofTab, &ProofTab::runRequested, this,
+            [this](const SceneVisit &run, const QString &finding) {
+                showTab(Scene);
+                m_visited = finding;
+                m_sceneTab->visit(run);
+            });
+    connect(m_sceneTab, &SceneTab::programRequested, this,
+            [this](const QString &program, int line) {
+                showTab(Programs);
+                m_programsTab->openProgram(program, line);
+            });
     connect(m_sceneTab, &SceneTab::visitingChanged, this, &AuthorWindow::showVisit);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AuthorWindow::showVisit);
 }

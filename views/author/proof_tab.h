@@ -4,6 +4,7 @@
 
 #include "views/author/author_document.h"
 #include "views/author/proof_job.h"
+#include "views/author/scene_visit.h"
 
 #include <QWidget>
 
@@ -44,8 +45,7 @@ signals:
     void checkRequested(const QString &id);
     /// The run of a program in a scene of a check, at the step where it first went wrong.
     /// \param finding  why it is worth a look
-    void runRequested(const cradle::Preset &scene, const QString &source, qint64 step,
-                      const QString &finding);
+    void runRequested(const cradle::SceneVisit &run, const QString &finding);
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -92,7 +92,11 @@ void ProofTab::addFinding(const LabFinding &finding)
 void ProofTab::showRun(const LabFinding &finding)
 {
     if (const CheckOutcome *outcome = outcomeOf(finding))
-        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step,
+        emit runRequested({.scene = *outcome->scene,
+                           .pinned = outcome->pinned,
+                           .program = finding.program + QStringLiteral(".lua"),
+                           .source = sourceOf(finding.program),
+                           .step = outcome->step},
                           finding.message);
 }
 
