@@ -59,6 +59,7 @@ private:
     void takeSuggested(const std::vector<Suggestion> &suggestions);
     void showStep();
     void showSummary();
+    void showOthers();
     void showRows();
     void addFinding(const LabFinding &finding);
     void addSuggestion(const Suggestion &suggestion);
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] const CheckOutcome *outcomeOf(const LabFinding &finding) const;
     void adopt(const Suggestion &suggestion); ///< as a mistake of the step
     [[nodiscard]] QString sourceOf(const QString &program) const;
+    [[nodiscard]] const VerifiedTask *resultOf(const QString &task) const;
     [[nodiscard]] QString taskId() const;
 
     AuthorDocument &m_document;
@@ -86,6 +88,8 @@ private:
     QProgressBar *m_progress = nullptr;
     QLabel *m_summary = nullptr;
     QLabel *m_stale = nullptr;
+    QLabel *m_others = nullptr;       ///< steps with findings, to be opened
+    QWidget *m_focusBefore = nullptr; ///< the button that began what runs
     ProofMatrix *m_matrix = nullptr;
     QLabel *m_empty = nullptr;
     QScrollArea *m_rowsScroll = nullptr; ///< hidden while there is no row
