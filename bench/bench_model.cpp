@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of two circles and a verdict of the checks; bench_engines has crowds.
+// Steps of two circles and of a heap at rest, and a verdict of the checks; bench_engines has
+// gases.
 #include "model/preset_json.h"
 #include "model/stepper.h"
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
 
 #include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
 
 using namespace cradle;
 
@@ -48,6 +53,34 @@ void step(benchmark::State &state, Timing timing)
         benchmark::Counter(hitCount, benchmark::Counter::kAvgIterations);
 }
 
+/// A step of \p count circles, 40 % of the square, that have fallen in a heap; \p e < 1.
+/// Target: no longer than what it steps over, 16.7 ms.
+void heap(benchmark::State &state, Timing timing, int count)
+{
+    constexpr double share = 0.4;
+    constexpr int stepsOfFall = 180; // 3 s
+    Preset preset;
+    preset.gravity = Vec2{0.0, -9.81};
+    preset.restitution = 0.5;
+    preset.timestep = 1.0 / 60.0;
+    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, timing};
+    const double area = share * 4.0 * preset.halfWidth * preset.halfWidth;
+    preset.fill = CircleFill{.count = count,
+                             .radius = std::sqrt(area / (std::numbers::pi * count)),
+                             .rmsSpeed = 1.0,
+                             .seed = 1};
+    preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    World world = initialWorld(preset);
+    Stepper stepper(preset);
+    std::vector<Hit> hits;
+    for (int step = 0; step < stepsOfFall; ++step)
+        stepper.advance(world, hits);
+    for (auto _ : state) {
+        hits.clear();
+        stepper.advance(world, hits);
+    }
+}
+
 void verdict(benchmark::State &state, const QString &id)
 {
     static const Lab lab = *readLab(QLatin1String(shippedLab));
@@ -65,6 +98,13 @@ int main(int argc, char **argv)
          {std::pair("step/discrete", Timing::Discrete),
           std::pair("step/continuous", Timing::Continuous), std::pair("step/exact", Timing::Exact)})
         benchmark::RegisterBenchmark(name, step, timing);
+    for (const auto &[name, timing] : {std::pair("heap/continuous/", Timing::Continuous),
+                                       std::pair("heap/exact/", Timing::Exact)}) {
+        for (const int count : {30, 100, 300, 1000})
+            benchmark::RegisterBenchmark((name + std::to_string(count)).c_str(), heap, timing,
+                                         count)
+                ->Unit(benchmark::kMillisecond);
+    }
     const Result<Lab> lab = readLab(QLatin1String(shippedLab));
     for (const Task &task : lab->tasks)
         benchmark::RegisterBenchmark(("verdict/" + task.id.toStdString()).c_str(), verdict, task.id)

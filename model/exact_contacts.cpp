@@ -14,10 +14,11 @@ namespace {
 
 /// A rebound from a floor that would rise less than this share of the radius is no rebound.
 constexpr double restHeight = 1e-9;
-/// A rebound from a disc that would rise less than this share of the smaller radius loses nothing.
+/// A rebound from a disc that would rise less than this share of the smaller radius, for each row
+/// of the heap that they may be, loses nothing.
 constexpr double hopHeight = 1e-4;
-/// Two that lie on each other are kept hopping to this share of the smaller radius.
-constexpr double lyingHeight = 1e-5;
+/// Two that lie on each other are kept hopping to this share.
+constexpr double lyingHeight = 2.5e-5;
 /// Of a speed.
 constexpr double rounding = 1e-9;
 
@@ -36,10 +37,15 @@ void ExactSolver::setAgainst(Disc &disc, Wall wall) const
     disc.position -= (dot(disc.position, n) - (m_rules.halfWidth - disc.radius)) * n;
 }
 
-double ExactSolver::pressing(Slot a, Slot b, Vec2 normal) const
+/// Whether \p a and \p b would meet again at once: one falls onto what a wall holds, or both hop as
+/// they do in a heap, where those above press them together.
+bool ExactSolver::arePressed(Slot a, Slot b, Vec2 normal) const
 {
-    const Vec2 other = isWall(b) ? Vec2{} : accelerationOf(m_discs[b]);
-    return dot(accelerationOf(m_discs[a]) - other, normal);
+    const Disc &first = m_discs[a];
+    const Disc &second = m_discs[b];
+    if (first.held != second.held)
+        return dot(accelerationOf(first) - accelerationOf(second), normal) > 0.0;
+    return m_gravity > 0.0 && first.held == 0 && shakes(a) && shakes(b);
 }
 
 double ExactSolver::closingSpeed(Slot a, Slot b, Vec2 normal) const
@@ -56,7 +62,7 @@ double ExactSolver::softSpeed(double radius) const
 {
     if (!m_lossy)
         return 0.0;
-    return m_gravity > 0.0 ? std::sqrt(2.0 * m_gravity * hopHeight * radius) : m_quiet;
+    return m_gravity > 0.0 ? std::sqrt(2.0 * m_gravity * hopHeight * m_rows * radius) : m_quiet;
 }
 
 ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double closing) const
@@ -83,9 +89,8 @@ ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double 
     const bool isSoft = closing <= soft;
     const bool lasts = isSoft && (shakes(a) || shakes(b));
     const double speed = isSoft ? closing : e * closing;
-    // Two that lie on each other would meet again at once, without end.
-    if (disc.held != m_discs[b].held && pressing(a, b, normal) > 0.0) {
-        const double hop = std::sqrt(2.0 * m_gravity * lyingHeight * radius);
+    if (arePressed(a, b, normal)) {
+        const double hop = std::sqrt(2.0 * m_gravity * lyingHeight * m_rows * radius);
         if (speed < hop)
             return {hop, isSoft, lasts || closing <= hop * (1.0 + rounding)};
     }

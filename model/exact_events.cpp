@@ -171,11 +171,12 @@ void ExactSolver::complete(Slot a, Plan &plan, std::size_t count, Slot from)
         near[kept] = b;
         kept += (mayMeet & (b >= from)) ? 1 : 0;
     }
+    std::size_t unlike = 0;
     for (std::size_t i = 0; i < kept; ++i) {
         const Slot b = near[i];
         const Disc &second = discs[b];
         if (Falling && first.held != second.held) {
-            noteHitOfUnlike(plan, a, b);
+            near[unlike++] = b;
             continue;
         }
         const double distance = first.radius + second.radius;
@@ -185,6 +186,9 @@ void ExactSolver::complete(Slot a, Plan &plan, std::size_t count, Slot from)
              encounterOf<Falling>(first, second, acceleration)
                  .time(distance, least * least * speeds));
     }
+    // These are dear, and cheaper the sooner something else comes first.
+    for (std::size_t i = 0; i < unlike; ++i)
+        noteHitOfUnlike(plan, a, near[i]);
     planLeaving<Falling>(a, plan);
     m_discs[a].plan = plan;
     m_queue.set(a, std::min(plan.hit, plan.leave));

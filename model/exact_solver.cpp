@@ -59,6 +59,7 @@ void ExactSolver::setScales()
     Vec2 mean{};
     double squares = 0.0;
     const auto count = static_cast<double>(std::max<std::size_t>(m_discs.size(), 1));
+    m_rows = std::floor(std::sqrt(count));
     for (const Disc &disc : m_discs) {
         mean += disc.velocity / count;
         squares += lengthSquared(disc.velocity) / count;

@@ -135,7 +135,7 @@ private:
     [[nodiscard]] Rebound reboundOf(Slot a, Slot b, Vec2 normal, double closing) const;
     [[nodiscard]] double softSpeed(double radius) const;
     [[nodiscard]] bool shakes(Slot slot) const { return m_lossy && m_shaking[slot]; }
-    [[nodiscard]] double pressing(Slot a, Slot b, Vec2 normal) const;
+    [[nodiscard]] bool arePressed(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] double closingSpeed(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] Hit newHit(Slot a, Slot b, Vec2 normal) const;
     static void report(Hit hit, std::vector<Hit> &hits);
@@ -159,6 +159,7 @@ private:
     bool m_lossy = false;        ///< e < 1 or a law that stops: hits may come ever quicker
     std::size_t m_small = 0;     ///< discs in cells; the few giants follow them
     double m_smallRadius = 0;    ///< the largest in cells, m
+    double m_rows = 1;           ///< of a heap as wide as high of all discs, as if they were alike
     double m_quiet = 0;          ///< without gravity: slower hits lose nothing, m/s
     double m_now = 0;            ///< s into the epoch
     double m_moment = 0;         ///< events closer than this are one, s

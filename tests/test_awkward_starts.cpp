@@ -24,8 +24,8 @@ constexpr double position = 1e-9;
 constexpr double squeeze = 0.1;
 /// Of the energy's size, by which roundings may let it grow.
 constexpr double energyRounding = 1e-11;
-/// Of a radius: how high circles that lie on each other hop in exact timing.
-constexpr double lying = 1e-5;
+/// Of a radius: how high circles that lie on each other hop in exact timing, for each row.
+constexpr double lying = 2.5e-5;
 
 /// The largest overlap there is, each divided by what is allowed for its pair; a sweep along x.
 double deepestOverlap(const std::vector<Circle> &circles, Timing timing)
@@ -64,14 +64,16 @@ double farthestOutside(const std::vector<Circle> &circles)
     return farthest;
 }
 
-/// What exact timing may give to circles that lie on each other, so that they hop by 1e-5 of a
-/// radius instead of meeting without end; a circle lies on up to three others.
+/// What exact timing may give to circles that lie on each other, so that they hop instead of
+/// meeting without end.
 double energyOfHops(const Preset &preset)
 {
     double sum = 0.0;
     for (const PresetCircle &c : preset.circles)
-        sum += 3.0 * mass(c.body) * length(preset.gravity) * lying * c.body.radius;
-    return preset.laws.timing == Timing::Exact && preset.circles.size() > 1 ? sum : 0.0;
+        sum += mass(c.body) * length(preset.gravity) * lying * c.body.radius;
+    const auto count = static_cast<double>(preset.circles.size());
+    const double rows = std::floor(std::sqrt(count));
+    return preset.laws.timing == Timing::Exact && count > 1.0 ? rows * sum : 0.0;
 }
 
 /// Kinetic energy, and the potential one of the whole height: what errors are measured by.
