@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/author_window.h"
 
+#include "app/lab_drop.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
@@ -109,10 +110,31 @@ void AuthorWindow::openLab()
 {
     if (!mayDiscard())
         return;
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a lab's folder"));
-    if (folder.isEmpty())
+    openPath(QFileDialog::getExistingDirectory(this, tr("Open a lab's folder")));
+}
+
+void AuthorWindow::openLabFile()
+{
+    if (mayDiscard())
+        openPath(QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
+                                              tr("Labs (*.cradle);;All files (*)")));
+}
+
+void AuthorWindow::openDropped(const QString &path)
+{
+    if (mayDiscard())
+        openPath(path);
+}
+
+/// A folder, or one file; an empty path is none.
+void AuthorWindow::openPath(const QString &path)
+{
+    if (path.isEmpty())
         return;
-    if (const auto error = open(folder))
+    const Result<QString> folder = labFolder(path);
+    if (!folder)
+        report(folder.error());
+    else if (const auto error = open(*folder))
         report(*error);
 }
 

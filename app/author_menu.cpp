@@ -30,6 +30,7 @@ void AuthorWindow::fillMenus()
     QMenu *lab = menuBar()->addMenu(tr("&Lab"));
     add(lab, tr("&New lab…"), QKeySequence::New, this, &AuthorWindow::newLab);
     add(lab, tr("&Open a folder…"), QKeySequence::Open, this, &AuthorWindow::openLab);
+    add(lab, tr("Open lab in one &file…"), {}, this, &AuthorWindow::openLabFile);
     lab->addSeparator();
     add(lab, tr("&Save"), QKeySequence::Save, this, &AuthorWindow::save);
     add(lab, tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,

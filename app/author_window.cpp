@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/author_window.h"
 
+#include "app/lab_drop.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/checks_tab.h"
@@ -84,6 +85,9 @@ void AuthorWindow::wire()
     connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
     connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
     connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
+    // Queued: what is not saved is asked about when the drag is over.
+    connect(new LabDrop(this), &LabDrop::dropped, this, &AuthorWindow::openDropped,
+            Qt::QueuedConnection);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
     connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
@@ -112,13 +116,17 @@ void AuthorWindow::wireProof()
         showTab(Checks);
         m_checksTab->showCheck(id);
     });
-    connect(
-        m_proofTab, &ProofTab::runRequested, this,
-        [this](const Preset &scene, const QString &source, qint64 step, const QString &finding) {
-            showTab(Scene);
-            m_visited = finding;
-            m_sceneTab->visit(scene, source, step);
-        });
+    connect(m_proofTab, &ProofTab::runRequested, this,
+            [this](const SceneVisit &run, const QString &finding) {
+                showTab(Scene);
+                m_visited = finding;
+                m_sceneTab->visit(run);
+            });
+    connect(m_sceneTab, &SceneTab::programRequested, this,
+            [this](const QString &program, int line) {
+                showTab(Programs);
+                m_programsTab->openProgram(program, line);
+            });
     connect(m_sceneTab, &SceneTab::visitingChanged, this, &AuthorWindow::showVisit);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AuthorWindow::showVisit);
 }

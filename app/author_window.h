@@ -52,7 +52,9 @@ public:
 
 public slots:
     void newLab();
-    void openLab();
+    void openLab();     ///< a folder
+    void openLabFile(); ///< NAME.cradle
+    void openDropped(const QString &path);
     bool save();      ///< \return whether all is saved
     bool saveAs();    ///< also makes the copy of a lab that is read-only
     void exportLab(); ///< as one file
@@ -79,6 +81,7 @@ private:
     void showState();
     void showWelcome();
     void showVisit();
+    void openPath(const QString &path);
     void report(const Error &error);
     void offerReload(const QString &names);
     void goTo(const Error &finding);

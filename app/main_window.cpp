@@ -65,7 +65,6 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     , m_curves(workbench.simulation())
     , m_theme(theme)
 {
-    setAcceptDrops(true);
     makePanes();
     wireWorkbench();
     wireViews();

@@ -3,18 +3,15 @@
 #include "app/main_window.h"
 
 #include "app/author_window.h"
+#include "app/lab_drop.h"
 #include "app/language.h"
 #include "model/preset_json.h"
-#include "tasks/authoring/lab_archive.h"
 
 #include <QCoreApplication>
-#include <QDropEvent>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 
 #include <utility>
 
@@ -39,47 +36,11 @@ void MainWindow::openLabFile()
 
 void MainWindow::openLab(const QString &path)
 {
-    QString folder = path;
-    if (!QFileInfo(path).isDir()) {
-        const Result<QString> unpacked = importLab(path);
-        if (!unpacked) {
-            report(unpacked.error());
-            return;
-        }
-        folder = *unpacked;
-    }
-    if (const auto error = m_workbench.openLab(folder, currentLanguage()))
+    const Result<QString> folder = labFolder(path);
+    if (!folder)
+        report(folder.error());
+    else if (const auto error = m_workbench.openLab(*folder, currentLanguage()))
         report(*error);
-}
-
-namespace {
-
-/// The lab that is dragged: one local folder with a lab.json, or one file NAME.cradle.
-QString labIn(const QMimeData &data)
-{
-    const QList<QUrl> urls = data.urls();
-    if (urls.size() != 1 || !urls.front().isLocalFile())
-        return {};
-    const QString path = urls.front().toLocalFile();
-    const bool isFolder = QFileInfo::exists(path + QStringLiteral("/lab.json"));
-    return isFolder || isLabArchive(path) ? path : QString();
-}
-
-} // namespace
-
-void MainWindow::dragEnterEvent(QDragEnterEvent *event)
-{
-    if (!labIn(*event->mimeData()).isEmpty())
-        event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent *event)
-{
-    const QString lab = labIn(*event->mimeData());
-    if (lab.isEmpty())
-        return;
-    event->acceptProposedAction();
-    openLab(lab);
 }
 
 AuthorWindow *MainWindow::author() const

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 
 #include "app/code_desk.h"
+#include "app/lab_drop.h"
 #include "app/notice_bar.h"
 #include "views/charts/phase_chart.h"
 #include "views/code/code_editor.h"
@@ -45,6 +46,7 @@ void MainWindow::wireWorkbench()
         m_taskPane->setReport(m_workbench.report());
     });
     connect(bench, &Workbench::failed, this, &MainWindow::report);
+    connect(new LabDrop(this), &LabDrop::dropped, this, &MainWindow::openLab);
     connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
     connect(bench, &Workbench::ghostChanged, this, &MainWindow::showGhost);
     connect(&bench->code(), &CodeSession::paused, this, &MainWindow::showPause);

@@ -98,9 +98,9 @@ Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Pla
         if (!evidence.scene->pinned)
             fit.strange += strangeStarts(known.start(), *evidence.run);
     }
-    if (!fit.explains())
-        return fit;
     for (const Evidence &evidence : all) {
+        if (!fit.explains()) // and nothing makes up for it
+            return fit;
         OneStep known(program, *evidence.scene, evidence.restitution);
         if (!known.runs())
             continue;

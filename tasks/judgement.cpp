@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judgement.h"
 
+#include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/integrator_matching.h"
 #include "tasks/diagnosis.h"
 #include "tasks/locks.h"
 #include "tasks/script/student_script.h"
-#include "tasks/variant.h"
+#include "tasks/submission_runs.h"
 
 #include "model/stepper.h"
 
@@ -26,64 +27,10 @@ struct CheckerText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
-/// Bounds of what a check runs, so that a verdict comes in time: a step of a lab has a handful of
-/// circles and some thousand steps.
-constexpr std::size_t mostCircles = 100;
-constexpr double mostSteps = 100'000;
 /// Of a whole judgement: a hundred times what the slowest sound program needs.
 constexpr qint64 mostMilliseconds = 30'000;
 /// Scenes of a failed check in which its cause is looked for.
 constexpr std::size_t mostScenes = 6;
-
-/// A check with the scenes that it runs, or the reason why it can run none.
-struct Plan {
-    const CheckSpec *check = nullptr;
-    std::vector<Variant> variants{};
-    QString missing{};
-};
-
-Plan planOf(const CheckSpec &check, const Preset &submission, const QStringList &locked,
-            qint64 seed)
-{
-    Plan plan{&check, {}, {}};
-    const int last = *std::max_element(check.circles.begin(), check.circles.end());
-    const bool pair = check.scene.value(QStringLiteral("kind")) == QLatin1String("encounters")
-                      || check.kind == QLatin1String("passes_through");
-    const int needed = std::max(last + 1, pair ? 2 : 1);
-    if (submission.circles.size() < static_cast<std::size_t>(needed)) {
-        plan.missing = CheckerText::tr("There is no circle %1; add one").arg(needed);
-        return plan;
-    }
-    if (submission.circles.size() > mostCircles) {
-        plan.missing = CheckerText::tr("A check runs at most %1 circles; there are %2")
-                           .arg(mostCircles)
-                           .arg(submission.circles.size());
-        return plan;
-    }
-    plan.variants = makeVariants(submission, check, seed);
-    for (Variant &variant : plan.variants)
-        variant.locked = locked;
-    for (const Variant &variant : plan.variants) {
-        if (variant.duration / variant.preset.timestep > mostSteps) {
-            plan.missing = CheckerText::tr("The timestep %1 s is too short to be judged; %2 s or "
-                                           "more is right")
-                               .arg(variant.preset.timestep)
-                               .arg(variant.duration / mostSteps);
-            plan.variants.clear();
-            break;
-        }
-    }
-    return plan;
-}
-
-CheckOutcome outcomeOf(const Plan &plan)
-{
-    CheckOutcome outcome{.id = plan.check->id, .title = plan.check->title};
-    outcome.passed = plan.missing.isEmpty();
-    outcome.message = plan.missing;
-    outcome.points = plan.check->points;
-    return outcome;
-}
 
 /// The line of the program that last moved the circle of \p fault, or any if it is of none alone,
 /// in that step of that scene; 0 if none did.
@@ -114,9 +61,10 @@ int lineOf(const Submission &submission, const Variant &variant, const Fault &fa
 class Judgement
 {
 public:
-    Judgement(const Task &task, const Submission &submission, qint64 seed, const JudgeHooks &hooks)
+    Judgement(const Task &task, SubmissionRuns &runs, qint64 seed, const JudgeHooks &hooks)
         : m_task(task)
-        , m_submission(submission)
+        , m_runs(runs)
+        , m_submission(runs.submission())
         , m_seed(seed)
         , m_hooks(hooks)
     {
@@ -128,14 +76,14 @@ public:
     {
         findEarlyError(report);
         findChangedLock(report);
-        std::vector<Plan> plans;
+        std::vector<CheckPlan> plans;
         int total = 0;
         for (const CheckSpec &check : m_task.checks) {
             plans.push_back(planOf(check, m_submission.preset, m_task.locked, m_seed));
             total += static_cast<int>(plans.back().variants.size());
         }
         int done = 0;
-        for (const Plan &plan : plans) {
+        for (const CheckPlan &plan : plans) {
             report.checks.push_back(outcomeOf(plan));
             CheckOutcome &outcome = report.checks.back();
             for (std::size_t i = 0; i < plan.variants.size(); ++i) {
@@ -192,13 +140,19 @@ private:
              .message = lockReason(*field, m_task.preset)});
     }
 
-    void judgeScene(const Plan &plan, std::size_t i, CheckOutcome &outcome, CheckReport &report)
+    [[nodiscard]] const Observation &runOf(const Variant &variant)
+    {
+        return m_runs.of(variant, [this] { return isCancelled() || isLate(); });
+    }
+
+    void judgeScene(const CheckPlan &plan, std::size_t i, CheckOutcome &outcome,
+                    CheckReport &report)
     {
         const Variant &variant = plan.variants[i];
-        Observation run =
-            observe(variant, m_submission.program(), [this] { return isCancelled() || isLate(); });
-        if (!run.error && isLate())
-            run.error = ProgramError{
+        const Observation &run = runOf(variant);
+        std::optional<ProgramError> error = run.error;
+        if (!error && isLate())
+            error = ProgramError{
                 .message = CheckerText::tr("the check took more than %1 s and was stopped; an "
                                            "update should take less than a millisecond")
                                .arg(mostMilliseconds / 1000),
@@ -207,10 +161,10 @@ private:
                 .time = run.states.time(run.steps())};
         if (isCancelled())
             return;
-        if (run.error) {
-            report.error = run.error;
-            outcome.message = run.error->message;
-            fail(outcome, Fault{.message = run.error->message, .step = run.error->step}, variant);
+        if (error) {
+            report.error = error;
+            outcome.message = error->message;
+            fail(outcome, Fault{.message = error->message, .step = error->step}, variant);
             return;
         }
         const auto fault = judge(*plan.check, run);
@@ -219,7 +173,7 @@ private:
         fail(outcome, *fault, variant);
         if (m_submission.script) {
             outcome.line = lineOf(m_submission, variant, *fault);
-            keep(plan, i, std::move(run));
+            keep(plan, i, run);
         }
     }
 
@@ -237,21 +191,20 @@ private:
     }
 
     /// Keeps the failed scene, and a few more of the check in which mistakes can be told apart.
-    void keep(const Plan &plan, std::size_t i, Observation run)
+    void keep(const CheckPlan &plan, std::size_t i, const Observation &run)
     {
         FailedCheck failed{plan.check, {plan.variants[i]}, {}};
-        failed.runs.push_back(std::move(run));
+        failed.runs.push_back(run);
         // From all over the check: a scene in which the student is right speaks, too.
         const std::size_t all = plan.variants.size();
         const std::size_t most = std::min(all, mostScenes);
         for (std::size_t n = 1; n < most; ++n) {
             const std::size_t j = (i + n * all / most) % all;
-            Observation more = observe(plan.variants[j], m_submission.program(),
-                                       [this] { return isCancelled() || isLate(); });
+            const Observation &more = runOf(plan.variants[j]);
             if (more.error)
                 break;
             failed.scenes.push_back(plan.variants[j]);
-            failed.runs.push_back(std::move(more));
+            failed.runs.push_back(more);
         }
         m_failed.push_back(std::move(failed));
     }
@@ -265,6 +218,7 @@ private:
     }
 
     const Task &m_task;
+    SubmissionRuns &m_runs;
     const Submission &m_submission;
     qint64 m_seed;
     const JudgeHooks &m_hooks;
@@ -305,14 +259,21 @@ QString commitOf(const Task &task, const Submission &submission)
 std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, const Submission &submission,
                                      qint64 seed, const JudgeHooks &hooks)
 {
+    SubmissionRuns runs(submission);
+    return judgeTask(lab, task, runs, seed, hooks);
+}
+
+std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, SubmissionRuns &runs,
+                                     qint64 seed, const JudgeHooks &hooks)
+{
     QElapsedTimer timer;
     timer.start();
     CheckReport report{
         .labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed, .passed = true};
-    if (!Judgement(task, submission, seed, hooks).run(report))
+    if (!Judgement(task, runs, seed, hooks).run(report))
         return std::nullopt;
     report.passed = report.passed && !report.error;
-    report.commit = commitOf(task, submission);
+    report.commit = commitOf(task, runs.submission());
     report.elapsedMs = timer.elapsed();
     return report;
 }

@@ -4,7 +4,7 @@
 
 #include "tasks/check_report.h"
 #include "tasks/lab.h"
-#include "tasks/submission.h"
+#include "tasks/submission_runs.h"
 
 #include <functional>
 #include <optional>
@@ -22,6 +22,10 @@ struct JudgeHooks {
 /// \return nullopt if it was cancelled
 [[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
                                                    const Submission &submission, qint64 seed,
+                                                   const JudgeHooks &hooks = {});
+/// The same of runs.submission(), with what has run already for other seeds.
+[[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
+                                                   SubmissionRuns &runs, qint64 seed,
                                                    const JudgeHooks &hooks = {});
 
 } // namespace cradle

@@ -17,12 +17,11 @@ using Role = VerifiedProgram::Role;
 
 constexpr int seeds = 5; ///< with which a solution must pass
 
-/// One judgement to make, and where its report belongs.
+/// One program to judge, and where its reports belong: one for each seed, from 1.
 struct Job {
     const Task *task = nullptr;
-    Submission submission{};
-    qint64 seed = 1;
-    CheckReport *report = nullptr;
+    const Submission *submission = nullptr;
+    std::vector<CheckReport> *reports = nullptr;
 };
 
 /// One tolerance to judge.
@@ -114,22 +113,27 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
         tasks.push_back(&task);
     }
     std::vector<Job> jobs;
+    std::size_t judgements = 0;
     std::vector<ToleranceJob> tolerances;
     for (std::size_t t = 0; t < result.size(); ++t) {
         for (std::size_t p = 0; p < result[t].programs.size(); ++p) {
-            qint64 seed = 1;
-            for (CheckReport &report : result[t].programs[p].reports)
-                jobs.push_back({tasks[t], candidates[t][p].submission, seed++, &report});
+            std::vector<CheckReport> &reports = result[t].programs[p].reports;
+            jobs.push_back({tasks[t], &candidates[t][p].submission, &reports});
+            judgements += reports.size();
         }
         for (const CheckSpec &check : tasks[t]->checks)
             tolerances.push_back({t, &check, {}});
     }
-    Watch watch(hooks, jobs.size() + tolerances.size());
+    Watch watch(hooks, judgements + tolerances.size());
     const JudgeHooks cancel{.cancelled = [&watch] { return watch.isCancelled(); }};
     QtConcurrent::blockingMap(jobs, [&](const Job &job) {
-        if (auto report = judgeTask(lab, *job.task, job.submission, job.seed, cancel))
-            *job.report = std::move(*report);
-        watch.advance();
+        SubmissionRuns runs(*job.submission);
+        qint64 seed = 1;
+        for (CheckReport &report : *job.reports) {
+            if (auto judged = judgeTask(lab, *job.task, runs, seed++, cancel))
+                report = std::move(*judged);
+            watch.advance();
+        }
     });
     QtConcurrent::blockingMap(tolerances, [&](ToleranceJob &job) {
         job.tight = findTightTolerance(*tasks[job.task], *job.check, cancel.cancelled);

@@ -6,6 +6,7 @@
 #include "tasks/checks/motion.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cradle {
 
@@ -147,17 +148,27 @@ bool OneStep::agreesAtSomeNormal(const Observation &o, qint64 k)
     // A normal turns little in so short a time; what is far off is another law.
     if (best > 0.5 * speed)
         return false;
-    // Golden section search, Kiefer 1953.
+    // Golden section search, Kiefer 1953: of its two looks one is that of the interval before.
     constexpr double ratio = 0.6180339887498949;
     double low = std::max(earliest, at - width);
     double high = std::min(latest, at + width);
-    for (int i = 0; i < refinements && best > sameFound * (1.0 + speed); ++i) {
-        const double left = high - ratio * (high - low);
-        const double right = low + ratio * (high - low);
-        const double dLeft = differenceAt(left);
-        const double dRight = differenceAt(right);
-        best = std::min({best, dLeft, dRight});
-        (dLeft < dRight ? high : low) = dLeft < dRight ? right : left;
+    double left = high - ratio * (high - low);
+    double right = low + ratio * (high - low);
+    double dLeft = differenceAt(left);
+    double dRight = differenceAt(right);
+    best = std::min({best, dLeft, dRight});
+    for (int i = 1; i < refinements && best > sameFound * (1.0 + speed); ++i) {
+        if (dLeft < dRight) {
+            high = std::exchange(right, left);
+            left = high - ratio * (high - low);
+            dRight = std::exchange(dLeft, differenceAt(left));
+            best = std::min(best, dLeft);
+        } else {
+            low = std::exchange(left, right);
+            right = low + ratio * (high - low);
+            dLeft = std::exchange(dRight, differenceAt(right));
+            best = std::min(best, dRight);
+        }
     }
     return best <= sameFound * (1.0 + speed);
 }

@@ -13,6 +13,8 @@ struct Variant {
     double duration = 1.0; ///< s
     bool pinned = false;   ///< a program cannot change what it starts with
     QStringList locked{};  ///< what a program must leave as it is; see locks.h
+
+    friend bool operator==(const Variant &, const Variant &) = default;
 };
 
 /// The scenes that \p check runs of \p submission. Kinds of scene:

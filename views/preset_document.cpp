@@ -63,9 +63,8 @@ bool PresetDocument::edit(const QString &text, const Preset &changed, const QStr
 {
     if (changed == preset())
         return true;
-    if (isVisiting()) {
-        emit refused({.message = tr("This is a scene of the check; go back to your own scene to "
-                                    "change it")});
+    if (const QString why = whyReadOnly(); !why.isEmpty()) {
+        emit refused({.message = why});
         return false;
     }
     if (const std::optional<Error> fault = faultOf(changed)) {
@@ -94,9 +93,25 @@ void PresetDocument::setLocked(const QStringList &fields)
     emit lockedChanged();
 }
 
+void PresetDocument::setReadOnly(const QString &why)
+{
+    if (why == m_whyReadOnly)
+        return;
+    m_whyReadOnly = why;
+    emit lockedChanged();
+}
+
+QString PresetDocument::whyReadOnly() const
+{
+    return isVisiting() ? tr("This is a scene of the check; go back to your own scene to change it")
+                        : m_whyReadOnly;
+}
+
 QString PresetDocument::whyLocked(const QString &field) const
 {
-    return isLocked(field) ? lockReason(field, m_original) : QString();
+    if (const QString why = whyReadOnly(); !why.isEmpty())
+        return why;
+    return m_locked.contains(field) ? lockReason(field, m_original) : QString();
 }
 
 std::optional<Error> PresetDocument::faultOf(const Preset &changed) const

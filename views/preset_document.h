@@ -32,7 +32,10 @@ public:
     /// Fixes fields of the preset (tasks/locks.h): edits of them are refused with the reason. Only
     /// the way back to the original is open.
     void setLocked(const QStringList &fields);
-    [[nodiscard]] bool isLocked(const QString &field) const { return m_locked.contains(field); }
+    /// Keeps all of the preset as it is, for the reason \p why; with none it may be edited again.
+    void setReadOnly(const QString &why);
+    /// Why nothing of what is shown can be changed: it is read-only, or a visit; else empty.
+    [[nodiscard]] QString whyReadOnly() const;
     /// Why \p field cannot be changed; empty if it can.
     [[nodiscard]] QString whyLocked(const QString &field) const;
 
@@ -70,6 +73,7 @@ private:
     Preset m_original;
     std::optional<Preset> m_own; ///< during a visit
     QStringList m_locked;
+    QString m_whyReadOnly;
 };
 
 } // namespace cradle

@@ -85,6 +85,10 @@ QPushButton[kind="small"]:focus { min-height: 22px; padding: 0 7px; }
 QToolButton[kind="tiny"] { min-height: 18px; padding: 0; }
 QToolButton[kind="tiny"]:focus { min-height: 16px; padding: 0; }
 QPushButton[kind="segment"] { border-radius: 0; }
+QPushButton[kind="menu"] { min-height: 24px; padding: 0 24px 0 8px; }
+QPushButton[kind="menu"]:focus { min-height: 22px; padding: 0 23px 0 7px; }
+QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 14px; height: 14px;
+    subcontrol-origin: border; subcontrol-position: right center; right: 5px; }
 )");
 
 const QString fields = QStringLiteral(R"(
@@ -94,12 +98,14 @@ QLineEdit, QComboBox, QAbstractSpinBox {
     selection-color: @onAccent; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus {
     border: 2px solid @accent; padding: 0 5px; min-height: 22px; }
-QLineEdit:disabled, QComboBox:disabled { color: @disabled; border-color: @border; }
+QLineEdit:disabled, QComboBox:disabled, QLineEdit:read-only {
+    background: @window; color: @mutedText; border-color: @border; }
 QLineEdit[refused="true"] { border: 2px solid @warning; background: @warningSoft; padding: 0 5px;
     min-height: 22px; }
 QPlainTextEdit[kind="field"] { border: 1px solid @controlBorder; border-radius: 6px;
     background: @panel; padding: 1px; }
 QPlainTextEdit[kind="field"]:focus { border: 2px solid @accent; padding: 0; }
+QPlainTextEdit:read-only { background: @window; border-color: @border; }
 QLineEdit[cell="true"], QComboBox[cell="true"] { min-height: 0; border: 2px solid @accent;
     border-radius: 4px; padding: 0 3px; }
 QLineEdit[cell="true"][refused="true"] { border-color: @warning; padding: 0 3px; min-height: 0; }

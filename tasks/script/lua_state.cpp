@@ -4,7 +4,9 @@
 
 #include "tasks/script/script_host.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 namespace cradle {
 
@@ -32,15 +34,35 @@ void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::s
     // Without a block, oldSize tells the kind of object.
     const std::size_t old = block ? oldSize : 0;
     if (newSize == 0) {
-        std::free(block);
+        self.drop(block, old);
         self.m_used -= old;
         return nullptr;
     }
     if (newSize > old && self.refuses(newSize - old))
         return nullptr;
-    void *moved = std::realloc(block, newSize);
+    void *moved = self.resize(block, old, newSize);
     if (moved)
         self.m_used = self.m_used - old + newSize;
+    return moved;
+}
+
+void LuaMemory::drop(void *block, std::size_t size)
+{
+    if (size > SmallBlocks::largest)
+        std::free(block);
+    else if (block)
+        m_small.giveBack(block, size);
+}
+
+void *LuaMemory::resize(void *block, std::size_t oldSize, std::size_t newSize)
+{
+    if (oldSize > SmallBlocks::largest && newSize > SmallBlocks::largest)
+        return std::realloc(block, newSize);
+    void *moved = newSize > SmallBlocks::largest ? std::malloc(newSize) : m_small.take(newSize);
+    if (moved && block) {
+        std::memcpy(moved, block, std::min(oldSize, newSize));
+        drop(block, oldSize);
+    }
     return moved;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/script/small_blocks.h"
+
 #include <lua.hpp>
 
 #include <chrono>
@@ -40,8 +42,11 @@ private:
     std::chrono::steady_clock::time_point m_deadline{};
     bool m_exhausted = false; ///< nothing more is given
     int m_refusedLine = 0;
+    SmallBlocks m_small; ///< nearly all of it
 
     [[nodiscard]] bool refuses(std::size_t more);
+    void drop(void *block, std::size_t size);
+    [[nodiscard]] void *resize(void *block, std::size_t oldSize, std::size_t newSize);
 };
 
 struct LuaCloser {

@@ -6,10 +6,9 @@
 #include "tasks/script/error_message.h"
 #include "tasks/script/lua_library.h"
 #include "tasks/script/sandbox.h"
-#include "tasks/script/script_host.h"
-#include "tasks/script/script_limits.h"
 #include "tasks/script/script_source.h"
 #include "tasks/script/show_binding.h"
+#include "tasks/script/student_engine.h"
 #include "tasks/script/vector_binding.h"
 #include "tasks/script/world_binding.h"
 
@@ -25,18 +24,6 @@ struct StudentText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
-constexpr lua_Integer threadKey = 104; ///< in the registry: an update that runs line by line
-
-/// Names that a program leaves to us, read without the errors of unknown globals.
-int rawGlobal(lua_State *L, const char *name)
-{
-    lua_pushglobaltable(L);
-    lua_pushstring(L, name);
-    const int type = lua_rawget(L, -2);
-    lua_remove(L, -2);
-    return type;
-}
-
 int setUp(lua_State *L)
 {
     addLibraries(L);
@@ -48,12 +35,14 @@ int setUp(lua_State *L)
 
 } // namespace
 
-struct StudentScript::Engine {
-    ScriptHost host{limits::scriptBytes};
-    LuaState state{};
-    lua_State *thread = nullptr; ///< of an update that runs line by line
-    bool linesDone = false;      ///< that update has come to its end; advance() takes it over
-};
+int rawGlobal(lua_State *L, const char *name)
+{
+    lua_pushglobaltable(L);
+    lua_pushstring(L, name);
+    const int type = lua_rawget(L, -2);
+    lua_remove(L, -2);
+    return type;
+}
 
 StudentScript::StudentScript(QString source, Options options)
     : m_source(std::move(source))
@@ -208,84 +197,6 @@ ProgramError StudentScript::lostUpdate() const
 ProgramOutput StudentScript::takeOutput()
 {
     return m_engine ? std::exchange(m_engine->host.output, {}) : ProgramOutput{};
-}
-
-StudentScript::Pause StudentScript::beginLines(const World &world, double dt)
-{
-    Q_ASSERT(m_moves);
-    dropLines();
-    lua_State *L = m_engine->state.get();
-    place(world);
-    lua_State *thread = lua_newthread(L);
-    lua_rawseti(L, LUA_REGISTRYINDEX, threadKey);
-    m_engine->thread = thread;
-    watch(thread, true);
-    if (rawGlobal(thread, "on_update") != LUA_TFUNCTION) {
-        dropLines();
-        Pause pause;
-        pause.circles = m_engine->host.circles;
-        pause.error = lostUpdate();
-        return pause;
-    }
-    lua_pushnumber(thread, dt);
-    return resume(1);
-}
-
-StudentScript::Pause StudentScript::nextLine()
-{
-    if (!m_engine || !m_engine->thread)
-        return {};
-    return resume(0);
-}
-
-StudentScript::Pause StudentScript::resume(int arguments)
-{
-    lua_State *thread = m_engine->thread;
-    beginCount(thread);
-    int results = 0;
-    const int status = lua_resume(thread, nullptr, arguments, &results);
-    endCount(thread);
-    ScriptHost &host = m_engine->host;
-    Pause pause;
-    pause.circles = host.circles;
-    if (status == LUA_YIELD) {
-        pause.line = host.caught.line;
-        pause.locals = std::exchange(host.caught, {}).locals;
-        return pause;
-    }
-    if (status != LUA_OK) {
-        noteError(thread);
-        pause.error = errorOf(thread, status);
-        pause.line = pause.error->line;
-    }
-    dropLines();
-    m_engine->linesDone = !pause.error;
-    return pause;
-}
-
-/// The rest of an update that was begun line by line.
-std::optional<ProgramError> StudentScript::endLines(World &world)
-{
-    if (m_engine->thread) {
-        watch(m_engine->thread, false);
-        if (const Pause end = nextLine(); end.error)
-            return end.error;
-    }
-    m_engine->linesDone = false;
-    world.circles = m_engine->host.circles;
-    return std::nullopt;
-}
-
-void StudentScript::dropLines()
-{
-    if (!m_engine)
-        return;
-    m_engine->linesDone = false;
-    if (!m_engine->thread)
-        return;
-    lua_pushnil(m_engine->state.get());
-    lua_rawseti(m_engine->state.get(), LUA_REGISTRYINDEX, threadKey);
-    m_engine->thread = nullptr;
 }
 
 void StudentScript::setRestitution(double restitution)

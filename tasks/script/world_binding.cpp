@@ -6,12 +6,12 @@
 #include "tasks/script/locked_value.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
+#include "tasks/script/square_binding.h"
 
 #include <QCoreApplication>
 
 #include <cmath>
 #include <cstring>
-#include <new>
 
 namespace cradle {
 
@@ -207,54 +207,6 @@ int writeGlobal(lua_State *L)
                      .arg(QLatin1String(key), nameValue(L, 3)));
     lua_rawset(L, 1);
     return 0;
-}
-
-[[noreturn]] void refuseSquareField(lua_State *L)
-{
-    const QStringList names{QStringLiteral("half_width"), QStringLiteral("left"),
-                            QStringLiteral("right"), QStringLiteral("bottom"),
-                            QStringLiteral("top")};
-    const QString key =
-        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : describeValue(L, 2);
-    const QString near = nearestName(key, names);
-    raise(L, near.isEmpty()
-                 ? WorldText::tr("square has no `%1`; it has %2")
-                       .arg(key, names.join(QStringLiteral(", ")))
-                 : WorldText::tr("square has no `%1`: did you mean `%2`?").arg(key, near));
-}
-
-int readSquare(lua_State *L)
-{
-    const double half = ScriptHost::of(L).halfWidth;
-    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    const bool low = std::strcmp(key, "left") == 0 || std::strcmp(key, "bottom") == 0;
-    const bool high = std::strcmp(key, "right") == 0 || std::strcmp(key, "top") == 0
-                      || std::strcmp(key, "half_width") == 0;
-    if (!low && !high)
-        refuseSquareField(L);
-    lua_pushnumber(L, low ? -half : half);
-    return 1;
-}
-
-int refuseSquareChange(lua_State *L)
-{
-    raise(L, WorldText::tr("the square can only be read"));
-}
-
-void addSquare(lua_State *L)
-{
-    new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Square};
-    lua_newtable(L);
-    lua_pushcfunction(L, readSquare);
-    lua_setfield(L, -2, "__index");
-    lua_pushcfunction(L, refuseSquareChange);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushliteral(L, "square");
-    lua_setfield(L, -2, "__name");
-    lua_pushcfunction(L, describeObject);
-    lua_setfield(L, -2, "__tostring");
-    lua_setmetatable(L, -2);
-    lua_setglobal(L, "square");
 }
 
 /// Puts the lab's own names behind the globals, where they are found but cannot be replaced.

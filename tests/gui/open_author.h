@@ -138,6 +138,11 @@ public:
             auto *line = dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
             if (!line)
                 line = dialog->findChild<QLineEdit *>();
+            // Without the focus a file dialog takes a folder on the way for the one that is typed.
+            dialog->activateWindow();
+            line->setFocus();
+            if (!line->hasFocus() && ++*tries < 40)
+                return false;
             line->selectAll();
             QTest::keyClicks(line, text);
             QTest::keyClick(line, Qt::Key_Return);

@@ -5,6 +5,7 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/lab_reader.h"
+#include "views/inspector/inspector.h"
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -64,12 +65,23 @@ void TestAuthorSaving::shippedLabIsReadOnlyUntilCopied()
     author.window.steps().addStep();
     QCOMPARE(author.files(), before);
     QVERIFY(author.find<MarkdownEditor>("markdown")->isReadOnly());
+    // The numbers of the scene are to be seen, not edited; nor is there a scene to go back to.
+    const auto *inspector = author.window.sceneTab().findChild<Inspector *>();
+    QVERIFY(!inspector->findChildren<QLineEdit *>().isEmpty());
+    for (const QLineEdit *field : inspector->findChildren<QLineEdit *>())
+        QVERIFY(!field->isEnabled());
+    QVERIFY(!author.button(QStringLiteral("Add circle"))->isEnabled());
+    QVERIFY(!author.button(QStringLiteral("Reset to the step's scene")));
 
     const QString place = folder.filePath(QStringLiteral("copy"));
     OpenAuthor::answerDialog(place);
     author.click(QStringLiteral("Copy to a folder…"));
     QVERIFY2(!author.document().isReadOnly(), qPrintable(author.window.notice().text()));
     QCOMPARE(*readLabFiles(place), before);
+    for (const QLineEdit *field : inspector->findChildren<QLineEdit *>())
+        QVERIFY(field->isEnabled());
+    QVERIFY(author.button(QStringLiteral("Add circle"))->isEnabled());
+    QVERIFY(!author.find<MarkdownEditor>("markdown")->isReadOnly());
     author.window.steps().addStep();
     QVERIFY(author.files() != before);
 }

@@ -29,6 +29,7 @@ private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void cleanup() { QDir(userLabsFolder()).removeRecursively(); }
     void droppedLabOpens();
+    void droppedLabOpensForItsAuthor();
     void draggedStepMoves();
     void findingShowsItsRun();
     void suggestedMistakeIsTakenOver();
@@ -57,6 +58,22 @@ void retype(CodeEditor &editor, const QString &program)
     QTest::qWait(50); // the editor tells of an edit when it is through with it
 }
 
+/// \return whether the window takes it
+bool dropOn(QWidget &target, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPoint centre = target.rect().center();
+    QDragEnterEvent enter(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
+    enter.ignore();
+    QApplication::sendEvent(&target, &enter);
+    if (!enter.isAccepted())
+        return false;
+    QDropEvent event(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&target, &event);
+    return true;
+}
+
 QString suggestedOf(const QPushButton *button)
 {
     return button->parentWidget()->findChild<QLabel *>()->text();
@@ -71,19 +88,7 @@ void TestAuthorWays::droppedLabOpens()
     QVERIFY(!exportLab(
         newLab(QStringLiteral("falling"), QStringLiteral("Falling"), QStringLiteral("en")), file));
     OpenWindow student(folder);
-    const auto drop = [&student](const QString &path) {
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(path)});
-        const QPoint centre = student.window.rect().center();
-        QDragEnterEvent enter(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-        enter.ignore();
-        QApplication::sendEvent(&student.window, &enter);
-        if (!enter.isAccepted())
-            return false;
-        QDropEvent event(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-        QApplication::sendEvent(&student.window, &event);
-        return true;
-    };
+    const auto drop = [&student](const QString &path) { return dropOn(student.window, path); };
     const QString shipped = student.bench.lab().title;
     QVERIFY(!drop(folder.filePath(QStringLiteral("notes.txt"))));
     QCOMPARE(student.bench.lab().title, shipped);
@@ -105,6 +110,34 @@ void TestAuthorWays::droppedLabOpens()
     QVERIFY(drop(broken));
     QCOMPARE(student.steps()->count(), 3);
     QVERIFY(student.says(QStringLiteral("broken.cradle")));
+}
+
+void TestAuthorWays::droppedLabOpensForItsAuthor()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("falling.cradle"));
+    QVERIFY(!exportLab(
+        newLab(QStringLiteral("falling"), QStringLiteral("Falling"), QStringLiteral("en")), file));
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    author.window.showTab(AuthorWindow::Text);
+    // Over an editor, too, which would write down the path.
+    auto *text = author.find<MarkdownEditor>("markdown")->viewport();
+    const LabFiles before = author.files();
+    QVERIFY(dropOn(*text, file));
+    QTRY_COMPARE(author.document().title(), QStringLiteral("Falling"));
+    QCOMPARE(author.document().folder(), userLabsFolder() + QStringLiteral("/falling"));
+
+    // What is not saved is asked about first.
+    author.window.steps().addStep();
+    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
+    QVERIFY(dropOn(author.window, folder.filePath(QStringLiteral("ball"))));
+    QTest::qWait(300);
+    QVERIFY(author.document().isModified());
+    QCOMPARE(author.document().title(), QStringLiteral("Falling"));
+    OpenAuthor::answerQuestion(QStringLiteral("Discard"));
+    QVERIFY(dropOn(author.window, folder.filePath(QStringLiteral("ball"))));
+    QTRY_COMPARE(author.files(), before);
 }
 
 void TestAuthorWays::draggedStepMoves()

@@ -91,6 +91,13 @@ bool AuthorDocument::isModified() const
     return !m_readOnly && m_files != m_onDisk;
 }
 
+QString AuthorDocument::whyReadOnly() const
+{
+    return m_readOnly ? tr("This lab ships with Cradle and stays as it is; make a copy of it to "
+                           "change that")
+                      : QString();
+}
+
 QStringList AuthorDocument::steps() const
 {
     return stepsOf(m_files);
@@ -164,8 +171,7 @@ bool AuthorDocument::editStep(const QString &text, const Result<LabFiles> &after
     if (*after == m_files)
         return true;
     if (m_readOnly) {
-        emit refused({.message = tr("This lab ships with Cradle and stays as it is; make a copy "
-                                    "of it to change that")});
+        emit refused({.message = whyReadOnly()});
         return false;
     }
     m_undoStack.push(new AuthorEdit(*this, text, {*after, step}, mergeKey));

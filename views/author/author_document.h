@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const LabFiles &files() const { return m_files; }
     [[nodiscard]] const QString &folder() const { return m_folder; } ///< empty: not saved yet
     [[nodiscard]] bool isReadOnly() const { return m_readOnly; }
+    /// What an author should know who wants to edit it then; else empty.
+    [[nodiscard]] QString whyReadOnly() const;
     [[nodiscard]] bool isModified() const;
     [[nodiscard]] QStringList steps() const;                     ///< folders, in order
     [[nodiscard]] const QString &step() const { return m_step; } ///< the open one; may be empty
@@ -71,7 +73,7 @@ public slots:
 
 signals:
     void opened();                             ///< another lab
-    void changed();                            ///< files, by an edit or by undo
+    void changed();                            ///< files, or whether they may be edited
     void stepChanged();                        ///< another step, or none
     void languageChanged();                    ///< of the texts
     void labRead();                            ///< lab() follows the files again

@@ -35,6 +35,7 @@ std::optional<Error> AuthorDocument::saveAs(const QString &folder)
     m_undoStack.setClean();
     watch();
     emit stateChanged();
+    emit changed(); // of a lab that was read-only every field may be edited now
     return std::nullopt;
 }
 

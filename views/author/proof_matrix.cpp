@@ -43,6 +43,14 @@ const CheckOutcome *outcomeOf(const CheckReport &report, const QString &check)
     return found == report.checks.end() ? nullptr : &*found;
 }
 
+/// Why a program that should pass does not.
+QString firstFailure(const CheckReport &report)
+{
+    const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [](const CheckOutcome &each) { return !each.passed; });
+    return found == report.checks.end() ? QString() : found->message;
+}
+
 } // namespace
 
 ProofMatrix::ProofMatrix(QWidget *parent)
@@ -54,7 +62,6 @@ ProofMatrix::ProofMatrix(QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(26);
     horizontalHeader()->setDefaultAlignment(Qt::AlignCenter);
-    horizontalHeader()->setTextElideMode(Qt::ElideRight);
     horizontalHeader()->setStretchLastSection(true);
     setKind(this, "matrix");
     setItemDelegate(new IndentedText(this));
@@ -110,7 +117,11 @@ void ProofMatrix::fitColumns()
     for (int i = 1; i <= checks; ++i) {
         const int wanted =
             horizontalHeader()->fontMetrics().horizontalAdvance(m_task.checks[i - 1]) + cellMargin;
-        setColumnWidth(i, std::clamp(room, leastCell, std::clamp(wanted, leastCell, mostCell)));
+        const int width = std::clamp(room, leastCell, std::clamp(wanted, leastCell, mostCell));
+        setColumnWidth(i, width);
+        // A heading with a style sheet is cut at both ends instead.
+        horizontalHeaderItem(i)->setText(horizontalHeader()->fontMetrics().elidedText(
+            m_task.checks[i - 1], Qt::ElideRight, width - cellMargin + 2));
     }
 }
 
@@ -143,7 +154,10 @@ void ProofMatrix::addRow(int row, const VerifiedProgram &program)
         said = tr("passes");
     else if (program.role == VerifiedProgram::Role::Mistake)
         said = tr("not recognised");
+    else if (program.role != VerifiedProgram::Role::Starter)
+        said = firstFailure(report);
     auto *last = new QTableWidgetItem(said);
+    last->setToolTip(said);
     const auto found =
         std::any_of(m_task.findings.begin(), m_task.findings.end(), [&](const LabFinding &finding) {
             return finding.program == programPath(program);

@@ -53,6 +53,12 @@ void ProofTab::makeLayout()
     m_stale = new QLabel(this);
     m_stale->setContentsMargins(12, 0, 12, 6);
     setKind(m_stale, "muted");
+    m_others = new QLabel(this);
+    m_others->setObjectName(QStringLiteral("otherSteps"));
+    m_others->setTextFormat(Qt::RichText);
+    m_others->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    m_others->setWordWrap(true);
+    m_others->setContentsMargins(12, 0, 12, 6);
 
     m_empty = new QLabel(this);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -79,6 +85,7 @@ void ProofTab::makeLayout()
     column->setSpacing(0);
     column->addLayout(top);
     column->addWidget(m_summary);
+    column->addWidget(m_others);
     column->addWidget(m_stale);
     column->addWidget(m_empty, 1);
     column->addWidget(splitter, 1);
@@ -97,6 +104,7 @@ void ProofTab::wire()
     connect(&m_job, &ProofJob::verified, this, &ProofTab::takeVerified);
     connect(&m_job, &ProofJob::suggested, this, &ProofTab::takeSuggested);
     connect(&m_job, &ProofJob::ended, this, [this] { setRunning(false); });
+    connect(m_others, &QLabel::linkActivated, &m_document, &AuthorDocument::setStep);
     connect(&m_document, &AuthorDocument::stepChanged, this, &ProofTab::showStep);
     connect(&m_document, &AuthorDocument::changed, this, &ProofTab::showSummary);
     connect(&m_document, &AuthorDocument::opened, this, [this] {
@@ -117,10 +125,14 @@ QString ProofTab::taskId() const
 
 const VerifiedTask *ProofTab::result() const
 {
-    const QString id = taskId();
+    return resultOf(taskId());
+}
+
+const VerifiedTask *ProofTab::resultOf(const QString &task) const
+{
     const auto found = std::find_if(m_verified.begin(), m_verified.end(),
-                                    [&](const VerifiedTask &task) { return task.id == id; });
-    return found == m_verified.end() || id.isEmpty() ? nullptr : &*found;
+                                    [&](const VerifiedTask &each) { return each.id == task; });
+    return found == m_verified.end() || task.isEmpty() ? nullptr : &*found;
 }
 
 void ProofTab::verifyStep()
@@ -161,11 +173,19 @@ void ProofTab::stop()
 
 void ProofTab::setRunning(bool running)
 {
+    // The keyboard goes to Stop and back, not on to the matrix.
+    if (running)
+        m_focusBefore = focusWidget();
+    const bool goesOn = running ? m_focusBefore && m_focusBefore->hasFocus() : m_stop->hasFocus();
     m_progress->setRange(0, 0);
     m_progress->setVisible(running);
-    m_stop->setVisible(running);
     for (QPushButton *button : {m_verifyStep, m_verifyAll, m_suggest})
         button->setEnabled(!running);
+    if (running)
+        m_stop->show();
+    if (QWidget *next = running ? m_stop : m_focusBefore; goesOn && next)
+        next->setFocus();
+    m_stop->setVisible(running);
     showSummary();
 }
 
@@ -204,6 +224,7 @@ void ProofTab::showSummary()
     m_matrix->parentWidget()->setVisible(verified || suggested);
     m_summary->setVisible(verified != nullptr);
     m_stale->setVisible(verified && m_verifiedFiles != m_document.files());
+    showOthers();
     if (!verified)
         return;
     const auto count = static_cast<int>(verified->findings.size());

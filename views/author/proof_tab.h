@@ -4,6 +4,7 @@
 
 #include "views/author/author_document.h"
 #include "views/author/proof_job.h"
+#include "views/author/scene_visit.h"
 
 #include <QWidget>
 
@@ -44,8 +45,7 @@ signals:
     void checkRequested(const QString &id);
     /// The run of a program in a scene of a check, at the step where it first went wrong.
     /// \param finding  why it is worth a look
-    void runRequested(const cradle::Preset &scene, const QString &source, qint64 step,
-                      const QString &finding);
+    void runRequested(const cradle::SceneVisit &run, const QString &finding);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -59,6 +59,7 @@ private:
     void takeSuggested(const std::vector<Suggestion> &suggestions);
     void showStep();
     void showSummary();
+    void showOthers();
     void showRows();
     void addFinding(const LabFinding &finding);
     void addSuggestion(const Suggestion &suggestion);
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] const CheckOutcome *outcomeOf(const LabFinding &finding) const;
     void adopt(const Suggestion &suggestion); ///< as a mistake of the step
     [[nodiscard]] QString sourceOf(const QString &program) const;
+    [[nodiscard]] const VerifiedTask *resultOf(const QString &task) const;
     [[nodiscard]] QString taskId() const;
 
     AuthorDocument &m_document;
@@ -86,6 +88,8 @@ private:
     QProgressBar *m_progress = nullptr;
     QLabel *m_summary = nullptr;
     QLabel *m_stale = nullptr;
+    QLabel *m_others = nullptr;       ///< steps with findings, to be opened
+    QWidget *m_focusBefore = nullptr; ///< the button that began what runs
     ProofMatrix *m_matrix = nullptr;
     QLabel *m_empty = nullptr;
     QScrollArea *m_rowsScroll = nullptr; ///< hidden while there is no row

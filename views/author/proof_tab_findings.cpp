@@ -6,6 +6,7 @@
 #include "tasks/authoring/lab_edits.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -44,6 +45,29 @@ QString ProofTab::sourceOf(const QString &program) const
     return textOf(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
 }
 
+/// Who verifies the lab sees one of its steps: this tells of all the others.
+void ProofTab::showOthers()
+{
+    QStringList links;
+    int number = 0;
+    bool allRight = true;
+    for (const Task &task : m_document.lab().tasks) {
+        ++number;
+        const VerifiedTask *verified = resultOf(task.id);
+        allRight = allRight && verified && verified->findings.empty();
+        if (verified && !verified->findings.empty() && task.id != taskId())
+            links.append(QStringLiteral("<a href=\"%1\">%2 · %3</a> (%4)")
+                             .arg(QFileInfo(task.folder).fileName().toHtmlEscaped(),
+                                  QString::number(number), task.title.toHtmlEscaped(),
+                                  QString::number(verified->findings.size())));
+    }
+    m_others->setText(
+        allRight
+            ? tr("So it is in every step of the lab.")
+            : tr("Not as it should be in other steps: %1").arg(links.join(QStringLiteral(", "))));
+    m_others->setVisible(!links.isEmpty() || (allRight && number > 1));
+}
+
 void ProofTab::showFindings()
 {
     const VerifiedTask *verified = result();
@@ -75,7 +99,9 @@ void ProofTab::addFinding(const LabFinding &finding)
         QPushButton *button = addRow(text, true, tr("Show the run"));
         connect(button, &QPushButton::clicked, this, [this, finding] { showRun(finding); });
     } else if (!finding.program.isEmpty()) {
-        QPushButton *button = addRow(text, true, tr("Open the program"));
+        const bool scene = finding.program == QLatin1String("solution-preset");
+        QPushButton *button =
+            addRow(text, true, scene ? tr("Open the scene") : tr("Open the program"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit programRequested(finding.program); });
     } else if (!finding.check.isEmpty()) {
@@ -92,7 +118,11 @@ void ProofTab::addFinding(const LabFinding &finding)
 void ProofTab::showRun(const LabFinding &finding)
 {
     if (const CheckOutcome *outcome = outcomeOf(finding))
-        emit runRequested(*outcome->scene, sourceOf(finding.program), outcome->step,
+        emit runRequested({.scene = *outcome->scene,
+                           .pinned = outcome->pinned,
+                           .program = finding.program + QStringLiteral(".lua"),
+                           .source = sourceOf(finding.program),
+                           .step = outcome->step},
                           finding.message);
 }
 

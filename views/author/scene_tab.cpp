@@ -4,6 +4,7 @@
 
 #include "tasks/script/student_script.h"
 #include "views/author/form_rows.h"
+#include "views/error_line.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
@@ -37,6 +38,12 @@ SceneTab::SceneTab(AuthorDocument &document, QWidget *parent)
         emit visitingChanged(visiting);
     });
     connect(&m_simulation, &Simulation::frameReady, this, &SceneTab::enableControls);
+    connect(&m_simulation, &Simulation::programFailed, this, &SceneTab::showError);
+    connect(&m_simulation, &Simulation::restarted, this, &SceneTab::showError);
+    connect(m_error, &ErrorLine::clicked, this, [this] {
+        if (const auto &error = m_simulation.programError())
+            emit programRequested(m_programFile, error->line);
+    });
     connect(m_scene, &SceneView::selectionChanged, m_inspector, &Inspector::select);
     connect(m_inspector, &Inspector::selectionChanged, m_scene, &SceneView::select);
     connect(m_fromMoment, &QPushButton::clicked, this, &SceneTab::setFromMoment);
@@ -76,7 +83,7 @@ void SceneTab::makeLayout()
     top->setContentsMargins(12, 8, 12, 0);
     top->addWidget(m_which);
     for (QPushButton *button : {m_templateButton, m_fromMoment, m_lockButton, m_remove, m_leave}) {
-        setKind(button, "small");
+        setKind(button, button->menu() ? "menu" : "small");
         top->addWidget(button);
     }
     setKind(m_leave, "primary");
@@ -88,6 +95,9 @@ void SceneTab::makeLayout()
 
     m_scene = new SceneView(m_preset, this);
     m_inspector = new Inspector(m_preset, this);
+    m_inspector->hideReset();
+    m_error = new ErrorLine(this);
+    m_error->hide();
     m_timeline = new Timeline(m_simulation, this);
     m_splitter = new QSplitter(Qt::Horizontal, this);
     m_splitter->addWidget(m_scene);
@@ -113,6 +123,7 @@ void SceneTab::makeLayout()
     column->addWidget(m_missing, 1);
     column->addWidget(m_transport);
     column->addWidget(m_splitter, 1);
+    column->addWidget(m_error);
     column->addWidget(m_timeline);
 }
 
@@ -127,7 +138,10 @@ void SceneTab::reload()
         m_shown = shown;
         m_preset.open(*preset);
         chooseMover();
+    } else {
+        followMover();
     }
+    m_preset.setReadOnly(m_document.whyReadOnly());
     showLocks();
     enableControls();
 }
@@ -184,26 +198,6 @@ void SceneTab::setFromMoment()
     m_preset.startFromMoment();
 }
 
-void SceneTab::visit(const Preset &scene, const QString &program, qint64 step)
-{
-    m_preset.visit(scene);
-    auto script = program.isEmpty() ? nullptr : std::make_unique<StudentScript>(program);
-    m_simulation.setProgram(script.get());
-    m_program = std::move(script);
-    m_simulation.goTo(step);
-}
-
-void SceneTab::chooseMover()
-{
-    const QString path = m_document.step() + QStringLiteral("/solution.lua");
-    const QString program = m_mover->currentIndex() == 1 && which() == StepPreset::Start
-                                ? textOf(m_document.files(), path)
-                                : QString();
-    auto script = program.isEmpty() ? nullptr : std::make_unique<StudentScript>(program);
-    m_simulation.setProgram(script.get());
-    m_program = std::move(script);
-}
-
 void SceneTab::enableControls()
 {
     const bool visiting = m_preset.isVisiting();
@@ -223,6 +217,8 @@ void SceneTab::enableControls()
     m_remove->setVisible(solution && !missing);
     m_remove->setEnabled(own);
     m_mover->setVisible(!visiting && !solution);
+    if (missing)
+        m_error->hide();
 }
 
 void SceneTab::retranslate()
@@ -255,6 +251,8 @@ void SceneTab::retranslate()
     m_mover->setAccessibleName(tr("What moves the circles here"));
     fillTemplates();
     showLocks();
+    m_preset.setReadOnly(m_document.whyReadOnly());
+    showError();
 }
 
 void SceneTab::changeEvent(QEvent *event)

@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/author_document.h"
+#include "views/author/scene_visit.h"
 #include "views/preset_document.h"
 
 #include <QWidget>
@@ -20,6 +21,7 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
+class ErrorLine;
 class Inspector;
 class SceneView;
 class StudentScript;
@@ -44,8 +46,8 @@ public:
 
     void openStart();    ///< shows what the student finds
     void openSolution(); ///< shows what passes without a program
-    /// Runs \p program in \p scene up to \p step, to be looked at; not the step's own scene.
-    void visit(const Preset &scene, const QString &program, qint64 step);
+    /// Makes \p run up to its step, to be looked at; not the step's own scene.
+    void visit(const SceneVisit &run);
 
 public slots:
     /// The circles start where, and as fast as, they are at the moment shown.
@@ -53,6 +55,8 @@ public slots:
 
 signals:
     void visitingChanged(bool visiting);
+    /// The program that stopped, at the line where it did.
+    void programRequested(const QString &file, int line);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -67,9 +71,14 @@ private:
     void showLocks();
     void setLocked(const QString &field, bool locked);
     void chooseMover();
+    void followMover();
+    void runProgram(const QString &source, bool pinned);
+    void showError();
     void enableControls();
     void makeSolution();
     void removeSolution();
+    [[nodiscard]] QString moverSource() const;
+    [[nodiscard]] QStringList lockedFields() const;
     [[nodiscard]] StepPreset which() const;
     [[nodiscard]] bool isMissing() const;
 
@@ -77,6 +86,8 @@ private:
     Simulation m_simulation;
     PresetDocument m_preset;
     std::unique_ptr<StudentScript> m_program; ///< that moves the circles, if one does
+    QString m_programFile;                    ///< its name in the step
+    QStringList m_locked;                     ///< what it must leave as it is
     TransportBar *m_transport = nullptr;
     QPushButton *m_templateButton = nullptr;
     QPushButton *m_lockButton = nullptr;
@@ -93,6 +104,7 @@ private:
     QSplitter *m_splitter = nullptr;
     SceneView *m_scene = nullptr;
     Inspector *m_inspector = nullptr;
+    ErrorLine *m_error = nullptr; ///< why the program stopped
     Timeline *m_timeline = nullptr;
     QString m_shown;         ///< step and scene
     QStringList m_lockNames; ///< in the menu

@@ -209,7 +209,7 @@ QString CircleTableModel::whyLocked(const QModelIndex &index) const
         field = QStringLiteral("integrator");
         break;
     default:
-        return {};
+        return m_document.whyReadOnly();
     }
     const QString circle = QStringLiteral("circles/%1/").arg(index.row() + 1);
     const QString why = m_document.whyLocked(circle + field);

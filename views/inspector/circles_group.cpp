@@ -127,7 +127,7 @@ void CirclesGroup::nameButtons()
     for (QPushButton *button : buttons) {
         int wanted = m_heading->sizeHint().width();
         for (const QPushButton *each : buttons)
-            wanted += each->sizeHint().width() + 8;
+            wanted += each->isHidden() ? 0 : each->sizeHint().width() + 8;
         if (wanted <= width())
             return;
         button->setText(QString());
@@ -138,16 +138,22 @@ void CirclesGroup::reload()
 {
     m_model->reload();
     layOutColumns();
-    m_reset->setEnabled(!m_document.isOriginal());
     enableButtons();
 }
 
 void CirclesGroup::enableButtons()
 {
-    const bool open = !m_document.isLocked(QStringLiteral("circles"));
+    const bool open = m_document.whyLocked(QStringLiteral("circles")).isEmpty();
     m_add->setEnabled(open);
     m_duplicate->setEnabled(open && selected() >= 0);
     m_remove->setEnabled(open && selected() >= 0);
+    m_reset->setEnabled(!m_document.isOriginal() && m_document.whyReadOnly().isEmpty());
+}
+
+void CirclesGroup::hideReset()
+{
+    m_reset->hide();
+    nameButtons();
 }
 
 int CirclesGroup::selected() const

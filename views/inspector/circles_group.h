@@ -27,6 +27,8 @@ public:
 
     [[nodiscard]] int selected() const; ///< index of a circle; −1 if none is selected
     [[nodiscard]] QSize minimumSizeHint() const override;
+    /// Where the scene edited is the step's own, there is none to go back to.
+    void hideReset();
     void setFault(const QString &pointer); ///< marks the cell of a JSON pointer
 
 public slots:

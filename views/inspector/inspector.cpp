@@ -39,9 +39,12 @@ Inspector::Inspector(PresetDocument &document, QWidget *parent)
 {
     makeLayout();
     retranslate();
+    showReadOnly();
     showStartNote();
     connect(&document, &PresetDocument::refused, this, &Inspector::showRefusal);
     connect(&document.simulation(), &Simulation::presetChanged, this, &Inspector::clearRefusal);
+    connect(&document.simulation(), &Simulation::presetChanged, this, &Inspector::showReadOnly);
+    connect(&document, &PresetDocument::lockedChanged, this, &Inspector::showReadOnly);
     connect(&document.simulation(), &Simulation::frameReady, this, &Inspector::showStartNote);
     connect(m_world, &WorldGroup::notANumber, this, &Inspector::showNotANumber);
     connect(m_circles, &CirclesGroup::notANumber, this, &Inspector::showNotANumber);
@@ -72,13 +75,20 @@ void Inspector::makeLayout()
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(content);
     m_refusal = footLine(this, "warning");
+    m_readOnly = footLine(this, "muted");
     m_startNote = footLine(this, "muted");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(scroll, 1);
     column->addWidget(m_refusal);
+    column->addWidget(m_readOnly);
     column->addWidget(m_startNote);
+}
+
+void Inspector::hideReset()
+{
+    m_circles->hideReset();
 }
 
 int Inspector::selected() const
@@ -95,6 +105,7 @@ void Inspector::retranslate()
 {
     setAccessibleName(tr("Inspector"));
     m_startNote->setText(tr("These values are the start of the run."));
+    showReadOnly();
     arrange();
 }
 
@@ -116,6 +127,13 @@ void Inspector::clearRefusal()
 {
     m_refusal->hide();
     m_circles->setFault({});
+}
+
+void Inspector::showReadOnly()
+{
+    const QString why = m_document.whyReadOnly();
+    m_readOnly->setText(why + QLatin1Char('.'));
+    m_readOnly->setVisible(!why.isEmpty());
 }
 
 void Inspector::showStartNote()

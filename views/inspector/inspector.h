@@ -25,6 +25,8 @@ public:
     explicit Inspector(PresetDocument &document, QWidget *parent = nullptr);
 
     [[nodiscard]] int selected() const; ///< index of a circle; −1 if none is selected
+    /// Where the scene edited is the step's own, there is none to go back to.
+    void hideReset();
 
 public slots:
     void select(int circle); ///< −1 selects none
@@ -42,6 +44,7 @@ private:
     void showRefusal(const Error &error);
     void showNotANumber(const QString &text);
     void clearRefusal();
+    void showReadOnly();
     void showStartNote();
     void arrange();
 
@@ -52,6 +55,7 @@ private:
     QBoxLayout *m_groups = nullptr; ///< World and Laws, then Circles
     QBoxLayout *m_top = nullptr;    ///< World and Laws
     QLabel *m_refusal = nullptr;
+    QLabel *m_readOnly = nullptr;
     QLabel *m_startNote = nullptr;
 };
 

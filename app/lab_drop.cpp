@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab_drop.h"
+
+#include "tasks/authoring/lab_archive.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QUrl>
+#include <QWidget>
+
+namespace cradle {
+
+namespace {
+
+/// The lab that is dragged; empty if it is something else.
+QString labIn(const QMimeData &data)
+{
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile())
+        return {};
+    const QString path = urls.front().toLocalFile();
+    const bool isFolder = QFileInfo::exists(path + QStringLiteral("/lab.json"));
+    return isFolder || isLabArchive(path) ? path : QString();
+}
+
+bool isDrag(QEvent::Type type)
+{
+    return type == QEvent::DragEnter || type == QEvent::DragMove || type == QEvent::Drop;
+}
+
+} // namespace
+
+LabDrop::LabDrop(QWidget *window)
+    : QObject(window)
+    , m_window(window)
+{
+    window->setAcceptDrops(true);
+    qApp->installEventFilter(this);
+}
+
+LabDrop::~LabDrop()
+{
+    qApp->removeEventFilter(this);
+}
+
+bool LabDrop::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto *widget = isDrag(event->type()) ? qobject_cast<QWidget *>(watched) : nullptr;
+    if (!widget || widget->window() != m_window || QApplication::activeModalWidget())
+        return QObject::eventFilter(watched, event);
+    auto *drag = static_cast<QDropEvent *>(event);
+    const QString lab = labIn(*drag->mimeData());
+    if (lab.isEmpty())
+        return QObject::eventFilter(watched, event);
+    drag->acceptProposedAction();
+    if (event->type() == QEvent::Drop)
+        emit dropped(lab);
+    return true;
+}
+
+Result<QString> labFolder(const QString &path)
+{
+    return QFileInfo(path).isDir() ? Result<QString>(path) : importLab(path);
+}
+
+} // namespace cradle

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judgement.h"
+#include "tasks/lab_reader.h"
+
+#include <QTest>
+
+using namespace cradle;
+
+class TestSubmissionRuns : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void sameSceneRunsOnce();
+    void stoppedRunIsMadeAgain();
+    void reportsAreThoseOfSingleJudgements_data();
+    void reportsAreThoseOfSingleJudgements();
+
+private:
+    [[nodiscard]] const Task &task(const char *id) const
+    {
+        return m_lab.tasks[static_cast<std::size_t>(m_lab.indexOf(QLatin1String(id)))];
+    }
+
+    Lab m_lab;
+};
+
+void TestSubmissionRuns::initTestCase()
+{
+    const Result<Lab> lab = readLab(QLatin1String(shippedLab));
+    QVERIFY(lab.ok());
+    m_lab = *lab;
+}
+
+void TestSubmissionRuns::sameSceneRunsOnce()
+{
+    const Task &step = task("L42T11");
+    const Submission submission(step.preset, step.solution);
+    SubmissionRuns runs(submission);
+    int asked = 0; // once before every step
+    const auto count = [&asked] {
+        ++asked;
+        return false;
+    };
+    const Variant scene{.name = QStringLiteral("preset"), .preset = step.preset, .duration = 1.0};
+    const Observation first = runs.of(scene, count);
+    const int steps = asked;
+    QCOMPARE(qint64{steps}, first.steps());
+    const Observation &again = runs.of(scene, count);
+    QCOMPARE(asked, steps);
+    QCOMPARE(again.steps(), first.steps());
+    for (qint64 k = 0; k <= first.steps(); ++k)
+        QVERIFY(again.circle(0, k) == first.circle(0, k));
+
+    Variant longer = scene;
+    longer.duration = 2.0;
+    QVERIFY(runs.of(longer, count).steps() > first.steps());
+    Variant pinned = scene;
+    pinned.pinned = true;
+    const int before = asked;
+    runs.of(pinned, count);
+    QCOMPARE(asked, before + steps);
+}
+
+void TestSubmissionRuns::stoppedRunIsMadeAgain()
+{
+    const Task &step = task("L42T11");
+    const Submission submission(step.preset, step.solution);
+    SubmissionRuns runs(submission);
+    const Variant scene{.name = QStringLiteral("preset"), .preset = step.preset, .duration = 1.0};
+    int left = 10;
+    QCOMPARE(runs.of(scene, [&left] { return left-- == 0; }).steps(), qint64{10});
+    QVERIFY(runs.of(scene, [] { return false; }).steps() > 10);
+}
+
+void TestSubmissionRuns::reportsAreThoseOfSingleJudgements_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("source");
+    for (const char *id : {"L42T3", "L42T11"}) {
+        const Task &step = task(id);
+        QTest::addRow("%s solution", id) << step.id << step.solution;
+        QTest::addRow("%s mistake", id) << step.id << step.mistakes.front().source;
+    }
+}
+
+void TestSubmissionRuns::reportsAreThoseOfSingleJudgements()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, source);
+    const Task &judged = task(step.toLatin1().constData());
+    const Submission submission(judged.preset, source);
+    SubmissionRuns runs(submission);
+    for (const qint64 seed : {1, 2, 3}) {
+        CheckReport shared = *judgeTask(m_lab, judged, runs, seed);
+        CheckReport alone = *judgeTask(m_lab, judged, submission, seed);
+        shared.elapsedMs = alone.elapsedMs = 0;
+        QVERIFY(shared == alone);
+        QCOMPARE(shared.passed, source == judged.solution);
+    }
+}
+
+QTEST_MAIN(TestSubmissionRuns)
+#include "test_submission_runs.moc"
