@@ -35,10 +35,12 @@ QString pistonText()
         "A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of "
         "its mass. Press Run and watch the energy.\n\n"
         "A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet "
-        "here, after 0.95 s, a sixth of all energy goes at one blow: light circles that are caught "
-        "between the heavy one and the floor are hit to and fro ever faster, hundreds of times in "
-        "a few hundredths of a second. That is how an inelastic collapse begins.\n\n"
-        "- Go back on the timeline to the blow, and step through it with → and ←.\n"
+        "here a fifth of all energy goes in less than a tenth of a second, most of it in two "
+        "blows, "
+        "at 0.94 s and 0.99 s: light circles that are caught between the heavy one and the floor "
+        "are hit to and fro ever faster, hundreds of times in a hundredth of a second. That is how "
+        "an inelastic collapse begins.\n\n"
+        "- Go back on the timeline to the blows, and step through them with → and ←.\n"
         "- Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.");
 }
 

@@ -14,10 +14,12 @@ namespace {
 
 /// A rebound from a floor that would rise less than this share of the radius is no rebound.
 constexpr double restHeight = 1e-9;
-/// A rebound from a disc that would rise less than this share of the smaller radius, for each row
-/// of the heap that they may be, loses nothing.
+/// A rebound from a disc that would rise less than this share of the smaller radius loses nothing,
+/// and they shake from then on.
+constexpr double shakeHeight = 1e-6;
+/// What shakes loses nothing below this share for each row that the heap may have,
 constexpr double hopHeight = 1e-4;
-/// Two that lie on each other are kept hopping to this share.
+/// and what lies on each other is kept hopping to this share for each.
 constexpr double lyingHeight = 2.5e-5;
 /// Of a speed.
 constexpr double rounding = 1e-9;
@@ -56,13 +58,16 @@ double ExactSolver::closingSpeed(Slot a, Slot b, Vec2 normal) const
 
 /// When e < 1: the speed up to which discs rebound from each other without loss, m/s. So their hits
 /// cannot come ever faster, and real ones lose less the slower they are, too.
+/// \param shaking  whether one of them did so when it was hit last
 /// Source: Bizon et al., Phys. Rev. Lett. 80 (1998) 57; Ramírez et al., Phys. Rev. E 60 (1999)
 /// 4465.
-double ExactSolver::softSpeed(double radius) const
+double ExactSolver::softSpeed(double radius, bool shaking) const
 {
     if (!m_lossy)
         return 0.0;
-    return m_gravity > 0.0 ? std::sqrt(2.0 * m_gravity * hopHeight * m_rows * radius) : m_quiet;
+    if (m_gravity == 0.0)
+        return m_quiet;
+    return riseSpeed((shaking ? hopHeight * m_rows : shakeHeight) * radius);
 }
 
 ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double closing) const
@@ -74,23 +79,23 @@ ExactSolver::Rebound ExactSolver::reboundOf(Slot a, Slot b, Vec2 normal, double 
         const double speed = m_rules.restitution * closing;
         if (press > 0.0) {
             const double height = 2.0 * press * restHeight * disc.radius;
-            const bool soft = shakes(a) && closing <= softSpeed(disc.radius);
+            const bool soft = shakes(a) && closing <= softSpeed(disc.radius, true);
             return {speed * speed > height ? speed : 0.0, soft,
                     soft || closing * closing <= height};
         }
-        const bool soft = shakes(a) && closing <= softSpeed(disc.radius);
+        const bool soft = shakes(a) && closing <= softSpeed(disc.radius, true);
         return {soft ? closing : speed, soft, soft};
     }
     const double e = law == CircleLaw::Impulse ? m_rules.restitution
                      : law == CircleLaw::Stop  ? 0.0
                                                : 1.0;
     const double radius = std::min(disc.radius, m_discs[b].radius);
-    const double soft = softSpeed(radius);
-    const bool isSoft = closing <= soft;
-    const bool lasts = isSoft && (shakes(a) || shakes(b));
+    const bool shaking = shakes(a) || shakes(b);
+    const bool isSoft = closing <= softSpeed(radius, shaking);
+    const bool lasts = isSoft && shaking;
     const double speed = isSoft ? closing : e * closing;
     if (arePressed(a, b, normal)) {
-        const double hop = std::sqrt(2.0 * m_gravity * lyingHeight * m_rows * radius);
+        const double hop = riseSpeed(lyingHeight * m_rows * radius);
         if (speed < hop)
             return {hop, isSoft, lasts || closing <= hop * (1.0 + rounding)};
     }

@@ -9,6 +9,7 @@
 #include "model/tournament.h"
 #include "model/world.h"
 
+#include <cmath>
 #include <limits>
 
 namespace cradle {
@@ -133,7 +134,12 @@ private:
     void noteHit(Slot slot, bool soft);
     void setAgainst(Disc &disc, Wall wall) const;
     [[nodiscard]] Rebound reboundOf(Slot a, Slot b, Vec2 normal, double closing) const;
-    [[nodiscard]] double softSpeed(double radius) const;
+    [[nodiscard]] double softSpeed(double radius, bool shaking) const;
+    /// Of what rises by \p height (m), m/s.
+    [[nodiscard]] double riseSpeed(double height) const
+    {
+        return std::sqrt(2.0 * m_gravity * height);
+    }
     [[nodiscard]] bool shakes(Slot slot) const { return m_lossy && m_shaking[slot]; }
     [[nodiscard]] bool arePressed(Slot a, Slot b, Vec2 normal) const;
     [[nodiscard]] double closingSpeed(Slot a, Slot b, Vec2 normal) const;

@@ -39,6 +39,7 @@ private slots:
     void filesAreScenesWithoutFault();
     void gasStartsFarFromEquilibrium();
     void gasComesToEquilibrium();
+    void pistonLosesItsEnergyAtTwoBlows();
     void menuOpensThem_data();
     void menuOpensThem();
     void stepIsOneClickAway();
@@ -96,6 +97,28 @@ void TestExamples::gasComesToEquilibrium()
     QVERIFY(distanceAt(30) < 0.5 * distanceAt(0));
     QVERIFY2(distanceAt(120) < distanceByChance(1000),
              qPrintable(QString::number(distanceAt(120))));
+}
+
+/// What its text tells.
+void TestExamples::pistonLosesItsEnergyAtTwoBlows()
+{
+    Result<Preset> preset = readPreset(fileOf(Example::PistonDrop));
+    QVERIFY(preset);
+    preset->timestep = 0.01;
+    Simulation simulation(*preset);
+    simulation.goTo(100);
+    const auto energyAt = [&](qint64 step) {
+        return measure(simulation.recording().circles(step), preset->gravity, preset->halfWidth)
+            .total();
+    };
+    const double lost = (energyAt(91) - energyAt(99)) / energyAt(0);
+    QVERIFY2(lost > 0.18 && lost < 0.22, qPrintable(QString::number(lost)));
+    const double blows = (energyAt(93) - energyAt(94) + energyAt(98) - energyAt(99)) / energyAt(0);
+    QVERIFY2(blows > 0.5 * lost, qPrintable(QString::number(blows)));
+    const auto &hits = simulation.recording().hits();
+    const auto inTheBlow = std::count_if(
+        hits.begin(), hits.end(), [](const Hit &h) { return h.time > 0.93 && h.time < 0.94; });
+    QVERIFY2(inTheBlow > 300, qPrintable(QString::number(inTheBlow)));
 }
 
 void TestExamples::menuOpensThem_data()
