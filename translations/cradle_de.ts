@@ -1016,22 +1016,8 @@ No hit is aimed at anything, yet within a second or two the speeds spread until 
 Kein Stoß zielt auf etwas, und doch verteilt sich das Tempo in ein, zwei Sekunden so, dass es auf einer Kurve liegt, der von Maxwell und Boltzmann. Energie geht keine verloren: Nur wie die Kreise sie teilen, ändert sich.
 
 - Geh auf der Zeitleiste zurück: Die Kurve ist immer dieselbe, denn sie hängt nur von der mittleren Energie ab.
-- Setze die Stoßzahl auf 0,99: Das Gas kühlt ab, und die Kurve rückt nach links.
+- Setze die Stoßzahl auf 0.99: Das Gas kühlt ab, und die Kurve rückt nach links.
 - Die Farben sagen, aus welcher Hälfte ein Kreis kommt. Sie mischen sich viel langsamer als das Tempo.</translation>
-    </message>
-    <message>
-        <source>A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of its mass. Press Run and watch the energy.
-
-A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here, after 0.95 s, a sixth of all energy goes at one blow: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, hundreds of times in a few hundredths of a second. That is how an inelastic collapse begins.
-
-- Go back on the timeline to the blow, and step through it with → and ←.
-- Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
-        <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke Starten und sieh die Energie an.
-
-Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier nach 0,95 s ein Sechstel aller Energie auf einen Schlag: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, hunderte Male in wenigen Hundertstelsekunden. So beginnt ein inelastischer Kollaps.
-
-- Geh auf der Zeitleiste zum Schlag zurück und mit → und ← Schritt für Schritt hindurch.
-- Setze die Stoßzahl auf 1: Das Bett wird zu einem Gas unter einem Kolben und wirft ihn zurück.</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1044,6 +1030,20 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>This scene belongs to no step. Choose a step above to go back to the lab.</source>
         <translation>Diese Szene gehört zu keinem Schritt. Wähle oben einen Schritt, um zum Lab zurückzukehren.</translation>
+    </message>
+    <message>
+        <source>A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of its mass. Press Run and watch the energy.
+
+A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here a fifth of all energy goes in less than a tenth of a second, most of it in two blows, at 0.94 s and 0.99 s: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, hundreds of times in a hundredth of a second. That is how an inelastic collapse begins.
+
+- Go back on the timeline to the blows, and step through them with → and ←.
+- Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
+        <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke Starten und sieh die Energie an.
+
+Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier in weniger als einer Zehntelsekunde ein Fünftel aller Energie, das meiste auf zwei Schläge, bei 0.94 s und 0.99 s: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, hunderte Male in einer Hundertstelsekunde. So beginnt ein inelastischer Kollaps.
+
+- Geh auf der Zeitleiste zu den Schlägen zurück und mit → und ← Schritt für Schritt hindurch.
+- Setze die Stoßzahl auf 1: Das Bett wird zu einem Gas unter einem Kolben und wirft ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3525,10 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>%1 is %2, so it has no length</source>
         <translation>%1 ist %2, hat also keine Länge</translation>
     </message>
+    <message>
+        <source>there is no %1: the scene has 1 circle</source>
+        <translation>%1 gibt es nicht: Die Szene hat 1 Kreis</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -3842,6 +3846,14 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>A scene of the proof, at the moment where it went wrong: %1</source>
         <translation>Eine Szene des Nachweises, im Augenblick, in dem es schiefging: %1</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ein Lab aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Lab aus einer &amp;Datei öffnen…</translation>
     </message>
 </context>
 <context>
@@ -4450,12 +4462,12 @@ Ein Stoß mit e = 0,9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>nicht gespeichert</translation>
     </message>
     <message>
-        <source>does not parse: the last good version runs</source>
-        <translation>nicht lesbar: letzte gute Fassung läuft</translation>
-    </message>
-    <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>cannot be read: the last good version runs</source>
+        <translation>nicht lesbar: letzte gute Fassung läuft</translation>
     </message>
 </context>
 <context>
@@ -5900,6 +5912,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Fails by “%1” without a word on why: %2 (%3)</source>
         <translation>Scheitert an „%1“, ohne dass gesagt wird, warum: %2 (%3)</translation>
     </message>
+    <message>
+        <source>So it is in every step of the lab.</source>
+        <translation>So ist es in jedem Schritt des Labs.</translation>
+    </message>
+    <message>
+        <source>Not as it should be in other steps: %1</source>
+        <translation>Nicht, wie es sein soll, in anderen Schritten: %1</translation>
+    </message>
+    <message>
+        <source>Open the scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::RemarkEditor</name>
@@ -6854,10 +6878,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
 <context>
     <name>cradle::ValuesPane</name>
     <message>
-        <source>Hits %L1</source>
-        <translation>Stöße %L1</translation>
-    </message>
-    <message>
         <source>Hits</source>
         <translation>Stöße</translation>
     </message>
@@ -6909,6 +6929,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Distance from the exact motion</source>
         <translation>Abstand von der exakten Bewegung</translation>
+    </message>
+    <message>
+        <source>Hits %1</source>
+        <translation>Stöße %1</translation>
     </message>
 </context>
 <context>
