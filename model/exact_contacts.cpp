@@ -18,9 +18,9 @@ constexpr double restHeight = 1e-9;
 /// and they shake from then on.
 constexpr double shakeHeight = 1e-6;
 /// What shakes loses nothing below this share for each row that the heap may have,
-constexpr double hopHeight = 1e-4;
+constexpr double hopHeight = 2.5e-4;
 /// and what lies on each other is kept hopping to this share for each.
-constexpr double lyingHeight = 2.5e-5;
+constexpr double lyingHeight = 1e-5;
 /// Of a speed.
 constexpr double rounding = 1e-9;
 

@@ -25,7 +25,7 @@ constexpr double squeeze = 0.1;
 /// Of the energy's size, by which roundings may let it grow.
 constexpr double energyRounding = 1e-11;
 /// Of a radius: how high circles that lie on each other hop in exact timing, for each row.
-constexpr double lying = 2.5e-5;
+constexpr double lying = 1e-5;
 
 /// The largest overlap there is, each divided by what is allowed for its pair; a sweep along x.
 double deepestOverlap(const std::vector<Circle> &circles, Timing timing)
