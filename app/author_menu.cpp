@@ -56,7 +56,7 @@ void AuthorWindow::fillMenus()
         this, &AuthorWindow::insertFigure);
     add(edit, tr("Start from the moment &shown"), {}, m_sceneTab, &SceneTab::setFromMoment);
 
-    QMenu *step = menuBar()->addMenu(tr("&Step"));
+    QMenu *step = m_stepMenu = menuBar()->addMenu(tr("&Step"));
     add(step, tr("&Add"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), m_steps,
         &StepsPanel::addStep);
     add(step, tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), m_steps,

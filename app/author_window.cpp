@@ -14,6 +14,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
@@ -90,6 +91,8 @@ void AuthorWindow::wire()
             Qt::QueuedConnection);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
+    connect(m_steps, &StepsPanel::menuRequested, this,
+            [this](const QPoint &place) { m_stepMenu->popup(place); });
     connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
     connect(m_notice, &NoticeBar::actionTriggered, this, [this] {
         if (m_offer == Offer::Copy) {

@@ -8,6 +8,7 @@
 #include <QPointer>
 
 QT_BEGIN_NAMESPACE
+class QMenu;
 class QSplitter;
 class QTabWidget;
 QT_END_NAMESPACE
@@ -91,6 +92,7 @@ private:
     QSettings &m_settings;
     AuthorDocument m_document;
     NoticeBar *m_notice = nullptr;
+    QMenu *m_stepMenu = nullptr; ///< above the list of steps, too
     QSplitter *m_splitter = nullptr;
     StepsPanel *m_steps = nullptr;
     QTabWidget *m_tabs = nullptr;

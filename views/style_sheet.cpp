@@ -22,6 +22,7 @@ QSplitter::handle { background: @panel; }
 QSplitter::handle:vertical { height: 5px; border-bottom: 1px solid @border; }
 QSplitter::handle:horizontal { width: 5px; border-right: 1px solid @border; }
 QSplitter::handle:hover { background: @accentSoft; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QStatusBar { background: @window; color: @mutedText; }
 QToolTip { background: @text; color: @panel; border: 1px solid @text; padding: 4px 6px; }
 QFrame[kind="card"] { border: 1px solid @border; border-radius: 6px; background: @window; }

@@ -3,33 +3,29 @@
 #include "tests/gui/open_author.h"
 
 #include "app/author_window.h"
-#include "tests/gui/open_window.h"
-
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/code/code_editor.h"
 
 #include <Qsci/qsciscintilla.h>
 
+#include <QContextMenuEvent>
 #include <QDrag>
 #include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QScrollArea>
-#include <QStandardPaths>
 
 using namespace cradle;
 using namespace cradle::windows;
 
-/// Ways through the author's window by mouse: a file that is dropped, a step that is dragged, a
-/// finding that shows its run, mistakes that are suggested, a check that is written in Lua.
+/// Ways through the author's window by mouse: a step that is dragged, its menu, a finding that
+/// shows its run, mistakes that are suggested, a check that is written in Lua.
 class TestAuthorWays : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-    void cleanup() { QDir(userLabsFolder()).removeRecursively(); }
-    void droppedLabOpens();
-    void droppedLabOpensForItsAuthor();
+    void stepsHaveTheirMenu();
     void draggedStepMoves();
     void findingShowsItsRun();
     void suggestedMistakeIsTakenOver();
@@ -58,20 +54,9 @@ void retype(CodeEditor &editor, const QString &program)
     QTest::qWait(50); // the editor tells of an edit when it is through with it
 }
 
-/// \return whether the window takes it
-bool dropOn(QWidget &target, const QString &path)
+QString titleOf(OpenAuthor &author, int step)
 {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    const QPoint centre = target.rect().center();
-    QDragEnterEvent enter(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-    enter.ignore();
-    QApplication::sendEvent(&target, &enter);
-    if (!enter.isAccepted())
-        return false;
-    QDropEvent event(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&target, &event);
-    return true;
+    return taskForm(author.files(), author.document().steps().value(step))->title;
 }
 
 QString suggestedOf(const QPushButton *button)
@@ -81,63 +66,26 @@ QString suggestedOf(const QPushButton *button)
 
 } // namespace
 
-void TestAuthorWays::droppedLabOpens()
+void TestAuthorWays::stepsHaveTheirMenu()
 {
     const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("falling.cradle"));
-    QVERIFY(!exportLab(
-        newLab(QStringLiteral("falling"), QStringLiteral("Falling"), QStringLiteral("en")), file));
-    OpenWindow student(folder);
-    const auto drop = [&student](const QString &path) { return dropOn(student.window, path); };
-    const QString shipped = student.bench.lab().title;
-    QVERIFY(!drop(folder.filePath(QStringLiteral("notes.txt"))));
-    QCOMPARE(student.bench.lab().title, shipped);
-    QVERIFY(drop(file));
-    QCOMPARE(student.bench.lab().title, QStringLiteral("Falling"));
-    QCOMPARE(student.steps()->count(), 1);
-    QVERIFY(QFileInfo::exists(userLabsFolder() + QStringLiteral("/falling/lab.json")));
-    // The same again is the same lab, not a second one.
-    QVERIFY(drop(file));
-    QCOMPARE(QDir(userLabsFolder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
-    // A folder is a lab, too; a file that only is named so is told, and the lab stays.
-    QVERIFY(drop(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball")));
-    QCOMPARE(student.steps()->count(), 3);
-    const QString broken = folder.filePath(QStringLiteral("broken.cradle"));
-    QFile text(broken);
-    QVERIFY(text.open(QIODevice::WriteOnly));
-    QCOMPARE(text.write("no archive"), 10);
-    text.close();
-    QVERIFY(drop(broken));
-    QCOMPARE(student.steps()->count(), 3);
-    QVERIFY(student.says(QStringLiteral("broken.cradle")));
-}
-
-void TestAuthorWays::droppedLabOpensForItsAuthor()
-{
-    const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("falling.cradle"));
-    QVERIFY(!exportLab(
-        newLab(QStringLiteral("falling"), QStringLiteral("Falling"), QStringLiteral("en")), file));
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Text);
-    // Over an editor, too, which would write down the path.
-    auto *text = author.find<MarkdownEditor>("markdown")->viewport();
-    const LabFiles before = author.files();
-    QVERIFY(dropOn(*text, file));
-    QTRY_COMPARE(author.document().title(), QStringLiteral("Falling"));
-    QCOMPARE(author.document().folder(), userLabsFolder() + QStringLiteral("/falling"));
-
-    // What is not saved is asked about first.
-    author.window.steps().addStep();
-    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
-    QVERIFY(dropOn(author.window, folder.filePath(QStringLiteral("ball"))));
-    QTest::qWait(300);
-    QVERIFY(author.document().isModified());
-    QCOMPARE(author.document().title(), QStringLiteral("Falling"));
-    OpenAuthor::answerQuestion(QStringLiteral("Discard"));
-    QVERIFY(dropOn(author.window, folder.filePath(QStringLiteral("ball"))));
-    QTRY_COMPARE(author.files(), before);
+    auto *list = author.find<QListWidget>("authorSteps");
+    const QPoint second = list->visualItemRect(list->item(1)).center();
+    QTest::mouseClick(list->viewport(), Qt::RightButton, {}, second);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, second,
+                            list->viewport()->mapToGlobal(second));
+    QApplication::sendEvent(list->viewport(), &event);
+    auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+    QVERIFY(menu);
+    for (QAction *action : menu->actions()) {
+        if (action->text() == QStringLiteral("&Duplicate"))
+            action->trigger();
+    }
+    menu->close();
+    QCOMPARE(list->count(), 4);
+    QCOMPARE(titleOf(author, 1), titleOf(author, 2));
 }
 
 void TestAuthorWays::draggedStepMoves()

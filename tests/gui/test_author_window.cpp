@@ -242,6 +242,19 @@ void TestAuthorWindow::figureOfTheSceneGoesIntoTheText()
                 .contains(QStringLiteral("](figure-1.svg)")));
     author.document().readNow();
     QVERIFY(author.document().lab().findings.empty());
+
+    // A paragraph of its own, below the title, or between two others.
+    auto *text = author.find<MarkdownEditor>("markdown");
+    text->setPlainText(QStringLiteral("# Title\n\nOne two.\n"));
+    const QString second = QStringLiteral("![](figure-2.svg)");
+    text->insertParagraph(second);
+    QCOMPARE(text->toPlainText(), QStringLiteral("# Title\n\n%1\n\nOne two.\n").arg(second));
+    text->setPlainText(QStringLiteral("# Title\n\nOne two.\n"));
+    QTextCursor cursor = text->textCursor();
+    cursor.setPosition(static_cast<int>(text->toPlainText().indexOf(QStringLiteral(" two"))));
+    text->setTextCursor(cursor);
+    text->insertParagraph(second);
+    QCOMPARE(text->toPlainText(), QStringLiteral("# Title\n\nOne\n\n%1\n\n two.\n").arg(second));
 }
 
 QTEST_MAIN(TestAuthorWindow)

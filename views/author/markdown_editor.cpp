@@ -60,6 +60,26 @@ void MarkdownEditor::showText(const QString &text)
     lookForNames();
 }
 
+void MarkdownEditor::insertParagraph(const QString &text)
+{
+    QTextCursor cursor = textCursor();
+    const QString all = toPlainText();
+    if (cursor.position() == 0 && all.startsWith(QLatin1Char('#')))
+        cursor.movePosition(QTextCursor::EndOfBlock);
+    const QString before = all.left(cursor.selectionStart());
+    const QString after = all.mid(cursor.selectionEnd());
+    const auto gap = [](bool none, bool half) {
+        return none ? QString() : QString(half ? 1 : 2, QLatin1Char('\n'));
+    };
+    const QString emptyLine = QStringLiteral("\n\n");
+    cursor.insertText(
+        gap(before.isEmpty() || before.endsWith(emptyLine), before.endsWith(QLatin1Char('\n')))
+        + text
+        + gap(after.trimmed().isEmpty() || after.startsWith(emptyLine),
+              after.startsWith(QLatin1Char('\n'))));
+    setTextCursor(cursor);
+}
+
 void MarkdownEditor::setKnownNames(const TextNames &known)
 {
     m_known = known;

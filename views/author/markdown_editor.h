@@ -21,6 +21,8 @@ public:
 
     /// Shows \p text; the cursor stays where it was in what did not change.
     void showText(const QString &text);
+    /// Puts \p text where the cursor is, as a paragraph of its own; the title stays above it.
+    void insertParagraph(const QString &text);
     void setKnownNames(const TextNames &known);
     [[nodiscard]] const std::vector<UnknownName> &unknown() const { return m_unknown; }
     void goTo(const UnknownName &name); ///< selects it

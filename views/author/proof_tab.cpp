@@ -221,6 +221,11 @@ void ProofTab::showSummary()
     const bool suggested = m_suggestedFor == taskId() && !m_suggestedFor.isEmpty();
     m_matrix->setVisible(verified != nullptr);
     m_empty->setVisible(!verified && !suggested);
+    m_empty->setText(m_job.isRunning()
+                         ? tr("Every program runs through the checks…")
+                         : tr("Press Verify this step: the starter should fail by a check, the "
+                              "solution pass with every seed, and each mistake fail and be "
+                              "recognised."));
     m_matrix->parentWidget()->setVisible(verified || suggested);
     m_summary->setVisible(verified != nullptr);
     m_stale->setVisible(verified && m_verifiedFiles != m_document.files());

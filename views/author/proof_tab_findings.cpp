@@ -171,8 +171,6 @@ void ProofTab::retranslate()
     m_stop->setText(tr("Stop"));
     m_progress->setAccessibleName(tr("Progress of the proof"));
     m_stale->setText(tr("The lab was edited since."));
-    m_empty->setText(tr("Press Verify this step: the starter should fail by a check, the solution "
-                        "pass with every seed, and each mistake fail and be recognised."));
     showStep();
 }
 

@@ -84,6 +84,11 @@ void StepsPanel::makeLayout()
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setTextElideMode(Qt::ElideRight);
     m_list->setIconSize({14, 14});
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, [this](const QPoint &at) {
+        if (m_list->itemAt(at))
+            emit menuRequested(m_list->viewport()->mapToGlobal(at));
+    });
     m_findings = new FindingsList(m_document, this);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);

@@ -35,6 +35,8 @@ public slots:
     void moveDown();
 
 signals:
+    /// At a place of the screen: what can be done with the step there.
+    void menuRequested(const QPoint &place);
     void findingChosen(const cradle::Error &finding);
     void propertiesRequested(); ///< of the lab
 

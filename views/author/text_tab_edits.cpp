@@ -72,7 +72,7 @@ void TextTab::openPrediction()
 void TextTab::insertFigure(const QString &name, const QString &description)
 {
     m_part->setCurrentIndex(Instructions);
-    m_editor->insertPlainText(QStringLiteral("![%1](%2)").arg(description, name));
+    m_editor->insertParagraph(QStringLiteral("![%1](%2)").arg(description, name));
     m_editor->setFocus();
 }
 
