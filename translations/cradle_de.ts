@@ -5924,6 +5924,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Open the scene</source>
         <translation>Szene öffnen</translation>
     </message>
+    <message>
+        <source>Every program runs through the checks…</source>
+        <translation>Jedes Programm durchläuft die Prüfungen…</translation>
+    </message>
 </context>
 <context>
     <name>cradle::RemarkEditor</name>
