@@ -65,12 +65,12 @@ double farthestOutside(const std::vector<Circle> &circles)
 }
 
 /// What exact timing may give to circles that lie on each other, so that they hop instead of
-/// meeting without end.
+/// meeting without end; a circle lies on up to three others.
 double energyOfHops(const Preset &preset)
 {
     double sum = 0.0;
     for (const PresetCircle &c : preset.circles)
-        sum += mass(c.body) * length(preset.gravity) * lying * c.body.radius;
+        sum += 3.0 * mass(c.body) * length(preset.gravity) * lying * c.body.radius;
     const auto count = static_cast<double>(preset.circles.size());
     const double rows = std::floor(std::sqrt(count));
     return preset.laws.timing == Timing::Exact && count > 1.0 ? rows * sum : 0.0;
