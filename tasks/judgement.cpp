@@ -32,8 +32,8 @@ constexpr qint64 mostMilliseconds = 30'000;
 /// Scenes of a failed check in which its cause is looked for.
 constexpr std::size_t mostScenes = 6;
 
-/// The line of the program that last moved the circle of \p fault, or any if it is of none alone,
-/// in that step of that scene; 0 if none did.
+/// The line of the program that last changed how the circle of \p fault moves, or any if it is of
+/// none alone, in that step of that scene; the last that set it, if none did; 0 without any.
 int lineOf(const Submission &submission, const Variant &variant, const Fault &fault)
 {
     if (!submission.script || fault.step < 1)
@@ -50,9 +50,15 @@ int lineOf(const Submission &submission, const Variant &variant, const Fault &fa
             return 0;
     }
     int line = 0;
+    bool changed = false;
     for (const Assignment &assignment : program.trace(world, scene.timestep)) {
-        if (fault.circle < 0 || assignment.circle == fault.circle)
+        const bool moves = assignment.field == Assignment::Field::Position
+                           || assignment.field == Assignment::Field::Velocity;
+        if (!moves || (fault.circle >= 0 && assignment.circle != fault.circle))
+            continue;
+        if (assignment.changed || !changed)
             line = assignment.line;
+        changed = changed || assignment.changed;
     }
     return line;
 }

@@ -7,7 +7,7 @@
 using namespace cradle;
 using namespace cradle::programs;
 
-/// An update of a program line by line, and the lines that move the circles.
+/// An update of a program line by line.
 class TestScriptLines : public QObject
 {
     Q_OBJECT
@@ -23,8 +23,6 @@ private slots:
     void nothingToStepThroughIsSaid();
     void limitsHoldInALine_data();
     void limitsHoldInALine();
-    void traceNamesTheLinesThatMove();
-    void traceOfAFailingStepIsWhatItDid();
 
 private:
     [[nodiscard]] static std::vector<int> linesOf(StudentScript &program, const World &world);
@@ -222,31 +220,6 @@ void TestScriptLines::limitsHoldInALine()
     QVERIFY(error);
     QCOMPARE(error->kind, kind);
     QCOMPARE(error->line, 2);
-}
-
-void TestScriptLines::traceNamesTheLinesThatMove()
-{
-    start(R"lua(local function move(c, dt)
-  c.position = c.position + c.velocity * dt
-end
-function on_update(dt)
-  for _, c in ipairs(circles) do move(c, dt) end
-  circle2.velocity = vec(0, 0)
-  circle1.mass = 3
-end)lua");
-    const World before = m_world;
-    const std::vector<Assignment> wanted{{0, 2}, {1, 2}, {1, 6}};
-    QCOMPARE(m_program->trace(m_world, 0.5), wanted);
-    QCOMPARE(m_world, before);
-    // The trace is written only then.
-    QVERIFY(!m_program->advance(m_world, 0.5));
-    QCOMPARE(m_program->trace(m_world, 0.5), wanted);
-}
-
-void TestScriptLines::traceOfAFailingStepIsWhatItDid()
-{
-    start("function on_update(dt)\n  circle1.position = vec(0, 0)\n  circle1.position = 5\nend");
-    QCOMPARE(m_program->trace(m_world, 0.5), (std::vector<Assignment>{{0, 2}}));
 }
 
 QTEST_GUILESS_MAIN(TestScriptLines)

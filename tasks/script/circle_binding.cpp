@@ -49,6 +49,12 @@ Field fieldOf(const char *key)
     }
 }
 
+Assignment::Field assignedField(char letter)
+{
+    using enum Assignment::Field;
+    return letter == 'p' ? Position : letter == 'v' ? Velocity : letter == 'r' ? Radius : Density;
+}
+
 const QStringList &engineFields()
 {
     static const QStringList names{QStringLiteral("position"), QStringLiteral("velocity"),
@@ -168,12 +174,6 @@ void refuseSlip(lua_State *L, int circle, const char *key)
     }
 }
 
-void note(lua_State *L, ScriptHost &host, int circle)
-{
-    if (host.tracing)
-        host.assignments.push_back({circle, currentLine(L)});
-}
-
 int setField(lua_State *L)
 {
     const int circle = circleAt(L, 1);
@@ -185,10 +185,10 @@ int setField(lua_State *L)
     case Field::Position:
     case Field::Velocity: {
         const Vec2 value = newVector(L, circle, key);
-        note(L, host, circle);
+        Vec2 &old = *key == 'p' ? c.position : c.velocity;
+        noteAssignment(L, circle, assignedField(*key), !startPinned && value != old);
         if (startPinned)
             return 0;
-        Vec2 &old = *key == 'p' ? c.position : c.velocity;
         if (host.loading && value != old)
             refuseIfLocked(L, circle, key);
         old = value;
@@ -197,9 +197,10 @@ int setField(lua_State *L)
     case Field::Radius:
     case Field::Density: {
         const double value = newNumber(L, circle, key);
+        double &old = *key == 'r' ? c.radius : c.density;
+        noteAssignment(L, circle, assignedField(*key), !host.pinned && value != old);
         if (host.pinned)
             return 0;
-        double &old = *key == 'r' ? c.radius : c.density;
         if (value != old)
             refuseIfLocked(L, circle, key);
         old = value;

@@ -15,12 +15,4 @@ struct CircleField {
     friend bool operator==(const CircleField &, const CircleField &) = default;
 };
 
-/// A place of a program that set position or velocity of a circle.
-struct Assignment {
-    int circle = 0; ///< from 0
-    int line = 0;   ///< from 1
-
-    friend bool operator==(const Assignment &, const Assignment &) = default;
-};
-
 } // namespace cradle

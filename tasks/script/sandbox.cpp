@@ -26,11 +26,6 @@ locale_t plainLocale()
     return plain;
 }
 
-bool isOfProgram(const lua_Debug &where)
-{
-    return qstrcmp(where.source, "=lab.lua") == 0;
-}
-
 /// The innermost function of the program on the stack, with its line.
 bool findLevel(lua_State *L, lua_Debug &where)
 {
@@ -43,6 +38,11 @@ bool findLevel(lua_State *L, lua_Debug &where)
 }
 
 } // namespace
+
+bool isOfProgram(const lua_Debug &where)
+{
+    return qstrcmp(where.source, "=lab.lua") == 0;
+}
 
 void checkTime(lua_State *L)
 {
@@ -70,7 +70,9 @@ void hook(lua_State *L, lua_Debug *event)
 {
     ScriptHost &host = ScriptHost::of(L);
     if (event->event == LUA_HOOKLINE) {
-        lua_getinfo(L, "S", event);
+        lua_getinfo(L, "Sl", event);
+        if (host.trace && isOfProgram(*event))
+            host.trace->lines.insert(event->currentline);
         // Noted here: once it has yielded, Lua tells the line before.
         if (lua_isyieldable(L) && isOfProgram(*event)) {
             noteError(L);

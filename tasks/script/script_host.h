@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/program.h"
-#include "tasks/script/circle_field.h"
 #include "tasks/script/lua_state.h"
+#include "tasks/script/trace.h"
 
 #include <chrono>
 #include <locale.h>
@@ -54,9 +54,8 @@ struct ScriptHost {
 
     // Where it is.
     QString source{};
-    bool tracing = false; ///< assignments are written down
-    std::vector<Assignment> assignments{};
-    ProgramError caught{}; ///< the line and the locals of the last error
+    Trace *trace = nullptr; ///< of the update that runs, if it is written down
+    ProgramError caught{};  ///< the line and the locals of the last error
 };
 
 /// Raises an error of the program at its current line. Never returns.
@@ -64,6 +63,9 @@ struct ScriptHost {
 
 /// Raises it so that no pcall stops it: a limit was passed.
 [[noreturn]] void abortRun(lua_State *L, ProgramError::Kind kind, const QString &message);
+
+/// Whether that function is of the program, not of a library; "S" must be there.
+[[nodiscard]] bool isOfProgram(const lua_Debug &where);
 
 /// The line of the program that runs now; 0 if none does.
 [[nodiscard]] int currentLine(lua_State *L);

@@ -209,15 +209,4 @@ std::vector<CircleField> StudentScript::ownFields() const
     return m_engine ? cradle::ownFields(m_engine->state.get()) : std::vector<CircleField>{};
 }
 
-std::vector<Assignment> StudentScript::trace(World world, double dt)
-{
-    ScriptHost &host = m_engine->host;
-    host.tracing = true;
-    host.assignments.clear();
-    // A step that fails has set what it has set.
-    (void)advance(world, dt);
-    host.tracing = false;
-    return std::exchange(host.assignments, {});
-}
-
 } // namespace cradle

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/program.h"
+#include "tasks/script/assignment.h"
 #include "tasks/script/circle_field.h"
 
 #include <QStringList>
@@ -12,6 +13,8 @@
 struct lua_State;
 
 namespace cradle {
+
+struct Trace;
 
 /// A student's Lua program: on_load and on_update, run in a sandbox of its own. What it may do and
 /// use is in sandbox.h and script_limits.h; past a limit it stops.
@@ -59,8 +62,12 @@ public:
 
     /// The numbers that the program keeps with the circles, such as their masses.
     [[nodiscard]] std::vector<CircleField> ownFields() const;
-    /// The lines that set position or velocity of a circle in one update of \p world.
-    [[nodiscard]] std::vector<Assignment> trace(World world, double dt);
+    /// What one update of \p world assigns to the circles, in order, until it ends or fails; of
+    /// very many assignments the last. The program has made that update then: its own variables
+    /// have gone on.
+    [[nodiscard]] std::vector<Assignment> trace(const World &world, double dt);
+    /// The lines that run in one update of \p world, in the order of the file. As trace().
+    [[nodiscard]] std::vector<int> linesOf(const World &world, double dt);
 
 private:
     struct Engine;
@@ -73,6 +80,7 @@ private:
     Pause resume(int arguments);
     [[nodiscard]] ProgramError lostUpdate() const;
     std::optional<ProgramError> endLines(World &world);
+    [[nodiscard]] Trace traced(World world, double dt);
 
     QString m_source;
     Options m_options;
