@@ -30,13 +30,27 @@ struct CheckOutcome {
     friend bool operator==(const CheckOutcome &, const CheckOutcome &) = default;
 };
 
-/// A known mistake that explains why a submission failed.
-struct Diagnosis {
-    QString mistake; ///< its name in the lab
-    QString message; ///< what was observed, what it means, where to look; CommonMark
-    QString check{}; ///< id of the failed check where it showed
+/// What of a program can be right or wrong, in the order in which a teacher takes them.
+enum class Aspect {
+    Start,    ///< what the circles start with
+    Motion,   ///< how they move freely
+    Walls,    ///< how walls turn them
+    Contact,  ///< when two count as touching, and who answers
+    Response, ///< what a hit does to both
+    Course    ///< what becomes of them in the long run
+};
 
-    friend bool operator==(const Diagnosis &, const Diagnosis &) = default;
+/// One thing that is wrong with a program, by a known mistake or a measured law.
+struct Finding {
+    Aspect aspect = Aspect::Motion;
+    QString mistake{};        ///< its name in the lab; empty for a measured law
+    QString message{};        ///< a headline, an empty line, what was seen and where to look;
+                              ///< CommonMark
+    QString check{};          ///< id of a failed check in which it shows
+    int line = 0;             ///< of the program; 0 if unknown
+    std::vector<int> calls{}; ///< the lines of the calls that led there, the first in on_update
+
+    friend bool operator==(const Finding &, const Finding &) = default;
 };
 
 /// A word about work that passes.
@@ -55,11 +69,17 @@ struct CheckReport {
     qint64 seed = 1;
     bool passed = false;
     std::vector<CheckOutcome> checks{};
-    std::optional<Diagnosis> diagnosis{}; ///< none if nothing known matches
+    std::vector<Finding> findings{}; ///< in the order in which to mend them
     std::vector<Remark> remarks{};
     std::optional<ProgramError> error{}; ///< the program did not load or stopped
     QString commit{};                    ///< the commit message of the step; filled in as observed
     qint64 elapsedMs = 0;
+
+    /// The first finding; null if there is none.
+    [[nodiscard]] const Finding *diagnosis() const
+    {
+        return findings.empty() ? nullptr : &findings.front();
+    }
 
     friend bool operator==(const CheckReport &, const CheckReport &) = default;
 };

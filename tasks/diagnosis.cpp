@@ -79,7 +79,7 @@ std::optional<Fit> fitOfAll(const QString &program, const std::vector<std::vecto
     return sum;
 }
 
-Diagnosis diagnosisOf(const KnownScript &mistake, const FailedCheck &failed)
+Finding diagnosisOf(const KnownScript &mistake, const FailedCheck &failed)
 {
     return {.mistake = mistake.name, .message = mistake.message, .check = failed.check->id};
 }
@@ -96,7 +96,7 @@ void dropFalling(std::vector<std::vector<Evidence>> &all)
 }
 
 /// The mistake that explains every failed check in which the reference does something else.
-std::optional<Diagnosis> explain(const Task &task, const std::vector<FailedCheck> &failed,
+std::optional<Finding> explain(const Task &task, const std::vector<FailedCheck> &failed,
                                  OneStep::Places places, Restitution whose)
 {
     std::vector<std::vector<Evidence>> all;
@@ -164,7 +164,7 @@ bool applies(const RemarkSpec &remark, const Task &task, const Variant &scene,
 
 } // namespace
 
-std::optional<Diagnosis> diagnose(const Task &task, const std::vector<FailedCheck> &failed)
+std::optional<Finding> diagnose(const Task &task, const std::vector<FailedCheck> &failed)
 {
     for (const FailedCheck &check : failed) {
         if (check.check->kind != QLatin1String("start"))

@@ -20,7 +20,7 @@ struct FailedCheck {
 /// put into the student's state, disagrees with the student, the mistake agrees with him; of
 /// several that do, the one that agrees best on the other steps.
 /// \return nullopt if none explains them
-[[nodiscard]] std::optional<Diagnosis> diagnose(const Task &task,
+[[nodiscard]] std::optional<Finding> diagnose(const Task &task,
                                                 const std::vector<FailedCheck> &failed);
 
 /// The remarks that fit work that passes, recognised in the same way.

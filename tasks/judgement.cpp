@@ -6,6 +6,7 @@
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/integrator_matching.h"
 #include "tasks/diagnosis.h"
+#include "tasks/judging/findings.h"
 #include "tasks/locks.h"
 #include "tasks/script/student_script.h"
 #include "tasks/submission_runs.h"
@@ -67,8 +68,10 @@ int lineOf(const Submission &submission, const Variant &variant, const Fault &fa
 class Judgement
 {
 public:
-    Judgement(const Task &task, SubmissionRuns &runs, qint64 seed, const JudgeHooks &hooks)
-        : m_task(task)
+    Judgement(const Lab &lab, const Task &task, SubmissionRuns &runs, qint64 seed,
+              const JudgeHooks &hooks)
+        : m_lab(lab)
+        , m_task(task)
         , m_runs(runs)
         , m_submission(runs.submission())
         , m_seed(seed)
@@ -217,12 +220,19 @@ private:
 
     void comment(CheckReport &report)
     {
-        if (!report.error && !m_task.solution.isEmpty())
-            report.diagnosis = diagnose(m_task, m_failed);
+        if (!report.passed && !report.error && !m_task.solution.isEmpty()) {
+            report.findings = findingsOf(m_lab, m_task, m_submission, report.checks);
+            // A known mistake may explain what no measured law does.
+            if (report.findings.empty()) {
+                if (const auto known = diagnose(m_task, m_failed))
+                    report.findings.push_back(*known);
+            }
+        }
         if (report.passed)
             report.remarks = remarksOn(m_task, m_submission, m_seed);
     }
 
+    const Lab &m_lab;
     const Task &m_task;
     SubmissionRuns &m_runs;
     const Submission &m_submission;
@@ -276,7 +286,7 @@ std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, Submissio
     timer.start();
     CheckReport report{
         .labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed, .passed = true};
-    if (!Judgement(task, runs, seed, hooks).run(report))
+    if (!Judgement(lab, task, runs, seed, hooks).run(report))
         return std::nullopt;
     report.passed = report.passed && !report.error;
     report.commit = commitOf(task, runs.submission());

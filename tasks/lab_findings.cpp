@@ -61,11 +61,11 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
         if (report.passed)
             return say(Kind::MistakePasses,
                        VerifyText::tr("passes; a mistake should fail by a check"));
-        if (!report.diagnosis)
+        if (!report.diagnosis())
             return say(Kind::MistakeNotRecognised, VerifyText::tr("is not recognised"));
-        return report.diagnosis->mistake != program.name
+        return report.diagnosis()->mistake != program.name
                && say(Kind::MistakeTakenForAnother,
-                      VerifyText::tr("is taken for %1").arg(report.diagnosis->mistake));
+                      VerifyText::tr("is taken for %1").arg(report.diagnosis()->mistake));
     case Role::Remark:
         break;
     }
@@ -159,7 +159,7 @@ QString describeVerified(const VerifiedTask &task)
         const CheckReport &report = program.reports.front();
         QString note;
         if (program.role == Role::Mistake)
-            note = report.diagnosis ? report.diagnosis->mistake : QStringLiteral("-");
+            note = report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("-");
         else if (program.role == Role::Remark)
             note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
         text += QStringLiteral("  %1 %2   %3\n")

@@ -31,8 +31,8 @@ QString overview(const CheckReport &report, const QString &program)
     QStringList parts;
     if (report.error)
         parts.append(QStringLiteral("```\n%1\n```").arg(explanationOf(report, program)));
-    else if (report.diagnosis)
-        parts.append(withPlainFormulas(report.diagnosis->message));
+    else if (report.diagnosis())
+        parts.append(withPlainFormulas(report.diagnosis()->message));
     parts.append(verdictOf(report));
     for (const Remark &remark : report.remarks)
         parts.append(withPlainFormulas(remark.message));
@@ -74,8 +74,8 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
                       {QStringLiteral("lab_hash"), report.labHash},
                       {QStringLiteral("task"), report.taskId},
                       {QStringLiteral("seed"), report.seed}};
-    if (report.diagnosis)
-        extra.insert(QStringLiteral("mistake"), report.diagnosis->mistake);
+    if (report.diagnosis())
+        extra.insert(QStringLiteral("mistake"), report.diagnosis()->mistake);
     const QJsonObject json{
         {QStringLiteral("score"), scoreOf(report)},
         {QStringLiteral("execution_time"), static_cast<double>(report.elapsedMs) / 1000.0},

@@ -37,12 +37,55 @@ QJsonObject jsonOf(const CheckOutcome &check, bool scored)
     return json;
 }
 
-QJsonValue jsonOf(const std::optional<Diagnosis> &diagnosis)
+QString nameOf(Aspect aspect)
+{
+    switch (aspect) {
+    case Aspect::Start:
+        return QStringLiteral("start");
+    case Aspect::Motion:
+        return QStringLiteral("motion");
+    case Aspect::Walls:
+        return QStringLiteral("walls");
+    case Aspect::Contact:
+        return QStringLiteral("contact");
+    case Aspect::Response:
+        return QStringLiteral("response");
+    case Aspect::Course:
+        break;
+    }
+    return QStringLiteral("course");
+}
+
+QJsonValue mistakeOf(const Finding &finding)
+{
+    return finding.mistake.isEmpty() ? QJsonValue(QJsonValue::Null) : QJsonValue(finding.mistake);
+}
+
+QJsonValue jsonOf(const Finding *diagnosis)
 {
     if (!diagnosis)
         return QJsonValue::Null;
-    return QJsonObject{{QStringLiteral("mistake"), diagnosis->mistake},
+    return QJsonObject{{QStringLiteral("mistake"), mistakeOf(*diagnosis)},
                        {QStringLiteral("message"), diagnosis->message}};
+}
+
+QJsonArray jsonOf(const std::vector<Finding> &findings)
+{
+    QJsonArray array;
+    for (const Finding &finding : findings) {
+        QJsonArray calls;
+        for (const int line : finding.calls)
+            calls.append(line);
+        array.append(QJsonObject{
+            {QStringLiteral("aspect"), nameOf(finding.aspect)},
+            {QStringLiteral("mistake"), mistakeOf(finding)},
+            {QStringLiteral("message"), finding.message},
+            {QStringLiteral("check"), finding.check},
+            {QStringLiteral("line"),
+             finding.line > 0 ? QJsonValue(finding.line) : QJsonValue(QJsonValue::Null)},
+            {QStringLiteral("calls"), calls}});
+    }
+    return array;
 }
 
 QJsonArray jsonOf(const std::vector<Remark> &remarks)
@@ -79,7 +122,8 @@ QByteArray writeReport(const CheckReport &report)
                      {QStringLiteral("passed"), report.passed},
                      {QStringLiteral("commit"), report.commit},
                      {QStringLiteral("checks"), checks},
-                     {QStringLiteral("diagnosis"), jsonOf(report.diagnosis)},
+                     {QStringLiteral("diagnosis"), jsonOf(report.diagnosis())},
+                     {QStringLiteral("findings"), jsonOf(report.findings)},
                      {QStringLiteral("remarks"), jsonOf(report.remarks)},
                      {QStringLiteral("error"), jsonOf(report.error)},
                      {QStringLiteral("elapsed_ms"), report.elapsedMs}};

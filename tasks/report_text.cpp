@@ -92,8 +92,8 @@ QString describeReport(const CheckReport &report, const QString &program)
     QString text;
     if (report.error)
         text = behind(margin, describe(*report.error, program)) + QLatin1Char('\n');
-    else if (report.diagnosis)
-        text = behind(margin, plainText(report.diagnosis->message, terminalColumns - 2))
+    else if (report.diagnosis())
+        text = behind(margin, plainText(report.diagnosis()->message, terminalColumns - 2))
                + QLatin1Char('\n');
     for (const CheckOutcome &check : report.checks)
         text += describe(report, check, program);
@@ -150,7 +150,7 @@ QString explanationOf(const CheckReport &report, const QString &program)
 {
     if (report.error)
         return placedMessage(*report.error, program);
-    return report.diagnosis ? plainText(report.diagnosis->message, terminalColumns) : QString();
+    return report.diagnosis() ? plainText(report.diagnosis()->message, terminalColumns) : QString();
 }
 
 QString feedbackOn(const CheckReport &report, std::size_t index, const QString &program)

@@ -192,7 +192,7 @@ inline QByteArray say(const CheckReport &report)
             text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
     }
     text += QStringLiteral("; taken for ")
-            + (report.diagnosis ? report.diagnosis->mistake : QStringLiteral("nothing known"));
+            + (report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("nothing known"));
     return text.toUtf8();
 }
 

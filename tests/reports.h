@@ -56,13 +56,13 @@ inline CheckReport failed()
 inline CheckReport diagnosed()
 {
     CheckReport report = failed();
-    report.diagnosis = Diagnosis{
+    report.findings = {Finding{
         .mistake = QStringLiteral("both-symplectic"),
         .message = QStringLiteral(
             "Both circles switched\n\nAt $t = 2.9$ s circle 1 is where symplectic Euler puts it, "
             "with the velocity (2,\n0) m/s. Only circle 2 was to change: look at **which** circle "
             "your second formula moves."),
-        .check = QStringLiteral("circle1-euler")};
+        .check = QStringLiteral("circle1-euler")}};
     return report;
 }
 

@@ -195,8 +195,8 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised()
     QFETCH(QString, mistake);
     const CheckReport report = judged(step, form);
     QVERIFY2(!report.passed && !report.error, say(report).constData());
-    QVERIFY2(report.diagnosis && report.diagnosis->mistake == mistake, say(report).constData());
-    QVERIFY(!report.diagnosis->message.isEmpty());
+    QVERIFY2(report.diagnosis() && report.diagnosis()->mistake == mistake, say(report).constData());
+    QVERIFY(!report.diagnosis()->message.isEmpty());
 }
 
 void TestDiagnosis::unknownMistakeIsNotExplained_data()
@@ -251,7 +251,7 @@ void TestDiagnosis::unknownMistakeIsNotExplained()
     QFETCH(OtherForm, form);
     const CheckReport report = judged(step, form);
     QVERIFY2(!report.passed && !report.error, say(report).constData());
-    QVERIFY2(!report.diagnosis, say(report).constData());
+    QVERIFY2(!report.diagnosis(), say(report).constData());
 }
 
 void TestDiagnosis::remarkIsMadeOnAnotherForm_data()

@@ -106,7 +106,7 @@ void TestLabScripts::correctFormPasses()
     for (qint64 seed = 1; seed <= seeds; ++seed) {
         const auto report = judgeTask(m_lab, task, Submission(task.preset, source), seed);
         QVERIFY2(report->passed, say(*report).constData());
-        QVERIFY2(!report->diagnosis, say(*report).constData());
+        QVERIFY2(!report->diagnosis(), say(*report).constData());
     }
 }
 

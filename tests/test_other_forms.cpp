@@ -72,7 +72,7 @@ void TestOtherForms::correctWorkOfAnotherFormPasses()
     QFETCH(OtherForm, form);
     const CheckReport report = judged(step, form);
     QVERIFY2(report.passed, say(report).constData());
-    QVERIFY2(!report.diagnosis, say(report).constData());
+    QVERIFY2(!report.diagnosis(), say(report).constData());
     QVERIFY2(report.remarks.empty(),
              report.remarks.empty() ? "" : report.remarks.front().id.toUtf8().constData());
 }

@@ -177,7 +177,7 @@ std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const 
     std::vector<Suggestion> suggestions;
     for (Trial &trial : trials) {
         const CheckReport &report = *trial.report;
-        if (report.error || (!report.passed && report.diagnosis))
+        if (report.error || (!report.passed && report.diagnosis()))
             continue;
         Suggestion suggestion;
         suggestion.kind = report.passed ? Suggestion::Kind::Passes : Suggestion::Kind::NotDiagnosed;

@@ -90,7 +90,7 @@ void TestCodeLab::solutionsPassWhenTyped()
     const CheckReport &report = *m_open->bench.report();
     QVERIFY2(!report.error, report.error ? qPrintable(report.error->message) : "");
     QVERIFY(report.passed);
-    QVERIFY(!report.diagnosis);
+    QVERIFY(!report.diagnosis());
     QVERIFY(m_open->isTicked(m_open->bench.current()));
     QVERIFY(m_open->bench.mayShowSolution());
 }
@@ -121,8 +121,8 @@ void TestCodeLab::mistakesAreRecognised()
     QVERIFY(m_open->bench.report());
     const CheckReport &report = *m_open->bench.report();
     QVERIFY(!report.passed);
-    QVERIFY2(report.diagnosis, "no diagnosis");
-    QCOMPARE(report.diagnosis->mistake, known.name);
+    QVERIFY2(report.diagnosis(), "no diagnosis");
+    QCOMPARE(report.diagnosis()->mistake, known.name);
     const QString headline = known.message.section(QLatin1Char('\n'), 0, 0);
     const auto labels = m_open->window.taskPane().findChildren<QLabel *>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) {

@@ -146,8 +146,8 @@ void ProofMatrix::addRow(int row, const VerifiedProgram &program)
     QString said;
     if (report.error)
         said = tr("line %1: %2").arg(report.error->line).arg(report.error->message);
-    else if (report.diagnosis)
-        said = report.diagnosis->mistake;
+    else if (report.diagnosis())
+        said = report.diagnosis()->mistake;
     else if (!report.remarks.empty())
         said = report.remarks.front().id;
     else if (report.passed)

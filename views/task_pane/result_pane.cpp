@@ -174,8 +174,8 @@ void ResultPane::addFailure(QVBoxLayout *column)
                                      [](const CheckOutcome &check) { return !check.passed; });
     if (m_report->error)
         addError(column, *m_report->error);
-    else if (m_report->diagnosis)
-        addDiagnosis(column, *m_report->diagnosis);
+    else if (m_report->diagnosis())
+        addDiagnosis(column, *m_report->diagnosis());
     else if (failed != checks.end()) {
         QVBoxLayout *card =
             addCard(column, "warningCard", tr("Not yet: %1").arg(withUnits(failed->title)));
@@ -197,7 +197,7 @@ void ResultPane::addError(QVBoxLayout *column, const ProgramError &error)
 }
 
 /// The mistake that makes the failure, and below it what was observed.
-void ResultPane::addDiagnosis(QVBoxLayout *column, const Diagnosis &diagnosis)
+void ResultPane::addDiagnosis(QVBoxLayout *column, const Finding &diagnosis)
 {
     const HeadedText text = splitHeadline(diagnosis.message);
     QVBoxLayout *card = addCard(column, "warningCard", text.headline);

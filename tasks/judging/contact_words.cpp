@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_words.h"
+#include "tasks/judging/response_laws.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+namespace cradle {
+
+namespace {
+
+struct ContactText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// A test of contact that a program may have in place of the sum of the radii.
+struct Test {
+    std::function<double(const PairHit &)> distance; ///< at which it says that they touch, m
+    QString headline;
+    QString body;
+};
+
+Vec2 direction(const PairHit &hit)
+{
+    const double angle = hit.meeting.degrees * std::numbers::pi / 180.0;
+    return {std::abs(std::cos(angle)), std::abs(std::sin(angle))};
+}
+
+std::vector<Test> tests(const Ground::Range &radii)
+{
+    const QString one = ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.");
+    // Equal radii cannot tell these two apart.
+    const QString half =
+        radii.isVaried() ? ContactText::tr("Only half of r₁ + r₂ counts in the test of contact")
+                         : ContactText::tr("Only one radius, or half of r₁ + r₂, counts in the test "
+                                           "of contact");
+    std::vector<Test> all{
+        {[](const PairHit &) { return 0.0; },
+         ContactText::tr("The circles answer only when their centres have met"), one},
+        {[](const PairHit &h) { return h.meeting.sum() / std::max(direction(h).x, direction(h).y); },
+         ContactText::tr("Boxes are compared, not circles"),
+         ContactText::tr("Side by side they answer in time, but on a diagonal when their centres "
+                         "are still %2 m apart: x and y each on its own ask for squares. Make one "
+                         "distance out of the two differences.")},
+        {[](const PairHit &h) { return h.meeting.sum() / (direction(h).x + direction(h).y); },
+         ContactText::tr("|Δx| + |Δy| is not the distance"),
+         ContactText::tr("Side by side they answer in time, but on a diagonal only when their "
+                         "centres are %2 m apart. A distance is the root of the sum of the "
+                         "squares.")},
+        {[](const PairHit &h) { return std::sqrt(h.meeting.sum()); },
+         ContactText::tr("A squared distance is compared with a length"),
+         ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "
+                         "length in m.")},
+        {[](const PairHit &h) { return 0.5 * h.meeting.sum(); },
+         half, one}};
+    if (!radii.isVaried()) {
+        all.push_back({[](const PairHit &h) { return 2.0 * h.meeting.sum(); },
+                       ContactText::tr("Diameters are added in the test of contact, not radii"),
+                       one});
+        return all;
+    }
+    const auto add = [&](double (*distance)(double, double), const QString &what) {
+        all.push_back({[distance](const PairHit &h) {
+                           return distance(h.meeting.radius1, h.meeting.radius2);
+                       },
+                       ContactText::tr("Contact is tested at %1, not at r₁ + r₂").arg(what), one});
+    };
+    add([](double a, double) { return 2.0 * a; }, QStringLiteral("2 r₁"));
+    add([](double, double b) { return 2.0 * b; }, QStringLiteral("2 r₂"));
+    add([](double a, double) { return a; }, QStringLiteral("r₁"));
+    add([](double, double b) { return b; }, QStringLiteral("r₂"));
+    add([](double a, double b) { return std::max(a, b); }, ContactText::tr("the larger radius"));
+    add([](double a, double b) { return std::min(a, b); }, ContactText::tr("the smaller radius"));
+    add([](double a, double b) { return 2.0 * std::max(a, b); },
+        ContactText::tr("twice the larger radius"));
+    add([](double a, double b) { return 2.0 * (a + b); },
+        ContactText::tr("the sum of the diameters"));
+    return all;
+}
+
+/// Judges when the circles of a program meet.
+class ContactJudge
+{
+public:
+    ContactJudge(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground)
+        : m_own(own)
+        , m_right(right)
+        , m_ground(ground)
+    {
+    }
+
+    [[nodiscard]] std::vector<Deviation> judge()
+    {
+        if (!findNever())
+            findDistance();
+        findModes();
+        if (answersRightly())
+            findOnce();
+        findPartings();
+        return std::move(m_found);
+    }
+
+private:
+    void add(const QString &headline, const QString &body, const PairHit &hit)
+    {
+        m_found.push_back({Aspect::Contact, headline + QStringLiteral("\n\n") + body,
+                           {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}});
+    }
+
+    [[nodiscard]] static bool answersAny(const std::vector<PairHit> &hits)
+    {
+        return std::any_of(hits.begin(), hits.end(), [](const PairHit &h) { return h.answered; });
+    }
+
+    /// Whether equal circles leave a hit as they should: what comes later is judged by that.
+    [[nodiscard]] bool answersRightly() const
+    {
+        return std::equal(m_own.equals.begin(), m_own.equals.end(), m_right.equals.begin(),
+                          m_right.equals.end(), [](const PairHit &a, const PairHit &b) {
+                              return a.answered == b.answered
+                                     && (!a.answered
+                                         || isSameAnswer(a.leftParts(), b.leftParts()));
+                          });
+    }
+
+    /// Whether this program itself ever leaves two circles overlapping that move apart.
+    [[nodiscard]] bool leavesInside() const
+    {
+        return std::any_of(m_own.contacts.begin(), m_own.contacts.end(),
+                           [](const PairHit &hit) { return hit.answered && hit.partsInside; });
+    }
+
+    bool findNever()
+    {
+        const bool own = answersAny(m_own.contacts) || answersAny(m_own.equals);
+        const bool right = answersAny(m_right.contacts);
+        if (own == right || m_own.contacts.empty())
+            return !own;
+        const PairHit &hit = m_own.contacts.front();
+        if (right)
+            add(ContactText::tr("The circles run through each other"),
+                ContactText::tr("From all %1 directions in which they were thrown at each other, "
+                                "neither of them changed its velocity.")
+                    .arg(m_own.contacts.size()),
+                hit);
+        else
+            add(ContactText::tr("The circles act on each other"),
+                ContactText::tr("In this step they should still pass through each other."), hit);
+        return true;
+    }
+
+    [[nodiscard]] bool fitsAll(const std::function<double(const PairHit &)> &distance,
+                               double margin = 0.0) const
+    {
+        return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), [&](const PairHit &hit) {
+            return !hit.answered || hit.fits(distance(hit) + margin);
+        });
+    }
+
+    void findDistance()
+    {
+        const auto sum = [](const PairHit &hit) { return hit.meeting.sum(); };
+        if (fitsAll(sum))
+            return;
+        const PairHit &hit = farthestOff();
+        for (const Test &test : tests(m_ground.pair.radii)) {
+            if (!fitsAll(test.distance))
+                continue;
+            QString body = test.body;
+            body.replace(QLatin1String("%1"), brief(hit.meeting.sum()));
+            body.replace(QLatin1String("%2"), brief(test.distance(hit)));
+            if (!test.body.contains(QLatin1String("%2")))
+                body += QLatin1Char(' ') + seen(hit);
+            add(test.headline, body, hit);
+            return;
+        }
+        findOtherDistance(hit);
+    }
+
+    /// The contact whose answer is farthest from the right place.
+    [[nodiscard]] const PairHit &farthestOff() const
+    {
+        return *std::max_element(m_own.contacts.begin(), m_own.contacts.end(),
+                                 [](const PairHit &a, const PairHit &b) {
+                                     const auto off = [](const PairHit &h) {
+                                         return h.answered
+                                                    ? std::abs(h.before - h.meeting.sum())
+                                                    : -1.0;
+                                     };
+                                     return off(a) < off(b);
+                                 });
+    }
+
+    static QString seen(const PairHit &hit)
+    {
+        const double degrees = hit.meeting.degrees;
+        return ContactText::tr("With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their "
+                               "centres were between %4 and %5 m apart.")
+            .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(degrees),
+                 brief(hit.reached), brief(hit.before));
+    }
+
+    void findOtherDistance(const PairHit &hit)
+    {
+        const auto fixed = [&](const PairHit &) { return 0.5 * (hit.before + hit.reached); };
+        if (m_ground.pair.radii.isVaried() && fitsAll(fixed)) {
+            add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
+                ContactText::tr("Whatever the radii are, they answer at a distance of about %1 m.")
+                        .arg(brief(fixed(hit)))
+                    + QLatin1Char(' ') + seen(hit),
+                hit);
+            return;
+        }
+        const bool early = hit.reached > hit.meeting.sum();
+        add(early ? ContactText::tr("The circles answer before they touch")
+                  : ContactText::tr("The circles answer too late"),
+            seen(hit) + QLatin1Char(' ')
+                + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
+                      .arg(brief(hit.meeting.sum())),
+            hit);
+    }
+
+    void findModes()
+    {
+        if (!m_found.empty() && !answersAny(m_own.equals))
+            return;
+        for (std::size_t i = 0; i < m_own.modes.size(); ++i) {
+            const PairHit &hit = m_own.modes[i];
+            if (hit.answered || !m_right.modes[i].answered)
+                continue;
+            const PairVelocities &v = hit.meeting.velocities;
+            const bool inverted =
+                std::none_of(m_own.modes.begin(), m_own.modes.end(),
+                             [](const PairHit &h) { return h.answered; });
+            if (inverted)
+                return;
+            add(v.along1 <= 0.0
+                    ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
+                    : (v.along2 >= 0.0 && v.along1 > 0.0
+                           ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
+                           : ContactText::tr("Not every meeting is answered")),
+                ContactText::tr("Along the line of centres circle 1 had %1 m/s and circle 2 %2 "
+                                "m/s, so they came nearer with %3 m/s, and nothing was answered; "
+                                "other meetings are. What counts is the velocity of one relative "
+                                "to the other.")
+                    .arg(brief(v.along1), brief(v.along2), brief(hit.meeting.closing())),
+                hit);
+            return;
+        }
+    }
+
+    void findOnce()
+    {
+        if (!m_found.empty() || m_own.ownContacts != 1 || m_right.ownContacts < 2)
+            return;
+        add(ContactText::tr("Only the first hit is answered"),
+            ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
+                            "circle 1. What your program remembers of a hit must be forgotten when "
+                            "they have parted."),
+            m_own.contacts.front());
+    }
+
+    void findPartings()
+    {
+        const auto hit = [](const PairHit &h) { return h.answered && h.step == 1; };
+        const auto at = std::find_if(m_own.partings.begin(), m_own.partings.end(), hit);
+        if (at == m_own.partings.end() || (answersAny(m_own.equals) && !leavesInside())
+            || std::any_of(m_right.partings.begin(), m_right.partings.end(), hit))
+            return;
+        const bool never = !answersAny(m_own.equals);
+        add(never ? ContactText::tr("The circles answer when they part, not when they meet")
+                  : ContactText::tr("Circles that already part are hit again"),
+            ContactText::tr("They overlapped and moved apart with %1 m/s; the next step turned them "
+                            "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
+                            "whether they come nearer.")
+                .arg(brief(-at->meeting.closing()), brief(at->left1), brief(at->left2)),
+            *at);
+    }
+
+    const MeasuredPair &m_own;
+    const MeasuredPair &m_right;
+    const Ground &m_ground;
+    std::vector<Deviation> m_found;
+};
+
+} // namespace
+
+std::vector<Deviation> contactDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                         const Ground &ground)
+{
+    if (!own.isJudged || !right.isJudged)
+        return {};
+    return ContactJudge(own, right, ground).judge();
+}
+
+} // namespace cradle

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/judging/probe.h"
+
+namespace cradle {
+
+/// Where a law shows: a step of a stage, and what was assigned in it.
+struct Moment {
+    Stage stage{};
+    qint64 step = 1;             ///< from 1
+    std::vector<int> circles{};  ///< that show it, from 0
+    bool isPosition = false;     ///< the place is wrong, not the velocity
+};
+
+/// One thing in which a program's law is not the one that is asked for.
+struct Deviation {
+    Aspect aspect = Aspect::Motion;
+    QString message{}; ///< a headline, an empty line, what was measured; CommonMark
+    Moment moment{};
+};
+
+/// Two or three digits, enough for a reader; noise of rounding is 0.
+[[nodiscard]] QString brief(double value);
+[[nodiscard]] QString brief(Vec2 value); ///< "(2, 0)"
+/// A timestep: "1/60".
+[[nodiscard]] QString briefTimestep(double seconds);
+
+/// "circle 1", "both circles", "circles 1 and 3" of so many.
+[[nodiscard]] QString circleNames(const std::vector<int> &circles, std::size_t all);
+
+/// How a factor depends on the timestep h; 1 is right.
+struct TimestepPattern {
+    enum class Kind {
+        Constant,  ///< the same at every h
+        Forgotten, ///< 1/h: h is missing
+        Squared,   ///< h: once too often
+        Fixed,     ///< T/h: a number stands for h
+        Other
+    };
+    Kind kind = Kind::Constant;
+    double value = 1.0; ///< the constant, or T in s
+};
+
+/// \param factors  of each h, what was measured divided by what is right
+[[nodiscard]] TimestepPattern patternOf(const std::vector<std::pair<double, double>> &factors);
+
+} // namespace cradle

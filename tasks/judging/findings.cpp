@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/findings.h"
+
+#include "tasks/judging/flight_words.h"
+#include "tasks/judging/known_mistakes.h"
+#include "tasks/judging/measured_laws.h"
+#include "tasks/judging/pair_words.h"
+#include "tasks/judging/start_words.h"
+#include "tasks/judging/wall_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cradle {
+
+namespace {
+
+/// Whether a failure of a check of that kind can come of that aspect.
+bool concerns(const QString &kind, Aspect aspect)
+{
+    const auto is = [&](std::initializer_list<const char *> names) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const char *name) { return kind == QLatin1String(name); });
+    };
+    switch (aspect) {
+    case Aspect::Start:
+        return true;
+    case Aspect::Motion:
+        return kind != QLatin1String("start");
+    case Aspect::Walls:
+    case Aspect::Course:
+        return is({"bounces", "stays_inside", "bounce_heights", "settles", "together", "script",
+                   "ends_at", "integrates"});
+    case Aspect::Contact:
+    case Aspect::Response:
+        break;
+    }
+    return is({"collides", "rebounds", "touches", "conserves", "after_contact", "loses_energy",
+               "passes_through", "script", "ends_at"});
+}
+
+/// Measures, compares and finds words for one submission.
+class Judge
+{
+public:
+    Judge(const Lab &lab, const Task &task, const Submission &submission,
+          const std::vector<CheckOutcome> &checks)
+        : m_lab(lab)
+        , m_task(task)
+        , m_submission(submission)
+        , m_checks(checks)
+        , m_ground(task, submission.preset)
+        , m_reference(task, task.preset)
+        , m_own(submission.program(), m_ground)
+        , m_right(&task.solution, m_reference)
+    {
+    }
+
+    [[nodiscard]] std::vector<Finding> find()
+    {
+        if (m_ground.timesteps.empty() || m_ground.gravities.empty())
+            return {};
+        take(Aspect::Start, startDeviations(m_task, m_submission, m_checks));
+        take(Aspect::Motion, flightDeviations(m_own.flight(), m_right.flight(), m_ground));
+        if (isAsked(Aspect::Walls) && !m_ground.walls.circles.empty())
+            take(Aspect::Walls, wallDeviations(m_own.walls(), m_right.walls(), m_ground));
+        if (isAsked(Aspect::Contact) && m_ground.pair.asked) {
+            take(Aspect::Contact, contactDeviations(m_own.pair(), m_right.pair(), m_ground));
+            take(Aspect::Response, responseDeviations(m_own.pair(), m_right.pair(), m_ground));
+        }
+        return std::move(m_findings);
+    }
+
+private:
+    /// The failed check in which the aspect shows; null if none asks for it.
+    [[nodiscard]] const CheckOutcome *failedOf(Aspect aspect) const
+    {
+        for (const CheckOutcome &outcome : m_checks) {
+            const auto spec =
+                std::find_if(m_task.checks.begin(), m_task.checks.end(),
+                             [&](const CheckSpec &check) { return check.id == outcome.id; });
+            if (!outcome.passed && spec != m_task.checks.end() && concerns(spec->kind, aspect))
+                return &outcome;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] bool isAsked(Aspect aspect) const { return failedOf(aspect); }
+
+    void take(Aspect aspect, const std::vector<Deviation> &deviations)
+    {
+        if (deviations.empty() || !isAsked(aspect))
+            return;
+        // What a mistake was named for before may show here, too.
+        if (m_named && isLike(*m_named, m_own, aspect, m_reference))
+            return;
+        const KnownScript *mistake = knownMistake(
+            {m_lab, m_task, m_reference, m_submission, m_own, m_right, aspect, deviations});
+        if (mistake) {
+            m_named.emplace(&mistake->source, m_reference);
+            add(deviations.front(), mistake->name, mistake->message);
+            return;
+        }
+        for (const Deviation &deviation : deviations)
+            add(deviation, {}, deviation.message);
+    }
+
+    void add(const Deviation &deviation, const QString &mistake, const QString &message)
+    {
+        const CheckOutcome *failed = failedOf(deviation.aspect);
+        Finding finding{.aspect = deviation.aspect,
+                        .mistake = mistake,
+                        .message = message,
+                        .check = failed ? failed->id : QString()};
+        mark(finding, deviation.moment);
+        m_findings.push_back(finding);
+    }
+
+    /// The assignment that last changed what is wrong, and the calls that led there.
+    void mark(Finding &finding, const Moment &moment) const
+    {
+        if (!m_submission.script || moment.circles.empty())
+            return;
+        Probe probe(m_submission.program(), moment.stage);
+        for (qint64 k = 1; k < moment.step; ++k) {
+            if (!probe.step())
+                return;
+        }
+        const auto field =
+            moment.isPosition ? Assignment::Field::Position : Assignment::Field::Velocity;
+        bool changed = false;
+        for (const Assignment &assignment : probe.trace()) {
+            const bool isIt = assignment.field == field
+                              && std::find(moment.circles.begin(), moment.circles.end(),
+                                           assignment.circle) != moment.circles.end();
+            if (!isIt || (changed && !assignment.changed))
+                continue;
+            changed = changed || assignment.changed;
+            finding.line = assignment.line;
+            finding.calls = assignment.calls;
+        }
+    }
+
+    const Lab &m_lab;
+    const Task &m_task;
+    const Submission &m_submission;
+    const std::vector<CheckOutcome> &m_checks;
+    Ground m_ground;
+    Ground m_reference; ///< the same, with the step's own preset
+    MeasuredLaws m_own;
+    MeasuredLaws m_right;
+    std::optional<MeasuredLaws> m_named{}; ///< of the known mistake that was found last
+    std::vector<Finding> m_findings;
+};
+
+} // namespace
+
+std::vector<Finding> findingsOf(const Lab &lab, const Task &task, const Submission &submission,
+                                const std::vector<CheckOutcome> &checks)
+{
+    if (task.solution.isEmpty())
+        return {};
+    return Judge(lab, task, submission, checks).find();
+}
+
+} // namespace cradle

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/lab.h"
+#include "tasks/submission.h"
+
+namespace cradle {
+
+/// What is wrong with a submission that failed \p checks, in the order in which a teacher would
+/// take it. The laws that it follows are measured in scenes of their own, aspect by aspect, each
+/// by the laws measured before it, and compared with those of the step's reference where a failed
+/// check asks for them. A mistake of this step or an earlier one that follows the same law gives
+/// the words, else they are made from what was measured.
+/// \return nothing where the step has no reference program, or nothing was found
+[[nodiscard]] std::vector<Finding> findingsOf(const Lab &lab, const Task &task,
+                                              const Submission &submission,
+                                              const std::vector<CheckOutcome> &checks);
+
+} // namespace cradle

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/known_mistakes.h"
+
+#include "tasks/judging/likeness.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Of a first look: two programs with one law may round a hit differently by a step.
+constexpr double firstLook = 0.05;
+
+bool sameStart(const Preset &a, const Preset &b)
+{
+    return a.gravity == b.gravity && a.restitution == b.restitution
+           && std::equal(a.circles.begin(), a.circles.end(), b.circles.begin(), b.circles.end(),
+                         [](const PresetCircle &p, const PresetCircle &q) {
+                             return p.body == q.body;
+                         });
+}
+
+/// The circles after the step in which the deviation shows.
+std::vector<Circle> after(const QString *program, const Moment &moment)
+{
+    Probe probe(program, moment.stage);
+    for (qint64 k = 0; k < moment.step; ++k) {
+        if (!probe.step())
+            return {};
+    }
+    return probe.world().circles;
+}
+
+/// Whether \p mistake does the same where the student goes wrong: a look that costs little.
+bool looksAlike(const MistakeQuery &query, const KnownScript &mistake)
+{
+    const Moment &moment = query.deviations.front().moment;
+    const std::vector<Circle> own = after(query.submission.program(), moment);
+    const std::vector<Circle> known = after(&mistake.source, moment);
+    return !own.empty()
+           && std::equal(own.begin(), own.end(), known.begin(), known.end(),
+                         [](const Circle &a, const Circle &b) {
+                             return isAlike(a.velocity, b.velocity, firstLook)
+                                    && isAlike(a.position, b.position, firstLook);
+                         });
+}
+
+constexpr Aspect inOrder[] = {Aspect::Start, Aspect::Motion, Aspect::Walls, Aspect::Contact,
+                              Aspect::Response};
+
+bool explains(const MistakeQuery &query, const KnownScript &mistake)
+{
+    if (query.aspect != Aspect::Start && !looksAlike(query, mistake))
+        return false;
+    const MeasuredLaws known(&mistake.source, query.ground);
+    if (!isLike(known, query.own, query.aspect, query.ground))
+        return false;
+    for (const Aspect before : inOrder) {
+        if (before == query.aspect)
+            break;
+        if (before == Aspect::Start)
+            continue;
+        if (!isLike(known, query.right, before, query.ground))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool isLike(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const Ground &ground)
+{
+    const bool walls = !ground.walls.circles.empty();
+    switch (aspect) {
+    case Aspect::Start:
+        return sameStart(a.flight().own().scene, b.flight().own().scene);
+    case Aspect::Motion:
+        return a.flight().isLike(b.flight());
+    case Aspect::Walls:
+    case Aspect::Course:
+        return !walls || a.walls().isLike(b.walls());
+    case Aspect::Contact:
+        return !ground.pair.asked || a.pair().contactIsLike(b.pair());
+    case Aspect::Response:
+        break;
+    }
+    return !ground.pair.asked || a.pair().responseIsLike(b.pair());
+}
+
+const KnownScript *knownMistake(const MistakeQuery &query)
+{
+    for (const KnownScript &mistake : query.task.mistakes) {
+        if (explains(query, mistake))
+            return &mistake;
+    }
+    return nullptr;
+}
+
+} // namespace cradle

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/measured_flight.h"
+
+#include "tasks/judging/likeness.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Velocities of the flights, m/s: no two have a part or a ratio in common.
+Vec2 velocityOf(int flight, std::size_t circle)
+{
+    static constexpr Vec2 velocities[][4] = {
+        {{1.13, 0.71}, {-0.83, 1.31}, {0.57, -1.07}, {-1.23, -0.61}},
+        {{-0.53, 0.97}, {1.19, 0.43}, {-0.91, -0.67}, {0.37, 1.41}}};
+    return velocities[flight][circle % 4];
+}
+
+constexpr Vec2 shift{0.31, -0.23}; ///< from one place to another, m
+
+/// The states before and after the second step of a flight.
+struct Steps {
+    bool made = false;
+    std::vector<Circle> start{};
+    std::vector<Circle> before{};
+    std::vector<Circle> after{};
+};
+
+enum class Scene { Rest, First, Second, Shifted, Alone };
+
+/// \param mover  in Scene::Alone the only circle that moves
+Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene,
+                    std::size_t mover = 0)
+{
+    Preset preset = ground.stage();
+    preset.gravity = gravity;
+    preset.timestep = h;
+    for (std::size_t i = 0; i < preset.circles.size(); ++i) {
+        Circle &c = preset.circles[i].body;
+        if (scene == Scene::First || scene == Scene::Second)
+            c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
+        else if (scene == Scene::Alone && i == mover)
+            c.velocity = velocityOf(0, i);
+        else if (scene == Scene::Shifted)
+            c.position += shift;
+    }
+    return preset;
+}
+
+Steps fly(const QString *program, const Preset &preset)
+{
+    Steps steps;
+    Probe probe(program, {preset, true});
+    steps.start = initialWorld(preset).circles;
+    if (!probe.step())
+        return steps;
+    steps.before = probe.world().circles;
+    if (!probe.step())
+        return steps;
+    steps.after = probe.world().circles;
+    steps.made = true;
+    return steps;
+}
+
+double ratio(double part, double whole)
+{
+    return whole == 0.0 ? std::nan("") : part / whole;
+}
+
+/// What the flights of one circle say.
+class Reading
+{
+public:
+    Reading(const Steps &rest, const Steps &first, const Steps &second, const Steps &shifted,
+            double h, std::size_t circle)
+        : m_rest(rest)
+        , m_first(first)
+        , m_second(second)
+        , m_shifted(shifted)
+        , m_h(h)
+        , m_i(circle)
+    {
+    }
+
+    [[nodiscard]] Flight read() const
+    {
+        Flight flight;
+        flight.startedWith = m_first.start[m_i].velocity;
+        flight.turnedInto = m_first.before[m_i].velocity;
+        flight.wayMade = way(m_first);
+        flight.acceleration = turn(m_rest) / m_h;
+        flight.resets = isNear(m_first.before[m_i].velocity, m_rest.before[m_i].velocity)
+                        && isNear(m_second.before[m_i].velocity, m_rest.before[m_i].velocity);
+        flight.jumps = isNear(m_shifted.after[m_i].position, m_rest.after[m_i].position);
+        const Vec2 v = m_first.before[m_i].velocity - m_rest.before[m_i].velocity;
+        const Vec2 dx = way(m_first) - way(m_rest);
+        const Vec2 dv = turn(m_first) - turn(m_rest);
+        flight.way = {ratio(dx.x, v.x * m_h), ratio(dx.y, v.y * m_h)};
+        flight.growth = {ratio(dv.x, v.x * m_h), ratio(dv.y, v.y * m_h)};
+        if (flight.resets)
+            flight.way = flight.growth = {};
+        const Vec2 v0 = m_rest.before[m_i].velocity;
+        flight.drift =
+            way(m_rest) - m_h * Vec2{flight.way.x * v0.x, flight.way.y * v0.y};
+        flight.acceleration =
+            flight.acceleration - Vec2{flight.growth.x * v0.x, flight.growth.y * v0.y};
+        const Vec2 pulled = turn(m_shifted) - turn(m_rest);
+        flight.pull = {pulled.x / (shift.x * m_h), pulled.y / (shift.y * m_h)};
+        if (std::abs(flight.pull.x) + std::abs(flight.pull.y) < 1e-6)
+            flight.pull = {};
+        flight.isKnown = !flight.resets && !flight.jumps && isLinear(flight);
+        return flight;
+    }
+
+private:
+    [[nodiscard]] Vec2 way(const Steps &s) const
+    {
+        return s.after[m_i].position - s.before[m_i].position;
+    }
+    [[nodiscard]] Vec2 turn(const Steps &s) const
+    {
+        return s.after[m_i].velocity - s.before[m_i].velocity;
+    }
+    static bool isNear(Vec2 a, Vec2 b) { return length(a - b) <= 1e-9 * (1.0 + length(b)); }
+
+    /// The second flight must follow from what the first and the one from rest say.
+    [[nodiscard]] bool isLinear(const Flight &flight) const
+    {
+        if (flight.pull != Vec2{})
+            return false;
+        const Motion next = flight.after(m_second.before[m_i], m_h);
+        return length(next.position - m_second.after[m_i].position) <= 1e-8
+               && length(next.velocity - m_second.after[m_i].velocity) <= 1e-8;
+    }
+
+    const Steps &m_rest;
+    const Steps &m_first;
+    const Steps &m_second;
+    const Steps &m_shifted;
+    double m_h;
+    std::size_t m_i;
+};
+
+/// The circle whose velocity moves circle \p i, where its own does not.
+int leaderOf(const QString *program, const Ground &ground, Vec2 gravity, double h, std::size_t i,
+             const Steps &rest)
+{
+    for (std::size_t j = 0; j < ground.flights.size(); ++j) {
+        if (j == i)
+            continue;
+        const Steps alone = fly(program, flightPreset(ground, gravity, h, Scene::Alone, j));
+        if (!alone.made)
+            continue;
+        const Vec2 moved = alone.after[i].position - alone.before[i].position
+                           - (rest.after[i].position - rest.before[i].position);
+        const Vec2 v = alone.before[j].velocity - rest.before[j].velocity;
+        if (length(moved - h * v) <= 1e-9 + 1e-6 * length(moved) && length(v) > 0.0)
+            return static_cast<int>(j);
+    }
+    return -1;
+}
+
+} // namespace
+
+Motion Flight::after(const Circle &c, double h) const
+{
+    const Vec2 v = c.velocity;
+    return {c.position + h * Vec2{way.x * v.x, way.y * v.y} + drift,
+            v + h * (Vec2{growth.x * v.x, growth.y * v.y} + acceleration)};
+}
+
+std::optional<double> Flight::share(double h) const
+{
+    const double a = lengthSquared(acceleration);
+    if (a < 1e-12)
+        return std::nullopt;
+    return dot(drift, acceleration) / (a * h * h);
+}
+
+std::vector<Flight> measureFlights(const QString *program, const Ground &ground, Vec2 gravity,
+                                   double h)
+{
+    std::vector<Flight> flights(ground.flights.size());
+    const auto run = [&](Scene scene) {
+        return fly(program, flightPreset(ground, gravity, h, scene));
+    };
+    const Steps rest = run(Scene::Rest);
+    const Steps first = run(Scene::First);
+    const Steps second = run(Scene::Second);
+    const Steps shifted = run(Scene::Shifted);
+    if (!rest.made || !first.made || !second.made || !shifted.made)
+        return flights;
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+        flights[i] = Reading(rest, first, second, shifted, h, i).read();
+        if (!flights[i].isKnown || flights[i].way == Vec2{})
+            flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
+    }
+    return flights;
+}
+
+Stage flightStage(const Ground &ground, Vec2 gravity, double h)
+{
+    return {flightPreset(ground, gravity, h, Scene::First), true};
+}
+
+MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
+    : m_program(program)
+    , m_ground(ground)
+{
+    Probe probe(program, {ground.own, false});
+    m_own.scene = probe.start();
+    if (!probe.runs())
+        return;
+    const std::vector<Circle> before = probe.world().circles;
+    m_own.runs = probe.step();
+    for (std::size_t i = 0; i < before.size(); ++i)
+        m_own.accelerations.push_back((probe.world().circles[i].velocity - before[i].velocity)
+                                      / m_own.scene.timestep);
+}
+
+const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
+{
+    const auto known =
+        std::find_if(m_measured.begin(), m_measured.end(), [&](const auto &measured) {
+            return measured->gravity == gravity && measured->timestep == h;
+        });
+    if (known != m_measured.end())
+        return (*known)->flights;
+    m_measured.push_back(std::make_unique<const Measured>(
+        Measured{gravity, h, measureFlights(m_program, m_ground, gravity, h)}));
+    return m_measured.back()->flights;
+}
+
+bool MeasuredFlight::isLike(const MeasuredFlight &other) const
+{
+    for (const Vec2 gravity : m_ground.gravities) {
+        for (const double h : m_ground.timesteps) {
+            for (std::size_t i = 0; i < m_ground.flights.size(); ++i) {
+                const int circle = static_cast<int>(i);
+                const Flight &a = at(gravity, h, circle);
+                const Flight &b = other.at(gravity, h, circle);
+                if (!isAlike(a.way, b.way) || !isAlike(a.acceleration, b.acceleration)
+                    || !isAlike(a.growth, b.growth) || !isAlike(a.pull, b.pull)
+                    || !isAlike(a.drift / (h * h), b.drift / (h * h)) || a.jumps != b.jumps
+                    || a.resets != b.resets || a.leader != b.leader
+                    || !isAlike(a.turnedInto, b.turnedInto) || !isAlike(a.wayMade, b.wayMade))
+                    return false;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < std::min(m_own.accelerations.size(),
+                                         other.m_own.accelerations.size()); ++i) {
+        if (!isAlike(m_own.accelerations[i], other.m_own.accelerations[i]))
+            return false;
+    }
+    return true;
+}
+
+} // namespace cradle

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/ground.h"
+#include "tasks/judging/probe.h"
+
+namespace cradle {
+
+/// How a program moves one circle freely, under one gravity and with one timestep h:
+///
+///     x' = x + way ∘ v h + drift        v' = v + growth ∘ v h + acceleration h
+///
+/// with ∘ for the product part by part. Measured from the second step of a few short flights, so
+/// that what a program keeps from one step to the next has settled.
+struct Flight {
+    Vec2 way{1.0, 1.0};      ///< share of v h that the position changes by; 1 is right
+    Vec2 drift{};            ///< m in a step, what the acceleration adds
+    Vec2 acceleration{};     ///< m/s², of a circle at rest
+    Vec2 growth{};           ///< 1/s; negative where something brakes
+    Vec2 pull{};             ///< 1/s², what the place changes the acceleration by
+    bool isKnown = false;    ///< it follows such a law
+    bool resets = false;     ///< the velocity after a step does not depend on that before
+    bool jumps = false;      ///< the place after a step does not depend on that before
+    int leader = -1;         ///< the circle whose velocity moves it, if it is not its own
+    Vec2 startedWith{};      ///< velocity, for words about it, m/s
+    Vec2 turnedInto{};       ///< what became of that in the first step, m/s
+    Vec2 wayMade{};          ///< and how far it went in the second, m
+
+    /// The state one step after \p c, if nothing is hit.
+    [[nodiscard]] Motion after(const Circle &c, double h) const;
+    /// c in the drift c a h², if there is an acceleration that shows it.
+    [[nodiscard]] std::optional<double> share(double h) const;
+};
+
+/// The flights of all circles of \p ground under \p gravity with the timestep \p h.
+[[nodiscard]] std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
+                                                 Vec2 gravity, double h);
+
+/// One scene of such a flight, to be shown: all circles move.
+[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h);
+
+/// All that is known of the free motion of a program.
+class MeasuredFlight
+{
+public:
+    MeasuredFlight(const QString *program, const Ground &ground);
+
+    /// Measured where it is asked for, once.
+    [[nodiscard]] const std::vector<Flight> &at(Vec2 gravity, double h) const;
+    [[nodiscard]] const Flight &at(Vec2 gravity, double h, int circle) const
+    {
+        return at(gravity, h)[static_cast<std::size_t>(circle)];
+    }
+
+    /// The student's own scene as he starts it, and how its circles then fall in its first step.
+    struct Own {
+        bool runs = false;
+        Preset scene{};
+        std::vector<Vec2> accelerations{}; ///< m/s²
+    };
+    [[nodiscard]] const Own &own() const { return m_own; }
+
+    /// Whether another program flies in the same way.
+    [[nodiscard]] bool isLike(const MeasuredFlight &other) const;
+
+private:
+    struct Measured {
+        Vec2 gravity;
+        double timestep;
+        std::vector<Flight> flights;
+    };
+
+    const QString *m_program;
+    const Ground &m_ground;
+    mutable std::vector<std::unique_ptr<const Measured>> m_measured{};
+    Own m_own{};
+};
+
+} // namespace cradle

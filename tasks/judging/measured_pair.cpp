@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/measured_pair.h"
+
+#include "tasks/judging/likeness.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr double kick = 1e-6;       ///< of a velocity, relative: what no rounding makes
+constexpr double shortStep = 1e-4;  ///< s, so that the line of centres hardly turns in a step
+constexpr double hitBlur = 4e-3;    ///< of velocities after a hit in such a step, relative
+constexpr int fewSteps = 8;
+constexpr double secondsOfOwn = 6.0;
+
+/// Throws circles at each other and looks.
+class PairRange
+{
+public:
+    PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight)
+        : m_program(program)
+        , m_ground(ground)
+        , m_flight(flight)
+        , m_h(ground.timesteps.empty() ? 1.0 / 60.0 : ground.timesteps.front())
+    {
+    }
+
+    [[nodiscard]] bool isKnown() const
+    {
+        const auto moves = [](const Flight &f) {
+            return f.isKnown && f.way.x > 0.1 && f.way.y > 0.1;
+        };
+        const auto &usual = m_flight.at({}, m_h);
+        const auto &fine = m_flight.at({}, shortStep);
+        return moves(usual[0]) && moves(usual[1]) && moves(fine[0]) && moves(fine[1]);
+    }
+
+    /// Comes from far in steps of the usual length.
+    [[nodiscard]] PairHit scan(const Meeting &meeting) const
+    {
+        return meet(meeting, 2.2 * meeting.sum(), m_h);
+    }
+
+    /// The same in so short steps that the answer can be read exactly.
+    [[nodiscard]] PairHit look(const Meeting &meeting) const
+    {
+        const double way = std::abs(meeting.closing()) * travelled(shortStep);
+        PairHit hit = meet(meeting, meeting.sum() + 2.4 * way, shortStep, fewSteps);
+        if (hit.answered && hit.step > 1)
+            return hit;
+        // It is not where it should be: where it is, scan() knows to a step.
+        const PairHit coarse = scan(meeting);
+        if (!coarse.answered)
+            return coarse;
+        hit = meet(meeting, coarse.before + way, shortStep);
+        return hit.answered ? hit : coarse;
+    }
+
+    [[nodiscard]] PairHit part(const Meeting &meeting) const
+    {
+        const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
+        return meet(meeting, std::max(meeting.sum() - overlap, 0.5 * meeting.sum()), m_h, 1);
+    }
+
+    /// The first hit of the pair in the student's own scene.
+    [[nodiscard]] std::optional<PairHit> own() const
+    {
+        PairHit hit;
+        hit.stage = {m_ground.own, false};
+        Probe probe(m_program, hit.stage);
+        if (!probe.runs() || probe.start().circles.size() < 2)
+            return std::nullopt;
+        const Preset &scene = probe.start();
+        const std::vector<Flight> &flights = m_flight.at(scene.gravity, scene.timestep);
+        const auto steps = static_cast<int>(secondsOfOwn / scene.timestep);
+        for (int k = 1; k <= steps; ++k) {
+            const std::vector<Circle> before = probe.world().circles;
+            if (!probe.step())
+                return std::nullopt;
+            const double distance = length(before[1].position - before[0].position);
+            if (distance > 1.5 * (before[0].radius + before[1].radius))
+                continue;
+            note(hit, before, probe, flights, k);
+            if (!hit.answered)
+                continue;
+            hit.meeting = {.radius1 = before[0].radius,
+                           .radius2 = before[1].radius,
+                           .density1 = before[0].density,
+                           .density2 = before[1].density,
+                           .restitution = scene.restitution,
+                           .velocities = hit.cameParts()};
+            return hit;
+        }
+        return std::nullopt;
+    }
+
+    /// How often they meet when circle 2, pushed, comes back from the wall behind it.
+    [[nodiscard]] int meetAgain() const
+    {
+        Preset preset = m_ground.stage();
+        preset.timestep = m_h;
+        preset.circles[0].body.position = {2.57, 0.41};
+        preset.circles[0].body.velocity = {2.3, 0.0};
+        preset.circles[1].body.position = {3.13, 0.41};
+        Probe probe(m_program, {preset, true});
+        const std::vector<Flight> &flights = m_flight.at({}, m_h);
+        PairHit hit;
+        int count = 0;
+        bool was = false;
+        for (int k = 1; k * m_h < 1.3; ++k) {
+            const std::vector<Circle> before = probe.world().circles;
+            if (!probe.step())
+                break;
+            hit.answered = false;
+            if (length(before[1].position - before[0].position) < 0.5)
+                note(hit, before, probe, flights, k);
+            const bool is = hit.answered && length(hit.push1()) > 0.1;
+            count += is && !was ? 1 : 0;
+            was = is;
+        }
+        return count;
+    }
+
+private:
+    /// Way in a step per velocity, s; a program may know but one timestep.
+    [[nodiscard]] double travelled(double h) const
+    {
+        const auto &flights = m_flight.at({}, h);
+        return h * std::max({flights[0].way.x, flights[0].way.y, flights[1].way.x,
+                             flights[1].way.y, 0.1});
+    }
+
+    /// \param distance  of the centres at the start; when they are r₁ + r₂ apart, they stand along n
+    static Stage stageOf(const Ground &ground, const Meeting &m, double distance, double h)
+    {
+        Preset preset = ground.stage();
+        preset.timestep = h;
+        preset.restitution = m.restitution;
+        const double angle = m.degrees * std::numbers::pi / 180.0;
+        const Vec2 n{std::cos(angle), std::sin(angle)};
+        const Vec2 t = perpendicular(n);
+        const Vec2 middle{0.17, -0.23};
+        Circle &a = preset.circles[0].body;
+        Circle &b = preset.circles[1].body;
+        const PairVelocities &v = m.velocities;
+        const double time = m.closing() > 0.0 ? (distance - m.sum()) / m.closing() : 0.0;
+        a = {middle - 0.5 * distance * n - time * v.across1 * t, v.along1 * n + v.across1 * t, m.radius1, m.density1};
+        b = {middle + 0.5 * distance * n - time * v.across2 * t, v.along2 * n + v.across2 * t, m.radius2, m.density2};
+        for (std::size_t i = 2; i < preset.circles.size(); ++i)
+            preset.circles[i].body.position = {-3.1, -3.1 + static_cast<double>(i - 2)};
+        return {preset, true};
+    }
+
+    [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double h,
+                               int most = 400) const
+    {
+        PairHit hit{.meeting = meeting};
+        hit.stage = stageOf(m_ground, meeting, distance, h);
+        Probe probe(m_program, hit.stage);
+        const std::vector<Flight> &flights = m_flight.at({}, h);
+        for (int k = 1; k <= most && probe.runs(); ++k) {
+            const std::vector<Circle> before = probe.world().circles;
+            const Vec2 d = before[1].position - before[0].position;
+            // They have run through each other.
+            if (k > 2 && dot(d, before[0].velocity - before[1].velocity) < 0.0
+                && length(d) > 0.3 * meeting.sum())
+                break;
+            if (!probe.step())
+                break;
+            note(hit, before, probe, flights, k);
+            if (hit.answered)
+                break;
+        }
+        return hit;
+    }
+
+    static void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+                     const std::vector<Flight> &flights, int k)
+    {
+        const double h = probe.start().timestep;
+        const Motion free1 = flights[0].after(before[0], h);
+        const Motion free2 = flights[1].after(before[1], h);
+        const auto turned = [](Vec2 made, Vec2 free) {
+            return length(made - free) > kick * (1.0 + length(free));
+        };
+        const Circle &now1 = probe.circle(0);
+        const Circle &now2 = probe.circle(1);
+        if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity))
+            return;
+        hit.answered = true;
+        hit.step = k;
+        const Vec2 d = before[1].position - before[0].position;
+        const Vec2 next = free2.position - free1.position;
+        hit.before = length(d);
+        hit.reached = dot(next, d) < 0.0 ? 0.0 : length(next);
+        hit.normal = normalized(d);
+        hit.came1 = free1.velocity;
+        hit.came2 = free2.velocity;
+        hit.left1 = now1.velocity;
+        hit.left2 = now2.velocity;
+        const Vec2 then = now2.position - now1.position;
+        hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
+                          && dot(then, now2.velocity - now1.velocity) > 0.0;
+    }
+
+    const QString *m_program;
+    const Ground &m_ground;
+    const MeasuredFlight &m_flight;
+    double m_h;
+};
+
+PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
+{
+    const Vec2 t = perpendicular(n);
+    return {dot(v1, n), dot(v1, t), dot(v2, n), dot(v2, t)};
+}
+
+
+/// The velocities of the meetings that a step asks about. Where both may move, both do: that of a
+/// circle at rest could be lost unseen.
+std::vector<PairVelocities> throws(const Ground::Pair &pair)
+{
+    if (!pair.oblique)
+        return pair.bothMove
+                   ? std::vector<PairVelocities>{{1.2, 0.4, 0.1, 0.4},
+                                                 {-0.1, -0.3, -1.2, -0.3},
+                                                 {1.7, 0.2, 0.5, 0.2},
+                                                 {-0.5, 0.3, -1.7, 0.3}}
+                   : std::vector<PairVelocities>{{1.2, 0.0, 0.0, 0.0}, {1.9, 0.0, 0.0, 0.0}};
+    if (!pair.bothMove)
+        return {{1.2, 0.0, 0.0, 0.0}, {1.2, 0.7, 0.0, 0.0}, {1.5, -0.9, 0.0, 0.0}};
+    return {{1.2, 0.2, 0.1, -0.1}, {-0.1, 0.1, -1.2, 0.3}, {1.2, 0.7, -0.3, 0.1},
+            {1.2, 0.1, 0.2, 0.6},  {1.7, 0.3, 0.5, -0.4},  {-0.5, 0.2, -1.7, 0.5}};
+}
+
+bool partsAlike(const PairVelocities &a, const PairVelocities &b)
+{
+    return isAlike(a.along1, b.along1, hitBlur) && isAlike(a.across1, b.across1, hitBlur)
+           && isAlike(a.along2, b.along2, hitBlur) && isAlike(a.across2, b.across2, hitBlur);
+}
+
+bool answersAlike(const std::vector<PairHit> &a, const std::vector<PairHit> &b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const PairHit &p, const PairHit &q) {
+                          return p.answered == q.answered
+                                 && (!p.answered || partsAlike(p.leftParts(), q.leftParts()));
+                      });
+}
+
+} // namespace
+
+PairVelocities PairHit::cameParts() const
+{
+    return partsOf(came1, came2, normal);
+}
+
+PairVelocities PairHit::leftParts() const
+{
+    return partsOf(left1, left2, normal);
+}
+
+bool PairHit::fits(double distance) const
+{
+    return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
+}
+
+MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const MeasuredFlight &flight)
+{
+    const Ground::Pair &asked = ground.pair;
+    if (!asked.asked || ground.flights.size() < 2)
+        return;
+    PairRange range(program, ground, flight);
+    isJudged = range.isKnown();
+    if (!isJudged)
+        return;
+    const auto within = [](const Ground::Range &r, double share) {
+        return r.low + share * (r.high - r.low);
+    };
+    const double small = within(asked.radii, 0.25);
+    const double large = within(asked.radii, 0.75);
+    const double light = within(asked.densities, 0.25);
+    const double dense = within(asked.densities, 0.75);
+    const double e = asked.restitutions.back();
+    PairVelocities slow =
+        asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
+    if (asked.oblique)
+        slow.across1 = 0.25;
+    for (const double degrees : {3.0, 47.0, 88.0, 131.0, 183.0, 222.0, 271.0, 318.0})
+        contacts.push_back(range.scan({degrees, small, large, light, light, e, slow}));
+    if (asked.radii.isVaried()) {
+        for (const double degrees : {33.0, 205.0})
+            contacts.push_back(range.scan({degrees, large, small, light, light, e, slow}));
+        contacts.push_back(range.scan({111.0, large, large, light, light, e, slow}));
+    }
+    const std::vector<PairVelocities> all = throws(asked);
+    for (const double degrees : {33.0, 118.0, 247.0}) {
+        for (const PairVelocities &v : all)
+            equals.push_back(range.look({degrees, small, small, light, light, e, v}));
+    }
+    modes = {equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(all.size())};
+    const PairVelocities &both = all.size() > 4 ? all[4] : all.back();
+    if (asked.radii.isVaried()) {
+        radii.push_back(range.look({33.0, small, large, light, light, e, both}));
+        radii.push_back(range.look({33.0, large, small, light, light, e, both}));
+        radii.push_back(range.look({61.0, large, large, light, light, e, both}));
+    }
+    if (asked.densities.isVaried()) {
+        densities.push_back(range.look({33.0, small, small, light, dense, e, both}));
+        densities.push_back(range.look({33.0, small, small, dense, light, e, both}));
+    }
+    for (const double other : asked.restitutions) {
+        if (other != e)
+            rebounds.push_back(range.look({33.0, small, small, light, light, other, both}));
+    }
+    for (const double degrees : {21.0, 143.0}) {
+        PairVelocities apart{-0.9, 0.4, 0.8, 0.4};
+        partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
+    }
+    own = range.own();
+    ownContacts = range.meetAgain();
+}
+
+bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
+{
+    if (isJudged != other.isJudged || (ownContacts > 1) != (other.ownContacts > 1)
+        || contacts.size() != other.contacts.size() || modes.size() != other.modes.size())
+        return false;
+    const auto meetAlike = [](const PairHit &a, const PairHit &b) {
+        return a.answered == b.answered
+               && (!a.answered
+                   || (a.reached <= 2.0 * b.before - b.reached
+                       && b.reached <= 2.0 * a.before - a.reached));
+    };
+    const auto answered = [](const PairHit &a, const PairHit &b) {
+        return a.answered == b.answered;
+    };
+    return std::equal(contacts.begin(), contacts.end(), other.contacts.begin(), meetAlike)
+           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered)
+           && std::equal(partings.begin(), partings.end(), other.partings.begin(), answered);
+}
+
+bool MeasuredPair::responseIsLike(const MeasuredPair &other) const
+{
+    if (isJudged != other.isJudged || own.has_value() != other.own.has_value())
+        return false;
+    if (own && !partsAlike(own->leftParts(), other.own->leftParts())
+        && length(own->left1 - other.own->left1) + length(own->left2 - other.own->left2) > 0.1)
+        return false;
+    return answersAlike(equals, other.equals) && answersAlike(radii, other.radii)
+           && answersAlike(densities, other.densities) && answersAlike(rebounds, other.rebounds);
+}
+
+} // namespace cradle

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/measured_flight.h"
+
+namespace cradle {
+
+/// The velocities of two circles, taken apart along the line of centres (from 1 to 2) and across
+/// it, m/s.
+struct PairVelocities {
+    double along1 = 0.0;
+    double across1 = 0.0;
+    double along2 = 0.0;
+    double across2 = 0.0;
+
+    friend constexpr bool operator==(const PairVelocities &, const PairVelocities &) = default;
+};
+
+/// How two circles are thrown at each other.
+struct Meeting {
+    double degrees = 0.0;        ///< of the line of centres, from the x axis
+    double radius1 = 0.2;        ///< m
+    double radius2 = 0.2;        ///< m
+    double density1 = 7.8;       ///< 1000 kg/m³
+    double density2 = 7.8;       ///< 1000 kg/m³
+    double restitution = 1.0;
+    PairVelocities velocities{}; ///< before
+
+    [[nodiscard]] double sum() const { return radius1 + radius2; }
+    [[nodiscard]] double closing() const { return velocities.along1 - velocities.along2; }
+};
+
+/// What became of a meeting.
+struct PairHit {
+    Meeting meeting{};
+    bool answered = false;    ///< a velocity changed
+    double before = 0.0;      ///< distance of the centres in the state before it was answered, m
+    double reached = 0.0;     ///< and what it would have been after that step, m
+    Vec2 normal{1.0, 0.0};    ///< line of centres then, from 1 to 2
+    Vec2 came1{};             ///< velocities that it was answered with, m/s
+    Vec2 came2{};
+    Vec2 left1{};             ///< and those that it made
+    Vec2 left2{};
+    bool partsInside = false; ///< after that they overlap still, and move apart
+    qint64 step = 0;          ///< in which it was answered, from 1
+    Stage stage{};
+
+    [[nodiscard]] Vec2 push1() const { return left1 - came1; }
+    [[nodiscard]] Vec2 push2() const { return left2 - came2; }
+    [[nodiscard]] PairVelocities cameParts() const;
+    [[nodiscard]] PairVelocities leftParts() const;
+    /// Whether it was answered when the centres were \p distance apart; it may be a step late.
+    [[nodiscard]] bool fits(double distance) const;
+};
+
+/// How a program answers the meetings of circles 1 and 2.
+struct MeasuredPair {
+    /// \param flight  of the same program
+    MeasuredPair(const QString *program, const Ground &ground, const MeasuredFlight &flight);
+
+    [[nodiscard]] bool contactIsLike(const MeasuredPair &other) const;
+    [[nodiscard]] bool responseIsLike(const MeasuredPair &other) const;
+
+    bool isJudged = false;           ///< both free flights are known
+    std::vector<PairHit> contacts{}; ///< slowly, from all around: when are they answered?
+    std::vector<PairHit> modes{};    ///< who comes to whom
+    std::vector<PairHit> equals{};   ///< equal circles, e as it is without losses
+    std::vector<PairHit> radii{};    ///< one is larger
+    std::vector<PairHit> densities{}; ///< one is denser
+    std::vector<PairHit> rebounds{}; ///< the other values of e
+    std::vector<PairHit> partings{}; ///< they overlap and move apart: nothing should happen
+    std::optional<PairHit> own{};    ///< the first hit of the student's own scene
+    int ownContacts = 0;             ///< how often they meet again when a wall sends one back
+};
+
+} // namespace cradle

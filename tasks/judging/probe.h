@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/stepper.h"
+#include "tasks/script/student_script.h"
+
+#include <functional>
+
+namespace cradle {
+
+/// A scene that is staged to see one thing.
+struct Stage {
+    Preset preset{};
+    bool pinned = true; ///< a program cannot change what it starts with
+};
+
+/// A submission at work in one stage: its program, or the laws of the scene where none moves the
+/// circles. It goes on step by step.
+class Probe
+{
+public:
+    /// \param program  null where the laws of the scene are asked
+    Probe(const QString *program, const Stage &stage);
+
+    /// Whether it runs at all, and has not stopped with an error.
+    [[nodiscard]] bool runs() const { return m_runs; }
+    /// The scene as the program left it before the first step.
+    [[nodiscard]] const Preset &start() const { return m_scene; }
+    /// The state now.
+    [[nodiscard]] const World &world() const { return m_world; }
+    [[nodiscard]] const Circle &circle(int i) const
+    {
+        return m_world.circles[static_cast<std::size_t>(i)];
+    }
+    /// Makes one step. \return false if the program stopped with an error
+    bool step();
+    /// What the next step assigns to the circles, in order; the step is made.
+    [[nodiscard]] std::vector<Assignment> trace();
+
+private:
+    Preset m_scene;
+    std::optional<StudentScript> m_program{};
+    std::optional<Stepper> m_laws{};
+    World m_world{};
+    bool m_runs = false;
+};
+
+} // namespace cradle

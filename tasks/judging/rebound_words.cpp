@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/response_reading.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct ReboundText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+constexpr double blur = 0.02; ///< of e
+
+/// How two equal circles came out of a hit with some e.
+struct Rebound {
+    double e = 1.0;
+    /// The e that fits the push of each: 2 |Δv| / u − 1, with the closing speed u.
+    double first = 1.0;
+    double second = 1.0;
+    double across1 = 1.0; ///< part across after / before
+    double across2 = 1.0;
+    double sum = 1.0; ///< of both parts along the normal, after / before
+};
+
+Rebound reboundOf(const PairHit &hit)
+{
+    if (!hit.answered)
+        return {.e = hit.meeting.restitution, .first = -1.0, .second = -1.0};
+    const PairVelocities in = hit.cameParts();
+    const PairVelocities out = hit.leftParts();
+    const double u = in.along1 - in.along2;
+    return {.e = hit.meeting.restitution,
+            .first = 2.0 * (in.along1 - out.along1) / u - 1.0,
+            .second = 2.0 * (out.along2 - in.along2) / u - 1.0,
+            .across1 = out.across1 / in.across1,
+            .across2 = out.across2 / in.across2,
+            .sum = (out.along1 + out.along2) / (in.along1 + in.along2)};
+}
+
+/// Reads what e does from hits with several of its values.
+class ReboundJudge
+{
+public:
+    ReboundJudge(const MeasuredPair &own, const MeasuredPair &right)
+        : m_own(own)
+        , m_right(right)
+    {
+        for (const PairHit &hit : own.rebounds)
+            m_all.push_back(reboundOf(hit));
+        for (const PairHit &hit : own.equals)
+            m_elastic.push_back(reboundOf(hit));
+    }
+
+    [[nodiscard]] ReboundReading read()
+    {
+        if (m_all.empty() || m_elastic.empty())
+            return {};
+        m_shown = static_cast<std::size_t>(
+            std::min_element(m_all.begin(), m_all.end(), [](const Rebound &a, const Rebound &b) {
+                return std::abs(a.e - 0.6) < std::abs(b.e - 0.6);
+            }) - m_all.begin());
+        const auto one = [](double) { return 1.0; };
+        m_isElastic = every(m_elastic, &Rebound::first, one)
+                      && every(m_elastic, &Rebound::second, one);
+        findAcross();
+        if (!m_isDone)
+            findAlong();
+        return std::move(m_reading);
+    }
+
+private:
+    template <class Law>
+    static bool every(const std::vector<Rebound> &all, double Rebound::*part, Law law)
+    {
+        return std::all_of(all.begin(), all.end(), [&](const Rebound &r) {
+            const double wanted = law(r.e);
+            return !std::isfinite(wanted) || std::abs(r.*part - wanted) < blur;
+        });
+    }
+
+    /// Whether \p law holds for both circles, also where e is 1.
+    template <class First, class Second>
+    [[nodiscard]] bool isLaw(First first, Second second) const
+    {
+        return every(m_all, &Rebound::first, first) && every(m_all, &Rebound::second, second)
+               && every(m_elastic, &Rebound::first, first)
+               && every(m_elastic, &Rebound::second, second);
+    }
+
+    void add(const QString &headline, const QString &why = {})
+    {
+        const PairHit &hit = m_own.rebounds[m_shown];
+        const QString what = ReboundText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
+                             + describeHit(hit, m_right.rebounds[m_shown]);
+        m_reading.deviations.push_back(responseDeviation(
+            headline, why.isEmpty() ? what : what + QLatin1Char(' ') + why, hit));
+    }
+
+    void findAcross()
+    {
+        const auto same = [](double e) { return e; };
+        if (!m_isElastic || !every(m_all, &Rebound::across1, same)
+            || !every(m_all, &Rebound::across2, same))
+            return;
+        if (every(m_all, &Rebound::sum, same)) {
+            add(ReboundText::tr("e multiplies the whole velocities after the hit"),
+                ReboundText::tr("e belongs to the rebound along the line of centres alone; the "
+                                "total momentum stays."));
+            m_isDone = true;
+            return;
+        }
+        add(ReboundText::tr("e also shortens the parts across the line of centres"),
+            ReboundText::tr("Nothing pushes there: they stay as they were."));
+    }
+
+    void findAlong()
+    {
+        const auto same = [](double e) { return e; };
+        const auto one = [](double) { return 1.0; };
+        if (isLaw(same, same))
+            return;
+        if (isLaw(same, one))
+            return add(ReboundText::tr("Only circle 1 feels e"));
+        if (isLaw(one, same))
+            return add(ReboundText::tr("Only circle 2 feels e"));
+        if (findFactor())
+            return;
+        findNumbers();
+    }
+
+    bool findFactor()
+    {
+        struct Law {
+            double (*rebound)(double e);
+            QString headline;
+        };
+        const std::vector<Law> laws{
+            {[](double) { return 1.0; },
+             ReboundText::tr("e is not used in the hit of two circles")},
+            {[](double e) { return e * e; },
+             ReboundText::tr("e is squared in the hit of two circles")},
+            {[](double e) { return std::sqrt(e); },
+             ReboundText::tr("The root of e is used in the hit of two circles")},
+            {[](double e) { return 1.0 - e; },
+             ReboundText::tr("e works the wrong way round: the factor is 2 − e, not 1 + e")},
+            {[](double e) { return 2.0 * e - 1.0; },
+             ReboundText::tr("The push is multiplied by 2 e instead of 1 + e")},
+            {[](double e) { return e - 1.0; },
+             ReboundText::tr("The push is multiplied by e instead of 1 + e")},
+            {[](double e) { return 1.0 / e; }, ReboundText::tr("The rebound is divided by e")},
+            {[](double e) { return -e; },
+             ReboundText::tr("The sign of e is wrong in the hit of two circles")}};
+        for (const Law &law : laws) {
+            if (!isLaw(law.rebound, law.rebound))
+                continue;
+            add(law.headline);
+            m_reading.explainsElastic = !m_isElastic;
+            return true;
+        }
+        return false;
+    }
+
+    void findNumbers()
+    {
+        const double first = m_all.front().first;
+        const double second = m_all.front().second;
+        const auto fixed = [](double value) { return [value](double) { return value; }; };
+        if (m_all.size() < 2 || !isLaw(fixed(first), fixed(second))) {
+            // What is wrong already where e is 1 has been named; it hides what e does.
+            if (m_isElastic)
+                add(ReboundText::tr("e does not act on the rebound as it should"));
+            return;
+        }
+        const auto number = [](double value) { return brief(std::round(value * 50.0) / 50.0); };
+        if (std::abs(first - second) < blur) {
+            // A law without any rebound is one of its own.
+            if (std::abs(first) < blur)
+                return;
+            add(ReboundText::tr("A number stands for e in the hit of two circles"),
+                ReboundText::tr("Whatever e is, the rebound is that of e = %1.").arg(number(first)));
+        } else {
+            add(ReboundText::tr("Numbers stand for e in the hit of two circles"),
+                ReboundText::tr("Whatever e is, circle 1 answers as with e = %1 and circle 2 as "
+                                "with e = %2.")
+                    .arg(number(first), number(second)));
+        }
+        m_reading.explainsElastic = true;
+    }
+
+    const MeasuredPair &m_own;
+    const MeasuredPair &m_right;
+    std::vector<Rebound> m_all;
+    std::vector<Rebound> m_elastic;
+    std::size_t m_shown = 0;
+    bool m_isElastic = true; ///< where e is 1, the parts along the normal come out right
+    bool m_isDone = false;
+    ReboundReading m_reading;
+};
+
+} // namespace
+
+ReboundReading reboundDeviations(const MeasuredPair &own, const MeasuredPair &right)
+{
+    return ReboundJudge(own, right).read();
+}
+
+} // namespace cradle

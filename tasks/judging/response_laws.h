@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/measured_pair.h"
+
+#include <QString>
+
+namespace cradle {
+
+/// A hit of two equal circles with the answer that is right for it.
+struct EqualHit {
+    const PairHit &hit;
+    PairVelocities in;    ///< before
+    PairVelocities right; ///< after, by the reference
+};
+
+/// An answer to hits of equal circles that students write, and what is to be said of it.
+struct ResponseLaw {
+    PairVelocities (*answer)(const EqualHit &);
+    QString headline;
+    QString body;
+};
+
+/// The known ones, the most particular first.
+[[nodiscard]] std::vector<ResponseLaw> knownResponses();
+
+/// Whether \p law gives what the student's circles did in all of \p hits.
+[[nodiscard]] bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits);
+
+/// Whether two answers are the same but for what a short step blurs.
+[[nodiscard]] bool isSameAnswer(const PairVelocities &a, const PairVelocities &b);
+
+} // namespace cradle

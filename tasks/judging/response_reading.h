@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/measured_pair.h"
+
+namespace cradle {
+
+/// A finding on how a hit is answered, shown at \p hit.
+[[nodiscard]] Deviation responseDeviation(const QString &headline, const QString &body,
+                                          const PairHit &hit);
+
+/// What came, what left, and what is right, in words.
+[[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
+
+/// How many times as heavy circle 2 is, by what the pushes did: |Δv₁| / |Δv₂|; nothing if they
+/// are not opposite.
+[[nodiscard]] std::optional<double> massRatio(const PairHit &hit);
+
+/// The exponents p and s in mass ∝ r^p ρ^s that the hits of a program follow; nothing where they
+/// follow none, or it was not asked for.
+struct MassExponents {
+    explicit MassExponents(const MeasuredPair &pair);
+
+    std::optional<double> radius;
+    std::optional<double> density;
+};
+
+/// A mass ratio other than 1 that equal circles have in every hit.
+[[nodiscard]] std::optional<double> fixedMassRatio(const MeasuredPair &pair);
+
+/// In what the masses of \p own are not those of \p right.
+[[nodiscard]] std::vector<Deviation> massDeviations(const MeasuredPair &own,
+                                                    const MeasuredPair &right);
+
+/// How e acts on the rebound of a program.
+struct ReboundReading {
+    std::vector<Deviation> deviations{};
+    bool explainsElastic = false; ///< also what is wrong where e is 1
+};
+
+/// In what e acts on \p own otherwise than on \p right.
+[[nodiscard]] ReboundReading reboundDeviations(const MeasuredPair &own, const MeasuredPair &right);
+
+} // namespace cradle

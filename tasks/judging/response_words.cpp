@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/likeness.h"
+#include "tasks/judging/pair_words.h"
+#include "tasks/judging/response_laws.h"
+#include "tasks/judging/response_reading.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct ResponseText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// Judges how the circles of a program answer a hit.
+class ResponseJudge
+{
+public:
+    ResponseJudge(const MeasuredPair &own, const MeasuredPair &right)
+        : m_own(own)
+        , m_right(right)
+    {
+    }
+
+    [[nodiscard]] std::vector<Deviation> judge()
+    {
+        ReboundReading rebound = reboundDeviations(m_own, m_right);
+        findLaw(rebound.explainsElastic);
+        for (Deviation &mass : massDeviations(m_own, m_right))
+            m_found.push_back(std::move(mass));
+        for (Deviation &deviation : rebound.deviations)
+            m_found.push_back(std::move(deviation));
+        if (m_found.empty())
+            findOwn();
+        if (m_found.empty())
+            findUnequal();
+        return std::move(m_found);
+    }
+
+private:
+    void add(const QString &headline, const QString &body, const PairHit &hit)
+    {
+        m_found.push_back(responseDeviation(headline, body, hit));
+    }
+
+    /// The answers of equal circles, without losses.
+    /// \param explained  what e does explains it
+    void findLaw(bool explained)
+    {
+        std::vector<EqualHit> hits;
+        std::optional<std::size_t> worst;
+        double most = 0.0;
+        for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
+            const PairHit &own = m_own.equals[i];
+            const PairHit &right = m_right.equals[i];
+            if (!own.answered || !right.answered)
+                continue;
+            hits.push_back({own, own.cameParts(), right.leftParts()});
+            if (isSameAnswer(own.leftParts(), right.leftParts()))
+                continue;
+            const PairVelocities a = own.leftParts();
+            const PairVelocities b = right.leftParts();
+            const double off = std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2)
+                               + std::abs(a.across1 - b.across1) + std::abs(a.across2 - b.across2);
+            if (off > most) {
+                most = off;
+                worst = i;
+            }
+        }
+        m_isRight = !worst;
+        if (!worst || hits.empty() || explained)
+            return;
+        const PairHit &hit = m_own.equals[*worst];
+        const PairHit &right = m_right.equals[*worst];
+        for (const ResponseLaw &law : knownResponses()) {
+            if (!follows(law, hits))
+                continue;
+            add(law.headline, describeHit(hit, right) + QLatin1Char(' ') + law.body, hit);
+            return;
+        }
+        findParts(hits, hit, right);
+    }
+
+    /// No law that is known: which of the things that a hit keeps does it not keep?
+    void findParts(const std::vector<EqualHit> &hits, const PairHit &hit, const PairHit &right)
+    {
+        const auto every = [&](auto &&holds) {
+            return std::all_of(hits.begin(), hits.end(), holds);
+        };
+        const auto near = [](double a, double b) { return isAlike(a, b, 5e-3); };
+        const bool across = every([&](const EqualHit &h) {
+            const PairVelocities out = h.hit.leftParts();
+            return near(out.across1, h.right.across1) && near(out.across2, h.right.across2);
+        });
+        const bool along = every([&](const EqualHit &h) {
+            const PairVelocities out = h.hit.leftParts();
+            return near(out.along1, h.right.along1) && near(out.along2, h.right.along2);
+        });
+        const bool momentum = every([&](const EqualHit &h) {
+            return length(h.hit.push1() + h.hit.push2()) < 5e-3 * (1.0 + length(h.hit.push1()));
+        });
+        const auto ratio = fixedMassRatio(m_own);
+        if (along)
+            add(ResponseText::tr("The parts across the line of centres are changed"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("A smooth circle pushes along the line of centres only."),
+                hit);
+        else if (ratio)
+            return; // massDeviations() says so
+        else if (!momentum)
+            add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("What one circle of the same mass gains, the other loses: "
+                                       "else the total momentum changes."),
+                hit);
+        else if (!across)
+            add(ResponseText::tr("The push does not act along the line of centres alone"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("The parts across it must stay as they were."),
+                hit);
+        else
+            add(ResponseText::tr("The push along the line of centres has the wrong size"),
+                describeHit(hit, right), hit);
+    }
+
+    /// The own scene must answer as all others do: else a mass or e was copied before it was set.
+    void findOwn()
+    {
+        if (!m_own.own || !m_isRight)
+            return;
+        const PairHit &hit = *m_own.own;
+        const Meeting &m = hit.meeting;
+        const auto heavy = massRatio(hit);
+        const MassExponents p(m_own);
+        if (heavy && (p.radius || p.density)) {
+            const double wanted = std::pow(m.radius2 / m.radius1, p.radius.value_or(3.0))
+                                  * std::pow(m.density2 / m.density1, p.density.value_or(1.0));
+            if (std::abs(*heavy - wanted) > 0.02 * wanted) {
+                add(ResponseText::tr("The masses in your own scene are not those of its circles"),
+                    ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
+                                     "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
+                                     "it is %6 times. Other scenes come out right, so the masses "
+                                     "were worked out before radii and densities were set: look at "
+                                     "the order in `on_load`.")
+                        .arg(brief(*heavy), brief(m.radius1), brief(m.radius2), brief(m.density1),
+                             brief(m.density2), brief(wanted)),
+                    hit);
+                return;
+            }
+        }
+        const Vec2 n = normalized(hit.push2());
+        const double closing = dot(hit.came1 - hit.came2, n);
+        const double parting = dot(hit.left2 - hit.left1, n);
+        if (m_own.rebounds.empty() || closing < 1e-6
+            || std::abs(parting / closing - m.restitution) < 0.01)
+            return;
+        add(ResponseText::tr("In your own scene the hit does not use the e that it has"),
+            ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
+                             "`restitution` is %4. Other scenes come out right, so e was copied "
+                             "before it was set.")
+                .arg(brief(closing), brief(parting), brief(parting / closing),
+                     brief(m.restitution)),
+            hit);
+    }
+
+    /// Equal circles come out right, unequal ones do not, in a way that no mass explains.
+    void findUnequal()
+    {
+        if (!m_isRight)
+            return;
+        for (const auto &[own, right] :
+             {std::pair(&m_own.radii, &m_right.radii), std::pair(&m_own.densities, &m_right.densities)}) {
+            for (std::size_t i = 0; i < own->size(); ++i) {
+                const PairHit &hit = (*own)[i];
+                const PairHit &good = (*right)[i];
+                if (!hit.answered || !good.answered
+                    || isSameAnswer(hit.leftParts(), good.leftParts()))
+                    continue;
+                add(ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
+                    ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: ")
+                            .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2),
+                                 brief(hit.meeting.density1), brief(hit.meeting.density2))
+                        + describeHit(hit, good),
+                    hit);
+                return;
+            }
+        }
+    }
+
+    const MeasuredPair &m_own;
+    const MeasuredPair &m_right;
+    std::vector<Deviation> m_found;
+    bool m_isRight = true; ///< equal circles answer as they should, without losses
+};
+
+} // namespace
+
+Deviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit)
+{
+    return {Aspect::Response, headline + QStringLiteral("\n\n") + body,
+            {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}};
+}
+
+QString describeHit(const PairHit &hit, const PairHit &right)
+{
+    const PairVelocities in = hit.cameParts();
+    const PairVelocities out = hit.leftParts();
+    const PairVelocities good = right.leftParts();
+    const auto pair = [](double along, double across) { return brief(Vec2{along, across}); };
+    return ResponseText::tr("Taken apart along the line of centres and across it, circle 1 came with "
+                            "%1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and "
+                            "%6 m/s are right.")
+        .arg(pair(in.along1, in.across1), pair(in.along2, in.across2),
+             pair(out.along1, out.across1), pair(out.along2, out.across2),
+             pair(good.along1, good.across1), pair(good.along2, good.across2));
+}
+
+std::vector<Deviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                          const Ground &ground)
+{
+    if (!own.isJudged || !right.isJudged || !ground.pair.asked)
+        return {};
+    return ResponseJudge(own, right).judge();
+}
+
+} // namespace cradle

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/lab.h"
+#include "tasks/submission.h"
+
+namespace cradle {
+
+/// In what a submission starts otherwise than the checks of \p task ask: the values of circles
+/// that failed, gravity and restitution of the own scene.
+/// \param checks  what became of the checks
+[[nodiscard]] std::vector<Deviation> startDeviations(const Task &task,
+                                                     const Submission &submission,
+                                                     const std::vector<CheckOutcome> &checks);
+
+} // namespace cradle
