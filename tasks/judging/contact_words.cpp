@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numbers>
 
 namespace cradle {
 
@@ -26,8 +25,7 @@ struct Test {
 
 Vec2 direction(const PairHit &hit)
 {
-    const double angle = hit.meeting.degrees * std::numbers::pi / 180.0;
-    return {std::abs(std::cos(angle)), std::abs(std::sin(angle))};
+    return {std::abs(hit.normal.x), std::abs(hit.normal.y)};
 }
 
 std::vector<Test> tests(const Ground::Range &radii)
@@ -130,8 +128,9 @@ private:
     /// Whether this program itself ever leaves two circles overlapping that move apart.
     [[nodiscard]] bool leavesInside() const
     {
-        return std::any_of(m_own.contacts.begin(), m_own.contacts.end(),
-                           [](const PairHit &hit) { return hit.answered && hit.partsInside; });
+        const auto inside = [](const PairHit &hit) { return hit.answered && hit.partsInside; };
+        return std::any_of(m_own.contacts.begin(), m_own.contacts.end(), inside)
+               || std::any_of(m_own.rebounds.begin(), m_own.rebounds.end(), inside);
     }
 
     bool findNever()

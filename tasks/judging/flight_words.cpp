@@ -199,7 +199,7 @@ private:
                 m_ground.gravities.begin(), m_ground.gravities.end(), [&](Vec2 other) {
                     return isAlike(m_own.at(other, timestep(), m_i).acceleration, own, wrong);
                 });
-            if (!same || m_ground.gravities.size() < 2 || length(own) < wrong
+            if (!same || (m_ground.gravities.size() < 2 && g != Vec2{}) || length(own) < wrong
                 || length(own - right) < wrong)
                 continue;
             return Said{FlightText::tr("A number stands for gravity in the motion of %who"),
@@ -292,7 +292,7 @@ private:
         if (!isAsked || length(own.accelerations[i] - right) < 1e-6 * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
-        return Said{FlightText::tr("%Who does not fall by the gravity that the scene has"),
+        return Said{FlightText::tr("The fall of %who is not that of the gravity in the scene"),
                     FlightText::tr("In your own scene gravity is %1 m/s², and the velocity changes "
                                    "by %2 m/s in a second. A copy of gravity keeps the value of "
                                    "the moment when it was made: before or after `on_load` has "
@@ -420,9 +420,6 @@ std::optional<Deviation> methodsTogether(const MeasuredFlight &own, const Ground
 QString withNames(QString text, const std::vector<int> &circles, std::size_t all)
 {
     const QString names = circleNames(circles, all);
-    QString first = names;
-    first[0] = first[0].toUpper();
-    text.replace(QLatin1String("%Who"), first);
     return text.replace(QLatin1String("%who"), names);
 }
 

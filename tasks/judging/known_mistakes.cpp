@@ -55,7 +55,8 @@ bool explains(const MistakeQuery &query, const KnownScript &mistake)
     if (query.aspect != Aspect::Start && !looksAlike(query, mistake))
         return false;
     const MeasuredLaws known(&mistake.source, query.ground);
-    if (!isLike(known, query.own, query.aspect, query.ground))
+    if (!isLike(known, query.own, query.aspect, query.ground)
+        || (query.aspect == Aspect::Contact && !known.pair().sequelIsLike(query.own.pair())))
         return false;
     for (const Aspect before : inOrder) {
         if (before == query.aspect)

@@ -5,6 +5,8 @@
 #include "tasks/judging/likeness.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace cradle {
 
@@ -41,28 +43,39 @@ public:
     /// Comes from far in steps of the usual length.
     [[nodiscard]] PairHit scan(const Meeting &meeting) const
     {
-        return meet(meeting, 2.2 * meeting.sum(), m_h);
+        return meet(meeting, 2.2 * meeting.sum(), meeting.sum(), m_h);
     }
 
     /// The same in so short steps that the answer can be read exactly.
     [[nodiscard]] PairHit look(const Meeting &meeting) const
     {
         const double way = std::abs(meeting.closing()) * travelled(shortStep);
-        PairHit hit = meet(meeting, meeting.sum() + 2.4 * way, shortStep, fewSteps);
+        const std::array key{meeting.radius1, meeting.radius2, meeting.degrees};
+        const auto seen = m_seen.find(key);
+        const double guess = seen == m_seen.end() ? meeting.sum() : seen->second;
+        const PairHit hit = meet(meeting, guess + 2.4 * way, guess, shortStep, fewSteps);
         if (hit.answered && hit.step > 1)
             return hit;
         // It is not where it should be: where it is, scan() knows to a step.
         const PairHit coarse = scan(meeting);
         if (!coarse.answered)
             return coarse;
-        hit = meet(meeting, coarse.before + way, shortStep);
-        return hit.answered ? hit : coarse;
+        const PairHit fine =
+            meet(meeting, coarse.before + way, 0.5 * (coarse.before + coarse.reached), shortStep);
+        if (!fine.answered)
+            return coarse;
+        // Once more, so that they stand along the same line when they are answered.
+        m_seen[key] = 0.5 * (fine.before + fine.reached);
+        const PairHit exact =
+            meet(meeting, m_seen[key] + 2.4 * way, m_seen[key], shortStep, fewSteps);
+        return exact.answered ? exact : fine;
     }
 
     [[nodiscard]] PairHit part(const Meeting &meeting) const
     {
         const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
-        return meet(meeting, std::max(meeting.sum() - overlap, 0.5 * meeting.sum()), m_h, 1);
+        const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
+        return meet(meeting, distance, distance, m_h, 1);
     }
 
     /// The first hit of the pair in the student's own scene.
@@ -133,8 +146,10 @@ private:
                              flights[1].way.y, 0.1});
     }
 
-    /// \param distance  of the centres at the start; when they are r₁ + r₂ apart, they stand along n
-    static Stage stageOf(const Ground &ground, const Meeting &m, double distance, double h)
+    /// \param distance  of the centres at the start, m
+    /// \param aim       when they are so far apart, they stand along the line that is asked for, m
+    static Stage stageOf(const Ground &ground, const Meeting &m, double distance, double aim,
+                         double h)
     {
         Preset preset = ground.stage();
         preset.timestep = h;
@@ -146,7 +161,7 @@ private:
         Circle &a = preset.circles[0].body;
         Circle &b = preset.circles[1].body;
         const PairVelocities &v = m.velocities;
-        const double time = m.closing() > 0.0 ? (distance - m.sum()) / m.closing() : 0.0;
+        const double time = m.closing() > 0.0 ? (distance - aim) / m.closing() : 0.0;
         a = {middle - 0.5 * distance * n - time * v.across1 * t, v.along1 * n + v.across1 * t, m.radius1, m.density1};
         b = {middle + 0.5 * distance * n - time * v.across2 * t, v.along2 * n + v.across2 * t, m.radius2, m.density2};
         for (std::size_t i = 2; i < preset.circles.size(); ++i)
@@ -154,16 +169,19 @@ private:
         return {preset, true};
     }
 
-    [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double h,
+    [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
                                int most = 400) const
     {
         PairHit hit{.meeting = meeting};
-        hit.stage = stageOf(m_ground, meeting, distance, h);
+        hit.stage = stageOf(m_ground, meeting, distance, aim, h);
         Probe probe(m_program, hit.stage);
         const std::vector<Flight> &flights = m_flight.at({}, h);
         for (int k = 1; k <= most && probe.runs(); ++k) {
             const std::vector<Circle> before = probe.world().circles;
             const Vec2 d = before[1].position - before[0].position;
+            // A wall is not their affair.
+            if (isNearWall(before[0]) || isNearWall(before[1]))
+                break;
             // They have run through each other.
             if (k > 2 && dot(d, before[0].velocity - before[1].velocity) < 0.0
                 && length(d) > 0.3 * meeting.sum())
@@ -175,6 +193,11 @@ private:
                 break;
         }
         return hit;
+    }
+
+    static bool isNearWall(const Circle &c)
+    {
+        return std::max(std::abs(c.position.x), std::abs(c.position.y)) > 3.7 - c.radius;
     }
 
     static void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
@@ -210,6 +233,8 @@ private:
     const Ground &m_ground;
     const MeasuredFlight &m_flight;
     double m_h;
+    /// Where circles of these radii were answered at that angle, if not where their rims meet, m.
+    mutable std::map<std::array<double, 3>, double> m_seen{};
 };
 
 PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
@@ -230,10 +255,11 @@ std::vector<PairVelocities> throws(const Ground::Pair &pair)
                                                  {1.7, 0.2, 0.5, 0.2},
                                                  {-0.5, 0.3, -1.7, 0.3}}
                    : std::vector<PairVelocities>{{1.2, 0.0, 0.0, 0.0}, {1.9, 0.0, 0.0, 0.0}};
+    // Not so oblique that they miss each other where a program asks for half the distance.
     if (!pair.bothMove)
-        return {{1.2, 0.0, 0.0, 0.0}, {1.2, 0.7, 0.0, 0.0}, {1.5, -0.9, 0.0, 0.0}};
-    return {{1.2, 0.2, 0.1, -0.1}, {-0.1, 0.1, -1.2, 0.3}, {1.2, 0.7, -0.3, 0.1},
-            {1.2, 0.1, 0.2, 0.6},  {1.7, 0.3, 0.5, -0.4},  {-0.5, 0.2, -1.7, 0.5}};
+        return {{1.2, 0.0, 0.0, 0.0}, {1.2, 0.4, 0.0, 0.0}, {1.5, -0.5, 0.0, 0.0}};
+    return {{1.2, 0.2, 0.1, -0.1}, {-0.1, 0.1, -1.2, 0.3}, {1.2, 0.5, -0.3, 0.1},
+            {1.2, 0.1, 0.2, 0.4},  {1.7, 0.3, 0.5, -0.1},  {-0.5, 0.2, -1.7, 0.5}};
 }
 
 bool partsAlike(const PairVelocities &a, const PairVelocities &b)
@@ -284,7 +310,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
     const double large = within(asked.radii, 0.75);
     const double light = within(asked.densities, 0.25);
     const double dense = within(asked.densities, 0.75);
-    const double e = asked.restitutions.back();
+    const double e = *std::max_element(asked.restitutions.begin(), asked.restitutions.end());
     PairVelocities slow =
         asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
     if (asked.oblique)
@@ -326,8 +352,8 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
 
 bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
 {
-    if (isJudged != other.isJudged || (ownContacts > 1) != (other.ownContacts > 1)
-        || contacts.size() != other.contacts.size() || modes.size() != other.modes.size())
+    if (isJudged != other.isJudged || contacts.size() != other.contacts.size()
+        || modes.size() != other.modes.size())
         return false;
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered
@@ -339,8 +365,17 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
         return a.answered == b.answered;
     };
     return std::equal(contacts.begin(), contacts.end(), other.contacts.begin(), meetAlike)
-           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered)
-           && std::equal(partings.begin(), partings.end(), other.partings.begin(), answered);
+           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered);
+}
+
+bool MeasuredPair::sequelIsLike(const MeasuredPair &other) const
+{
+    const auto answered = [](const PairHit &a, const PairHit &b) {
+        return a.answered == b.answered;
+    };
+    return (ownContacts > 1) == (other.ownContacts > 1)
+           && std::equal(partings.begin(), partings.end(), other.partings.begin(),
+                         other.partings.end(), answered);
 }
 
 bool MeasuredPair::responseIsLike(const MeasuredPair &other) const

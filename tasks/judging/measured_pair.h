@@ -59,7 +59,10 @@ struct MeasuredPair {
     /// \param flight  of the same program
     MeasuredPair(const QString *program, const Ground &ground, const MeasuredFlight &flight);
 
+    /// The same distances, and the same meetings answered.
     [[nodiscard]] bool contactIsLike(const MeasuredPair &other) const;
+    /// The same of those that part, and that meet again.
+    [[nodiscard]] bool sequelIsLike(const MeasuredPair &other) const;
     [[nodiscard]] bool responseIsLike(const MeasuredPair &other) const;
 
     bool isJudged = false;           ///< both free flights are known

@@ -45,7 +45,8 @@ public:
         hit.radius = radii.isVaried() ? radii.low + 0.75 * (radii.high - radii.low) : radii.low;
         hit.otherRadius = radii.low;
         const double speeds[] = {1.0, 0.83, 0.91};
-        const double speed = (m_gravity == Vec2{} ? 2.9 : 6.1) * speeds[place % 3];
+        const bool falls = length(flightOf(circle).acceleration) > 1.0;
+        const double speed = (falls ? 6.1 : 2.9) * speeds[place % 3];
         const double shares[] = {0.29, 0.62, 0.93};
         hit.stage = stageOf(hit, speed, shares[place % 3], corner);
         watch(hit);
@@ -137,6 +138,10 @@ private:
             const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
             if (distance < -1.3 * hit.radius - 2.0 * speed * m_h)
                 return; // all of it is outside
+            if (dot(n, c.velocity) < 0.0) {
+                hit.missed = true; // something else turns it before it is there
+                return;
+            }
             if (!probe.step())
                 return;
             const Motion free = flight.after(c, m_h);
@@ -245,15 +250,17 @@ bool WallHit::fits(double distance) const
 }
 
 MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const MeasuredFlight &flight)
-    : blur(ground.walls.gravity == Vec2{} ? 1e-3 : 0.05)
 {
     const WallRange range(program, ground, flight);
-    const std::vector<double> &all = ground.walls.restitutions;
+    std::vector<double> all = ground.walls.restitutions;
+    std::sort(all.begin(), all.end());
     for (const int circle : ground.walls.circles) {
         const Flight &free = range.flightOf(circle);
         if (!free.isKnown || free.way.x < 0.1 || free.way.y < 0.1)
             continue;
         judged.push_back(circle);
+        if (length(free.acceleration) > 1.0)
+            blur = 0.05;
         for (const Wall wall : allWalls) {
             for (int place = 0; place < 3; ++place)
                 hits.push_back(range.shoot(circle, wall, all.back(), place, false));
@@ -286,6 +293,8 @@ bool MeasuredWalls::isLike(const MeasuredWalls &other) const
     if (hits.size() != other.hits.size() || drops.size() != other.drops.size())
         return false;
     const auto hitAlike = [&](const WallHit &a, const WallHit &b) {
+        if (a.missed || b.missed)
+            return a.missed == b.missed;
         if (a.turned != b.turned || a.held != b.held || a.disturbs != b.disturbs
             || a.isLeap() != b.isLeap())
             return false;

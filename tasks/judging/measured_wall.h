@@ -13,6 +13,7 @@ struct WallHit {
     double restitution = 1.0;
     double radius = 0.2;
     double otherRadius = 0.2;
+    bool missed = false;  ///< it never came to the wall
     bool turned = false;  ///< its velocity changed at the wall
     bool held = false;    ///< it was put back, but its velocity did not change
     double before = 0.0;  ///< of the centre from the wall in the state before it was answered

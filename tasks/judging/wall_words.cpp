@@ -58,6 +58,8 @@ private:
                            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition}});
     }
 
+    [[nodiscard]] double blur() const { return std::max(m_own.blur, m_right.blur); }
+
     /// The hit of the reference in the same stage.
     [[nodiscard]] const WallHit &rightOf(std::size_t i) const { return m_right.hits[i]; }
 
@@ -67,7 +69,7 @@ private:
         const WallHit *first = nullptr;
         for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
             const WallHit &hit = m_own.hits[i];
-            if (hit.turned || hit.held || !rightOf(i).turned)
+            if (hit.missed || hit.turned || hit.held || !rightOf(i).turned)
                 continue;
             first = first ? first : &hit;
             if (open.empty() || open.back().first != hit.circle)
@@ -103,7 +105,7 @@ private:
                 return each.first != c && each.second == w;
             });
             const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
-                return h.circle == same.front() && !h.turned && !h.held;
+                return h.circle == same.front() && !h.turned && !h.held && !h.missed;
             });
             add(WallText::tr("Nothing turns %who round here: %1").arg(namesOf(open[i].second)),
                 WallText::tr("A circle that is thrown there leaves the square and never comes "
@@ -221,8 +223,8 @@ private:
             if (hit.held && right.turned)
                 odd.push_back(i);
             else if (hit.turned && right.turned
-                     && (!isNear(hit.back, right.back, m_own.blur)
-                         || !isNear(hit.along, right.along, m_own.blur)))
+                     && (!isNear(hit.back, right.back, blur())
+                         || !isNear(hit.along, right.along, blur())))
                 odd.push_back(i);
         }
         if (odd.empty())
@@ -274,7 +276,7 @@ private:
     {
         return std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
             const WallHit &hit = m_own.hits[i];
-            return hit.turned && isNear(part(hit), law(hit.restitution), m_own.blur);
+            return hit.turned && isNear(part(hit), law(hit.restitution), blur());
         });
     }
 
@@ -312,7 +314,7 @@ private:
         if (follows(odd, along, zero))
             return {WallText::tr("The walls take the part of %who along the wall away"),
                     normalOnly};
-        if (!isNear(hit.along, right.along, m_own.blur))
+        if (!isNear(hit.along, right.along, blur()))
             return {WallText::tr("The walls change the part of %who along the wall"), normalOnly};
         return backWords(odd, hit);
     }
@@ -401,8 +403,8 @@ private:
         for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
             const WallHit &hit = m_own.corners[i];
             const WallHit &right = m_right.corners[i];
-            if (!right.turned || (hit.turned && isNear(hit.back, right.back, m_own.blur)
-                                  && isNear(hit.along, right.along, m_own.blur)))
+            if (!right.turned || hit.missed || (hit.turned && isNear(hit.back, right.back, blur())
+                                  && isNear(hit.along, right.along, blur())))
                 continue;
             add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
                 WallText::tr("It came with %1 m/s and left with %2 m/s. Both walls are hit in the "
