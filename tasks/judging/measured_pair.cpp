@@ -315,7 +315,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
         asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
     if (asked.oblique)
         slow.across1 = 0.25;
-    for (const double degrees : {3.0, 47.0, 88.0, 131.0, 183.0, 222.0, 271.0, 318.0})
+    for (const double degrees : {3.0, 47.0, 88.0, 131.0, 222.0, 318.0})
         contacts.push_back(range.scan({degrees, small, large, light, light, e, slow}));
     if (asked.radii.isVaried()) {
         for (const double degrees : {33.0, 205.0})
@@ -323,7 +323,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
         contacts.push_back(range.scan({111.0, large, large, light, light, e, slow}));
     }
     const std::vector<PairVelocities> all = throws(asked);
-    for (const double degrees : {33.0, 118.0, 247.0}) {
+    for (const double degrees : {33.0, 118.0}) {
         for (const PairVelocities &v : all)
             equals.push_back(range.look({degrees, small, small, light, light, e, v}));
     }

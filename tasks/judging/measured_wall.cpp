@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kick = 1e-6;     ///< of a velocity, relative: what no rounding makes
 constexpr int stepsAfterwards = 6;
-constexpr int stepsOfDrop = 90;
+constexpr int stepsOfDrop = 70;
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -154,6 +154,7 @@ private:
             note(hit, before, now, free, k);
             hit.turned = turned;
             hit.held = !turned;
+            hit.disturbs = disturbsOthers(hit, before, probe);
             follow(hit, probe);
             return;
         }
@@ -180,11 +181,10 @@ private:
         hit.landed = now.position;
     }
 
-    /// What happens in the steps after the answer, and what happened to the others in it.
+    /// What happens in the steps after the answer.
     void follow(WallHit &hit, Probe &probe) const
     {
         const Vec2 n = outwardNormal(hit.wall);
-        hit.disturbs = disturbsOthers(hit);
         Circle c = probe.circle(hit.circle);
         for (int k = 0; k < stepsAfterwards; ++k) {
             if (!probe.step())
@@ -200,19 +200,10 @@ private:
         hit.stays = distance < hit.after + 0.5 * hit.travel;
     }
 
-    /// Runs once more and compares the others with their free flight in the step of the answer.
-    bool disturbsOthers(const WallHit &hit) const
+    /// Whether another circle did not fly freely in the step of the answer.
+    bool disturbsOthers(const WallHit &hit, const std::vector<Circle> &before,
+                        const Probe &probe) const
     {
-        if (hit.stage.preset.circles.size() < 2)
-            return false;
-        Probe probe(m_program, hit.stage);
-        for (qint64 k = 1; k < hit.step; ++k) {
-            if (!probe.step())
-                return false;
-        }
-        const std::vector<Circle> before = probe.world().circles;
-        if (!probe.step())
-            return false;
         for (std::size_t i = 0; i < before.size(); ++i) {
             const int other = static_cast<int>(i);
             const Flight &flight = flightOf(other);
@@ -262,7 +253,7 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const
         if (length(free.acceleration) > 1.0)
             blur = 0.05;
         for (const Wall wall : allWalls) {
-            for (int place = 0; place < 3; ++place)
+            for (int place = 0; place < 2; ++place)
                 hits.push_back(range.shoot(circle, wall, all.back(), place, false));
         }
         std::vector<double> others;
