@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/lua_tokens.h"
 
-#include "tasks/authoring/program_tokens.h"
+#include "tasks/script/program_tokens.h"
 
 #include <QTest>
 

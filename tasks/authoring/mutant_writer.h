@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/mutations.h"
-#include "tasks/authoring/program_tokens.h"
+#include "tasks/script/program_tokens.h"
 
 #include <QSet>
 #include <QStringList>

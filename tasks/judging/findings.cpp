@@ -4,6 +4,7 @@
 
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/known_mistakes.h"
+#include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/measured_laws.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
@@ -61,13 +62,11 @@ public:
     {
         if (m_ground.timesteps.empty() || m_ground.gravities.empty())
             return {};
-        take(Aspect::Start, startDeviations(m_task, m_submission, m_checks));
-        take(Aspect::Motion, flightDeviations(m_own.flight(), m_right.flight(), m_ground));
-        if (isAsked(Aspect::Walls) && !m_ground.walls.circles.empty())
-            take(Aspect::Walls, wallDeviations(m_own.walls(), m_right.walls(), m_ground));
-        if (isAsked(Aspect::Contact) && m_ground.pair.asked) {
-            take(Aspect::Contact, contactDeviations(m_own.pair(), m_right.pair(), m_ground));
-            take(Aspect::Response, responseDeviations(m_own.pair(), m_right.pair(), m_ground));
+        take(Aspect::Start, deviationsOf(m_own, Aspect::Start));
+        for (const Aspect aspect :
+             {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
+            if (isAsked(aspect))
+                take(aspect, deviationsOf(m_own, aspect));
         }
         return std::move(m_findings);
     }
@@ -85,7 +84,31 @@ private:
         }
         return nullptr;
     }
-    [[nodiscard]] bool isAsked(Aspect aspect) const { return failedOf(aspect); }
+    [[nodiscard]] bool isAsked(Aspect aspect) const
+    {
+        return failedOf(aspect) && (aspect != Aspect::Walls || !m_ground.walls.circles.empty())
+               && ((aspect != Aspect::Contact && aspect != Aspect::Response)
+                   || m_ground.pair.asked);
+    }
+
+    /// In what a program goes wrong in one aspect.
+    [[nodiscard]] std::vector<Deviation> deviationsOf(const MeasuredLaws &laws, Aspect aspect) const
+    {
+        switch (aspect) {
+        case Aspect::Start:
+            return startDeviations(m_task, m_submission, m_checks);
+        case Aspect::Motion:
+            return flightDeviations(laws.flight(), m_right.flight(), m_ground);
+        case Aspect::Walls:
+        case Aspect::Course:
+            return wallDeviations(laws.walls(), m_right.walls(), m_ground);
+        case Aspect::Contact:
+            return contactDeviations(laws.pair(), m_right.pair(), m_ground);
+        case Aspect::Response:
+            break;
+        }
+        return responseDeviations(laws.pair(), m_right.pair(), m_ground);
+    }
 
     void take(Aspect aspect, const std::vector<Deviation> &deviations)
     {
@@ -113,6 +136,7 @@ private:
                         .message = message,
                         .check = failed ? failed->id : QString()};
         mark(finding, deviation.moment);
+        prove(finding, deviation);
         m_findings.push_back(finding);
     }
 
@@ -140,6 +164,52 @@ private:
             finding.calls = assignment.calls;
         }
     }
+
+    /// A line in which a small change mends this very fault is better than the last that ran.
+    void prove(Finding &finding, const Deviation &deviation) const
+    {
+        if (!m_submission.script || deviation.moment.circles.empty()
+            || m_findings.size() >= mostProven)
+            return;
+        const QString headline = headlineOf(deviation);
+        const int line = lineAtFault(
+            {*m_submission.script, m_task.solution, deviation.moment, [&](const QString &program) {
+                 const MeasuredLaws laws(&program, m_ground);
+                 const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls
+                                                                          : deviation.aspect;
+                 const std::vector<Deviation> left = deviationsOf(laws, aspect);
+                 return seesAsMuch(laws, aspect)
+                        && std::none_of(left.begin(), left.end(), [&](const Deviation &d) {
+                               return headlineOf(d) == headline;
+                           });
+             }});
+        if (line == 0 || line == finding.line)
+            return;
+        finding.line = line;
+        finding.calls.clear();
+    }
+
+    /// Whether as much can be told of a changed program: what cannot be measured is not mended.
+    [[nodiscard]] bool seesAsMuch(const MeasuredLaws &laws, Aspect aspect) const
+    {
+        for (const Deviation &flight : flightDeviations(laws.flight(), m_right.flight(), m_ground)) {
+            const auto same = [&](const Finding &f) { return f.message == flight.message; };
+            if (aspect != Aspect::Motion
+                && std::none_of(m_findings.begin(), m_findings.end(), same))
+                return false;
+        }
+        if (aspect == Aspect::Walls)
+            return laws.walls().judged == m_own.walls().judged;
+        return aspect == Aspect::Motion || laws.pair().isJudged;
+    }
+
+    static QString headlineOf(const Deviation &deviation)
+    {
+        return deviation.message.section(QLatin1Char('\n'), 0, 0);
+    }
+
+    /// Findings whose line is proven; those behind wait until the first are mended.
+    static constexpr std::size_t mostProven = 2;
 
     const Lab &m_lab;
     const Task &m_task;

@@ -44,4 +44,9 @@ std::vector<Assignment> Probe::trace()
                                : std::vector<Assignment>{};
 }
 
+std::vector<int> Probe::lines()
+{
+    return m_runs && m_program ? m_program->linesOf(m_world, m_scene.timestep) : std::vector<int>{};
+}
+
 } // namespace cradle

@@ -37,6 +37,8 @@ public:
     bool step();
     /// What the next step assigns to the circles, in order; the step is made.
     [[nodiscard]] std::vector<Assignment> trace();
+    /// The lines that run in the next step; the step is made.
+    [[nodiscard]] std::vector<int> lines();
 
 private:
     Preset m_scene;

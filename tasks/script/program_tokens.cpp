@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/authoring/program_tokens.h"
+#include "tasks/script/program_tokens.h"
 
 #include "tasks/script/lua_tokens.h"
 

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/line_at_fault.h"
+
+#include "tasks/judging/likeness.h"
+#include "tasks/judging/repairs.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <map>
+
+namespace cradle {
+
+namespace {
+
+/// Changed programs that pass the first look and are measured.
+constexpr int mostMeasured = 5;
+/// Steps after the moment, in which an answer that comes a step later has come.
+constexpr qint64 later = 2;
+/// Of velocities: a step earlier or later gravity has changed a little.
+constexpr double near = 0.03;
+
+/// The circles some steps after the moment; nothing if the program stops.
+std::vector<Circle> after(const QString &program, const Moment &moment, qint64 steps)
+{
+    Probe probe(&program, moment.stage);
+    for (qint64 k = 0; k < steps; ++k) {
+        if (!probe.step())
+            return {};
+    }
+    return probe.runs() ? probe.world().circles : std::vector<Circle>{};
+}
+
+/// The first look: whether a program does at the moment what the reference does.
+class Look
+{
+public:
+    explicit Look(const FaultQuery &query)
+        : m_moment(query.moment)
+        , m_steps(query.moment.step + (query.moment.isPosition ? 0 : later))
+        , m_wanted(after(query.reference, query.moment, m_steps))
+    {
+        const double h = query.moment.stage.preset.timestep;
+        m_slack = query.moment.isPosition
+                      ? 1e-7 + 0.4 * length(query.moment.stage.preset.gravity) * h * h
+                      : 0.2;
+    }
+
+    [[nodiscard]] bool isRight(const QString &program) const
+    {
+        const std::vector<Circle> made = after(program, m_moment, m_steps);
+        return !made.empty() && made.size() == m_wanted.size()
+               && std::all_of(m_moment.circles.begin(), m_moment.circles.end(), [&](int i) {
+                      const Circle &a = made[static_cast<std::size_t>(i)];
+                      const Circle &b = m_wanted[static_cast<std::size_t>(i)];
+                      return isAlike(a.velocity, b.velocity, near)
+                             && length(a.position - b.position) < m_slack;
+                  });
+    }
+
+private:
+    const Moment &m_moment;
+    qint64 m_steps;
+    std::vector<Circle> m_wanted;
+    double m_slack = 0.0;
+};
+
+/// The lines that run at the moment, and those that work out what circles keep, such as masses.
+std::set<int> suspects(const FaultQuery &query)
+{
+    Probe probe(&query.program, query.moment.stage);
+    for (qint64 k = 1; k < query.moment.step; ++k) {
+        if (!probe.step())
+            return {};
+    }
+    const std::vector<int> ran = probe.lines();
+    std::set<int> lines(ran.begin(), ran.end());
+    static const QRegularExpression quantities(
+        QStringLiteral("radius|density|mass|restitution|gravity"));
+    const QStringList rows = query.program.split(QLatin1Char('\n'));
+    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
+        if (rows[line - 1].contains(quantities))
+            lines.insert(line);
+    }
+    return lines;
+}
+
+} // namespace
+
+int lineAtFault(const FaultQuery &query)
+{
+    const Look look(query);
+    std::map<int, int> mended;
+    std::vector<int> order;
+    int measured = 0;
+    for (const Repair &repair : repairsOf(query.program, suspects(query))) {
+        if (measured >= mostMeasured)
+            break;
+        if (!look.isRight(repair.source))
+            continue;
+        ++measured;
+        if (!query.isMended(repair.source))
+            continue;
+        if (mended[repair.line]++ == 0)
+            order.push_back(repair.line);
+    }
+    const auto most = std::max_element(order.begin(), order.end(), [&](int a, int b) {
+        return mended[a] < mended[b];
+    });
+    return most == order.end() ? 0 : *most;
+}
+
+} // namespace cradle

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <set>
+#include <vector>
+
+namespace cradle {
+
+/// A program with one small change that may mend it.
+struct Repair {
+    QString source;
+    int line = 0; ///< of the program, from 1, in which something was changed
+};
+
+/// Programs that differ from \p source in one token, one factor, one term, one part of a condition
+/// or one statement: what students forget, exchange or get the wrong way round, undone. Such as
+/// cannot be read are among them.
+/// \param lines  in which something may be changed; no more than some hundred repairs are made
+[[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const std::set<int> &lines);
+
+} // namespace cradle
