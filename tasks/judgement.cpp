@@ -221,7 +221,8 @@ private:
     void comment(CheckReport &report)
     {
         if (!report.passed && !report.error && !m_task.solution.isEmpty()) {
-            report.findings = findingsOf(m_lab, m_task, m_submission, report.checks);
+            report.findings = findingsOf(m_lab, m_task, m_submission, report.checks,
+                                         m_hooks.provesLines);
             // A known mistake may explain what no measured law does.
             if (report.findings.empty()) {
                 if (const auto known = diagnose(m_task, m_failed))

@@ -15,6 +15,9 @@ namespace cradle {
 struct JudgeHooks {
     std::function<void(int done, int total)> progress{}; ///< after every scene
     std::function<bool()> cancelled{};                   ///< asked before every scene
+    /// Whether the line at fault is proven by mending it, which takes some tenths of a second; else
+    /// it is the one that last changed what is wrong.
+    bool provesLines = true;
 };
 
 /// Judges \p submission by all checks of \p task, in scenes drawn from \p seed, and says which

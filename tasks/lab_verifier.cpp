@@ -125,7 +125,8 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
             tolerances.push_back({t, &check, {}});
     }
     Watch watch(hooks, judgements + tolerances.size());
-    const JudgeHooks cancel{.cancelled = [&watch] { return watch.isCancelled(); }};
+    const JudgeHooks cancel{.cancelled = [&watch] { return watch.isCancelled(); },
+                            .provesLines = false};
     QtConcurrent::blockingMap(jobs, [&](const Job &job) {
         SubmissionRuns runs(*job.submission);
         qint64 seed = 1;

@@ -168,7 +168,7 @@ std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const 
     advance(total / 2 - static_cast<int>(trials.size()));
     QtConcurrent::blockingMap(trials, [&](Trial &trial) {
         trial.report = judgeTask(lab, task, Submission(task.preset, trial.mutant.source), seed,
-                                 {.cancelled = stop});
+                                 {.cancelled = stop, .provesLines = false});
         advance(1);
     });
     if (stop())

@@ -46,11 +46,12 @@ class Judge
 {
 public:
     Judge(const Lab &lab, const Task &task, const Submission &submission,
-          const std::vector<CheckOutcome> &checks)
+          const std::vector<CheckOutcome> &checks, bool provesLines)
         : m_lab(lab)
         , m_task(task)
         , m_submission(submission)
         , m_checks(checks)
+        , m_provesLines(provesLines)
         , m_ground(task, submission.preset)
         , m_reference(task, task.preset)
         , m_own(submission.program(), m_ground)
@@ -168,7 +169,7 @@ private:
     /// A line in which a small change mends this very fault is better than the last that ran.
     void prove(Finding &finding, const Deviation &deviation) const
     {
-        if (!m_submission.script || deviation.moment.circles.empty()
+        if (!m_provesLines || !m_submission.script || deviation.moment.circles.empty()
             || m_findings.size() >= mostProven)
             return;
         const QString headline = headlineOf(deviation);
@@ -215,6 +216,7 @@ private:
     const Task &m_task;
     const Submission &m_submission;
     const std::vector<CheckOutcome> &m_checks;
+    bool m_provesLines;
     Ground m_ground;
     Ground m_reference; ///< the same, with the step's own preset
     MeasuredLaws m_own;
@@ -226,11 +228,11 @@ private:
 } // namespace
 
 std::vector<Finding> findingsOf(const Lab &lab, const Task &task, const Submission &submission,
-                                const std::vector<CheckOutcome> &checks)
+                                const std::vector<CheckOutcome> &checks, bool provesLines)
 {
     if (task.solution.isEmpty())
         return {};
-    return Judge(lab, task, submission, checks).find();
+    return Judge(lab, task, submission, checks, provesLines).find();
 }
 
 } // namespace cradle

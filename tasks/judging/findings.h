@@ -13,9 +13,11 @@ namespace cradle {
 /// by the laws measured before it, and compared with those of the step's reference where a failed
 /// check asks for them. A mistake of this step or an earlier one that follows the same law gives
 /// the words, else they are made from what was measured.
+/// \param provesLines  whether lines at fault are proven; see JudgeHooks
 /// \return nothing where the step has no reference program, or nothing was found
 [[nodiscard]] std::vector<Finding> findingsOf(const Lab &lab, const Task &task,
                                               const Submission &submission,
-                                              const std::vector<CheckOutcome> &checks);
+                                              const std::vector<CheckOutcome> &checks,
+                                              bool provesLines);
 
 } // namespace cradle
