@@ -166,6 +166,19 @@ private:
         if (fitsAll(sum))
             return;
         const PairHit &hit = farthestOff();
+        const bool late = std::all_of(
+            m_own.contacts.begin(), m_own.contacts.end(),
+            [](const PairHit &h) { return !h.answered || h.isParting(); });
+        if (late) {
+            add(ContactText::tr("The circles answer when they part, not when they meet"),
+                ContactText::tr("They ran into each other until their centres were %1 m apart, and "
+                                "were answered when that grew again. Circles that come nearer have "
+                                "a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at "
+                                "the comparison, and at which way your normal points.")
+                    .arg(brief(hit.before)),
+                hit);
+            return;
+        }
         for (const Test &test : tests(m_ground.pair.radii)) {
             if (!fitsAll(test.distance))
                 continue;

@@ -358,8 +358,9 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered
                && (!a.answered
-                   || (a.reached <= 2.0 * b.before - b.reached
-                       && b.reached <= 2.0 * a.before - a.reached));
+                   || (a.isParting() == b.isParting()
+                       && std::abs(a.reached - b.reached)
+                              <= std::abs(a.before - a.reached) + std::abs(b.before - b.reached)));
     };
     const auto answered = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered;

@@ -50,6 +50,8 @@ struct PairHit {
     [[nodiscard]] Vec2 push2() const { return left2 - came2; }
     [[nodiscard]] PairVelocities cameParts() const;
     [[nodiscard]] PairVelocities leftParts() const;
+    /// Whether they moved apart already when they were answered.
+    [[nodiscard]] bool isParting() const { return dot(came1 - came2, normal) < 0.0; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;
 };
