@@ -220,11 +220,15 @@ private:
 
     void comment(CheckReport &report)
     {
-        if (!report.passed && !report.error && !m_task.solution.isEmpty()) {
+        // A program that ran for a while before it stopped has laws that may say why.
+        const bool ran = !report.error
+                         || (report.error->kind == ProgramError::Kind::Runtime
+                             && report.error->step > 1);
+        if (!report.passed && ran && !m_task.solution.isEmpty()) {
             report.findings = findingsOf(m_lab, m_task, m_submission, report.checks,
                                          m_hooks.provesLines);
             // A known mistake may explain what no measured law does.
-            if (report.findings.empty()) {
+            if (report.findings.empty() && !report.error) {
                 if (const auto known = diagnose(m_task, m_failed))
                     report.findings.push_back(*known);
             }

@@ -135,8 +135,8 @@ QByteArray writeJUnit(const CheckReport &report, const QString &program)
     xml.writeStartElement(QStringLiteral("properties"));
     writeProperty(xml, "lab_hash", report.labHash);
     writeProperty(xml, "seed", QString::number(report.seed));
-    if (report.diagnosis())
-        writeProperty(xml, "mistake", report.diagnosis()->mistake);
+    for (const QString &mistake : mistakesOf(report))
+        writeProperty(xml, "mistake", mistake);
     if (isScored(report)) {
         writeProperty(xml, "score", QString::number(scoreOf(report)));
         writeProperty(xml, "max_score", QString::number(fullScoreOf(report)));

@@ -31,8 +31,8 @@ QString overview(const CheckReport &report, const QString &program)
     QStringList parts;
     if (report.error)
         parts.append(QStringLiteral("```\n%1\n```").arg(explanationOf(report, program)));
-    else if (report.diagnosis())
-        parts.append(withPlainFormulas(report.diagnosis()->message));
+    for (const Finding &finding : report.findings)
+        parts.append(withPlainFormulas(finding.message));
     parts.append(verdictOf(report));
     for (const Remark &remark : report.remarks)
         parts.append(withPlainFormulas(remark.message));
@@ -68,14 +68,15 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
             {QStringLiteral("status"),
              check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
             {QStringLiteral("output"),
-             check.passed ? QString() : findingsOf(report, check, file).join(QLatin1Char('\n'))},
+             check.passed ? QString() : observationsOf(report, check, file).join(QLatin1Char('\n'))},
             {QStringLiteral("output_format"), QStringLiteral("text")}});
     QJsonObject extra{{QStringLiteral("lab"), report.labId},
                       {QStringLiteral("lab_hash"), report.labHash},
                       {QStringLiteral("task"), report.taskId},
                       {QStringLiteral("seed"), report.seed}};
-    if (report.diagnosis())
-        extra.insert(QStringLiteral("mistake"), report.diagnosis()->mistake);
+    const QStringList mistakes = mistakesOf(report);
+    if (!mistakes.isEmpty())
+        extra.insert(QStringLiteral("mistake"), mistakes.join(QStringLiteral(", ")));
     const QJsonObject json{
         {QStringLiteral("score"), scoreOf(report)},
         {QStringLiteral("execution_time"), static_cast<double>(report.elapsedMs) / 1000.0},

@@ -23,7 +23,7 @@ QString comment(const QString &text)
 QString commentsOn(const CheckReport &report, const CheckOutcome &check, const QString &program)
 {
     QString lines;
-    for (const QString &finding : findingsOf(report, check, program))
+    for (const QString &finding : observationsOf(report, check, program))
         lines += comment(wrapped(finding.simplified(), terminalColumns - 2, {}, margin));
     return lines;
 }

@@ -76,7 +76,7 @@ QString describe(const CheckReport &report, const CheckOutcome &check, const QSt
                    + QLatin1Char('\n');
     if (check.passed)
         return text;
-    QStringList findings = findingsOf(report, check, program);
+    QStringList findings = observationsOf(report, check, program);
     // It stands above all checks.
     if (tellsError(report, check))
         findings.removeFirst();
@@ -92,9 +92,14 @@ QString describeReport(const CheckReport &report, const QString &program)
     QString text;
     if (report.error)
         text = behind(margin, describe(*report.error, program)) + QLatin1Char('\n');
-    else if (report.diagnosis())
-        text = behind(margin, plainText(report.diagnosis()->message, terminalColumns - 2))
-               + QLatin1Char('\n');
+    for (const Finding &finding : report.findings) {
+        text += behind(margin, plainText(finding.message, terminalColumns - 2));
+        if (finding.line > 0)
+            text += wrapped(ReportText::tr("Look at %1:%2").arg(nameOf(program)).arg(finding.line),
+                            terminalColumns, margin, margin)
+                    + QLatin1Char('\n');
+        text += QLatin1Char('\n');
+    }
     for (const CheckOutcome &check : report.checks)
         text += describe(report, check, program);
     for (const Remark &remark : report.remarks)
@@ -134,7 +139,7 @@ bool wasStopped(const CheckReport &report, const CheckOutcome &check)
     return report.error && !check.passed && (check.variant.isEmpty() || tellsError(report, check));
 }
 
-QStringList findingsOf(const CheckReport &report, const CheckOutcome &check, const QString &program)
+QStringList observationsOf(const CheckReport &report, const CheckOutcome &check, const QString &program)
 {
     QStringList findings{printable(tellsError(report, check) ? placedMessage(*report.error, program)
                                                              : check.message)};
@@ -146,11 +151,24 @@ QStringList findingsOf(const CheckReport &report, const CheckOutcome &check, con
     return findings;
 }
 
+QStringList mistakesOf(const CheckReport &report)
+{
+    QStringList names;
+    for (const Finding &finding : report.findings) {
+        if (!finding.mistake.isEmpty())
+            names.append(finding.mistake);
+    }
+    return names;
+}
+
 QString explanationOf(const CheckReport &report, const QString &program)
 {
     if (report.error)
         return placedMessage(*report.error, program);
-    return report.diagnosis() ? plainText(report.diagnosis()->message, terminalColumns) : QString();
+    QStringList parts;
+    for (const Finding &finding : report.findings)
+        parts.append(plainText(finding.message, terminalColumns));
+    return parts.join(QLatin1Char('\n'));
 }
 
 QString feedbackOn(const CheckReport &report, std::size_t index, const QString &program)
@@ -167,7 +185,7 @@ QString feedbackOn(const CheckReport &report, std::size_t index, const QString &
         && std::none_of(report.checks.begin(),
                         report.checks.begin() + static_cast<std::ptrdiff_t>(index), isExplained);
     const QString explanation = explanationOf(report, program);
-    QStringList findings = findingsOf(report, check, program);
+    QStringList findings = observationsOf(report, check, program);
     if (first && !explanation.isEmpty() && !tellsError(report, check))
         findings.prepend(explanation + QLatin1Char('\n'));
     return findings.join(QLatin1Char('\n'));

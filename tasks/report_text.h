@@ -9,7 +9,7 @@ namespace cradle {
 /// Letters in a line of a terminal.
 inline constexpr int terminalColumns = 80;
 
-/// The report as lines for a terminal of 80 columns: the diagnosis or what stopped the program,
+/// The report as lines for a terminal of 80 columns: what stopped the program, all findings,
 /// every check, remarks, the verdict.
 /// \param program  the name of the program's file, for "FILE:LINE"
 [[nodiscard]] QString describeReport(const CheckReport &report, const QString &program = {});
@@ -25,10 +25,13 @@ inline constexpr int terminalColumns = 80;
 
 /// What a failed check found, where: its message (where the program stopped, with its place), the
 /// scene if it is not the student's own, and the line of the program. One text for each.
-[[nodiscard]] QStringList findingsOf(const CheckReport &report, const CheckOutcome &check,
+[[nodiscard]] QStringList observationsOf(const CheckReport &report, const CheckOutcome &check,
                                      const QString &program);
 
-/// What explains the whole verdict: the diagnosis, or what stopped the program; as plain text.
+/// The names of the known mistakes that the report names.
+[[nodiscard]] QStringList mistakesOf(const CheckReport &report);
+
+/// What explains the whole verdict: all findings, or what stopped the program; as plain text.
 /// Empty if nothing does.
 [[nodiscard]] QString explanationOf(const CheckReport &report, const QString &program);
 

@@ -3,6 +3,7 @@
 #include "views/task_pane/result_pane.h"
 
 #include "views/task_pane/check_row.h"
+#include "views/task_pane/finding_card.h"
 #include "views/task_pane/message_text.h"
 #include "views/task_pane/result_cards.h"
 #include "views/theme.h"
@@ -175,7 +176,7 @@ void ResultPane::addFailure(QVBoxLayout *column)
     if (m_report->error)
         addError(column, *m_report->error);
     else if (m_report->diagnosis())
-        addDiagnosis(column, *m_report->diagnosis());
+        addFindings(column);
     else if (failed != checks.end()) {
         QVBoxLayout *card =
             addCard(column, "warningCard", tr("Not yet: %1").arg(withUnits(failed->title)));
@@ -196,17 +197,24 @@ void ResultPane::addError(QVBoxLayout *column, const ProgramError &error)
     row->addStretch(1);
 }
 
-/// The mistake that makes the failure, and below it what was observed.
-void ResultPane::addDiagnosis(QVBoxLayout *column, const Finding &diagnosis)
+/// What is wrong, in the order in which to mend it; the first is open, with what was observed.
+void ResultPane::addFindings(QVBoxLayout *column)
 {
-    const HeadedText text = splitHeadline(diagnosis.message);
-    QVBoxLayout *card = addCard(column, "warningCard", text.headline);
-    addMarkdown(card, text, m_renderer);
-    for (const CheckOutcome &check : m_report->checks) {
-        if (check.id != diagnosis.check)
-            continue;
-        addMessage(card, check.message, "muted");
-        addLinks(card, check);
+    bool first = true;
+    for (const Finding &finding : m_report->findings) {
+        auto *card = new FindingCard(finding, first, m_renderer);
+        column->addWidget(card);
+        const auto outcome =
+            std::find_if(m_report->checks.begin(), m_report->checks.end(),
+                         [&](const CheckOutcome &check) { return check.id == finding.check; });
+        if (outcome != m_report->checks.end()) {
+            CheckOutcome shown = *outcome;
+            shown.line = finding.line > 0 ? finding.line : shown.line;
+            if (first)
+                addMessage(card->body(), shown.message, "muted");
+            addLinks(card->body(), shown);
+        }
+        first = false;
     }
 }
 

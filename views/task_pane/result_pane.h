@@ -54,7 +54,7 @@ private:
     void showChecking();
     void addFailure(QVBoxLayout *column);
     void addError(QVBoxLayout *column, const ProgramError &error);
-    void addDiagnosis(QVBoxLayout *column, const Finding &diagnosis);
+    void addFindings(QVBoxLayout *column);
     void addRemark(QVBoxLayout *column, const Remark &remark);
     void addMessage(QVBoxLayout *column, const QString &message, const char *kind);
     void addLinks(QVBoxLayout *card, const CheckOutcome &outcome);
