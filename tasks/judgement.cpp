@@ -5,9 +5,9 @@
 #include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/integrator_matching.h"
-#include "tasks/diagnosis.h"
 #include "tasks/judging/findings.h"
 #include "tasks/locks.h"
+#include "tasks/remarks.h"
 #include "tasks/script/student_script.h"
 #include "tasks/submission_runs.h"
 
@@ -30,8 +30,6 @@ struct CheckerText {
 
 /// Of a whole judgement: a hundred times what the slowest sound program needs.
 constexpr qint64 mostMilliseconds = 30'000;
-/// Scenes of a failed check in which its cause is looked for.
-constexpr std::size_t mostScenes = 6;
 
 /// The line of the program that last changed how the circle of \p fault moves, or any if it is of
 /// none alone, in that step of that scene; the last that set it, if none did; 0 without any.
@@ -180,10 +178,8 @@ private:
         if (!fault)
             return;
         fail(outcome, *fault, variant);
-        if (m_submission.script) {
+        if (m_submission.script)
             outcome.line = lineOf(m_submission, variant, *fault);
-            keep(plan, i, run);
-        }
     }
 
     static void fail(CheckOutcome &outcome, const Fault &fault, const Variant &variant)
@@ -199,40 +195,15 @@ private:
         outcome.pinned = variant.pinned;
     }
 
-    /// Keeps the failed scene, and a few more of the check in which mistakes can be told apart.
-    void keep(const CheckPlan &plan, std::size_t i, const Observation &run)
-    {
-        FailedCheck failed{plan.check, {plan.variants[i]}, {}};
-        failed.runs.push_back(run);
-        // From all over the check: a scene in which the student is right speaks, too.
-        const std::size_t all = plan.variants.size();
-        const std::size_t most = std::min(all, mostScenes);
-        for (std::size_t n = 1; n < most; ++n) {
-            const std::size_t j = (i + n * all / most) % all;
-            const Observation &more = runOf(plan.variants[j]);
-            if (more.error)
-                break;
-            failed.scenes.push_back(plan.variants[j]);
-            failed.runs.push_back(more);
-        }
-        m_failed.push_back(std::move(failed));
-    }
-
     void comment(CheckReport &report)
     {
         // A program that ran for a while before it stopped has laws that may say why.
         const bool ran = !report.error
                          || (report.error->kind == ProgramError::Kind::Runtime
                              && report.error->step > 1);
-        if (!report.passed && ran && !m_task.solution.isEmpty()) {
+        if (!report.passed && ran)
             report.findings = findingsOf(m_lab, m_task, m_submission, report.checks,
                                          m_hooks.provesLines);
-            // A known mistake may explain what no measured law does.
-            if (report.findings.empty() && !report.error) {
-                if (const auto known = diagnose(m_task, m_failed))
-                    report.findings.push_back(*known);
-            }
-        }
         if (report.passed)
             report.remarks = remarksOn(m_task, m_submission, m_seed);
     }
@@ -244,7 +215,6 @@ private:
     qint64 m_seed;
     const JudgeHooks &m_hooks;
     QElapsedTimer m_timer;
-    std::vector<FailedCheck> m_failed;
     bool m_cancelled = false;
 };
 

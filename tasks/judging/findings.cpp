@@ -64,10 +64,14 @@ public:
         if (m_ground.timesteps.empty() || m_ground.gravities.empty())
             return {};
         take(Aspect::Start, deviationsOf(m_own, Aspect::Start));
-        for (const Aspect aspect :
-             {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
+        for (const Aspect aspect : {Aspect::Motion, Aspect::Walls, Aspect::Contact,
+                                    Aspect::Response}) {
             if (isAsked(aspect))
                 take(aspect, deviationsOf(m_own, aspect));
+        }
+        if (m_findings.empty()) {
+            if (const auto e = restitutionDeviation(m_task, m_submission, m_checks))
+                take(Aspect::Start, {*e});
         }
         return std::move(m_findings);
     }

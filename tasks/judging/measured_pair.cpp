@@ -224,6 +224,11 @@ private:
         hit.came2 = free2.velocity;
         hit.left1 = now1.velocity;
         hit.left2 = now2.velocity;
+        const auto leap = [](const Circle &now, const Circle &was, const Motion &free) {
+            return std::min(length(now.position - was.position),
+                            length(now.position - free.position));
+        };
+        hit.leap = std::max(leap(now1, before[0], free1), leap(now2, before[1], free2));
         const Vec2 then = now2.position - now1.position;
         hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
                           && dot(then, now2.velocity - now1.velocity) > 0.0;
@@ -272,7 +277,7 @@ bool answersAlike(const std::vector<PairHit> &a, const std::vector<PairHit> &b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const PairHit &p, const PairHit &q) {
-                          return p.answered == q.answered
+                          return p.answered == q.answered && p.isLeap() == q.isLeap()
                                  && (!p.answered || partsAlike(p.leftParts(), q.leftParts()));
                       });
 }

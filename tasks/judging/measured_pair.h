@@ -42,6 +42,7 @@ struct PairHit {
     Vec2 came2{};
     Vec2 left1{};             ///< and those that it made
     Vec2 left2{};
+    double leap = 0.0;        ///< of a circle, from both its old place and its free way, m
     bool partsInside = false; ///< after that they overlap still, and move apart
     qint64 step = 0;          ///< in which it was answered, from 1
     Stage stage{};
@@ -50,6 +51,11 @@ struct PairHit {
     [[nodiscard]] Vec2 push2() const { return left2 - came2; }
     [[nodiscard]] PairVelocities cameParts() const;
     [[nodiscard]] PairVelocities leftParts() const;
+    /// Whether one of them was put further away than two that overlap are pushed apart.
+    [[nodiscard]] bool isLeap() const
+    {
+        return answered && leap > 0.6 * meeting.sum() + 2.0 * std::abs(before - reached);
+    }
     /// Whether they moved apart already when they were answered.
     [[nodiscard]] bool isParting() const { return dot(came1 - came2, normal) < 0.0; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.

@@ -31,6 +31,7 @@ public:
     {
         ReboundReading rebound = reboundDeviations(m_own, m_right);
         findLaw(rebound.explainsElastic);
+        findLeap();
         for (Deviation &mass : massDeviations(m_own, m_right))
             m_found.push_back(std::move(mass));
         for (Deviation &deviation : rebound.deviations)
@@ -84,6 +85,22 @@ private:
             return;
         }
         findParts(hits, hit, right);
+    }
+
+    void findLeap()
+    {
+        const auto leaps = [](const PairHit &hit) { return hit.isLeap(); };
+        const auto at = std::find_if(m_own.equals.begin(), m_own.equals.end(), leaps);
+        if (at == m_own.equals.end()
+            || std::any_of(m_right.equals.begin(), m_right.equals.end(), leaps))
+            return;
+        add(ResponseText::tr("A hit puts a circle somewhere else"),
+            ResponseText::tr("In the step of the hit one of them was put %1 m away from its own "
+                             "way. Each goes back to its *own* place, if at all: look at which old "
+                             "position each circle gets.")
+                .arg(brief(at->leap)),
+            *at);
+        m_found.back().moment.isPosition = true;
     }
 
     /// No law that is known: which of the things that a hit keeps does it not keep?

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/start_words.h"
 
+#include "tasks/check_plan.h"
+#include "tasks/checks/check_library.h"
+#include "tasks/observation.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -75,6 +80,61 @@ std::vector<Deviation> startDeviations(const Task &task, const Submission &submi
             deviations.push_back(*gravity);
     }
     return deviations;
+}
+
+namespace {
+
+/// The program with another e in place of what it sets; empty if it sets none.
+QString withRestitution(QString program, double e)
+{
+    static const QRegularExpression assignment(
+        QStringLiteral("^(\\s*restitution\\s*=[^=]).*$"), QRegularExpression::MultilineOption);
+    if (!assignment.match(program).hasMatch())
+        return {};
+    return program.replace(assignment,
+                           QStringLiteral("  restitution = %1").arg(e, 0, 'g', 17));
+}
+
+/// Whether \p program passes all that failed in the own scene.
+bool passesOwnScenes(const Task &task, const Preset &preset, const QString &program,
+                     const std::vector<CheckOutcome> &checks)
+{
+    for (const CheckOutcome &outcome : checks) {
+        if (outcome.passed)
+            continue;
+        const auto spec = std::find_if(task.checks.begin(), task.checks.end(),
+                                       [&](const CheckSpec &c) { return c.id == outcome.id; });
+        if (spec == task.checks.end() || outcome.variant != QLatin1String("preset"))
+            return false;
+        const CheckPlan plan = planOf(*spec, preset, task.locked, 1);
+        for (const Variant &variant : plan.variants) {
+            if (judge(*spec, observe(variant, &program)))
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<Deviation> restitutionDeviation(const Task &task, const Submission &submission,
+                                              const std::vector<CheckOutcome> &checks)
+{
+    const Probe own(submission.program(), {submission.preset, false});
+    const Probe right(&task.solution, {task.preset, false});
+    if (!submission.script || !own.runs() || !right.runs()
+        || own.start().restitution == right.start().restitution)
+        return std::nullopt;
+    const QString mended = withRestitution(*submission.script, right.start().restitution);
+    if (mended.isEmpty() || !passesOwnScenes(task, submission.preset, mended, checks))
+        return std::nullopt;
+    return Deviation{Aspect::Start,
+                     StartText::tr("e = %1 is not the value that is asked for\n\nThe laws of your "
+                                   "program are right; with another e your own scene would pass. "
+                                   "Work out what e has to be, and look at how `on_load` writes "
+                                   "it.")
+                         .arg(brief(own.start().restitution)),
+                     {}};
 }
 
 } // namespace cradle

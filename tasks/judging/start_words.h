@@ -6,6 +6,8 @@
 #include "tasks/lab.h"
 #include "tasks/submission.h"
 
+#include <optional>
+
 namespace cradle {
 
 /// In what a submission starts otherwise than the checks of \p task ask: the values of circles
@@ -14,5 +16,11 @@ namespace cradle {
 [[nodiscard]] std::vector<Deviation> startDeviations(const Task &task,
                                                      const Submission &submission,
                                                      const std::vector<CheckOutcome> &checks);
+
+/// Where all laws of a program are right: whether its checks fail by the e of its own scene alone.
+/// It is proven by running them with that of the reference.
+[[nodiscard]] std::optional<Deviation> restitutionDeviation(const Task &task,
+                                                            const Submission &submission,
+                                                            const std::vector<CheckOutcome> &checks);
 
 } // namespace cradle
