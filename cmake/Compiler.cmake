@@ -15,6 +15,11 @@ add_compile_definitions(QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
     add_compile_options(-march=x86-64-v2)
 endif()
+# Steps are computed in model; what is around it need not be unrolled, and compiles faster so.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess) # so that ccache need not unfold precompiled headers
+endif()
 if(CRADLE_WERROR)
     set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
 endif()
@@ -26,10 +31,19 @@ endif()
 
 find_program(CRADLE_CCACHE ccache)
 if(CRADLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # Paths count from the source folder, so that one clone's results serve the next.
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
-        "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CRADLE_CCACHE}")
+    # Paths count from the source folder, so that one clone's results serve the next. The sloppiness
+    # is what precompiled headers ask for; no source uses __DATE__ or __TIME__.
+    set(ccache_settings "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+        CCACHE_SLOPPINESS=pch_defines,time_macros)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        list(APPEND ccache_settings CCACHE_PCH_EXTSUM=1) # see PrecompiledHeaders.cmake
+    endif()
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        "${CMAKE_COMMAND}" -E env ${ccache_settings} "${CRADLE_CCACHE}")
 endif()
+# Resources without the times of their files, which differ in every clone.
+set(cradle_rcc_options --format-version 1)
+
 find_program(CRADLE_MOLD mold)
 if(CRADLE_MOLD)
     add_link_options(-fuse-ld=mold)

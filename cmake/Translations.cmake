@@ -12,7 +12,7 @@ file(GLOB ts_files CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/translations/*.ts")
 
 qt_add_lrelease(cradle_app TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_files)
 qt_add_resources(cradle_app translations PREFIX "/translations"
-                 BASE "${CMAKE_BINARY_DIR}" FILES ${qm_files})
+                 BASE "${CMAKE_BINARY_DIR}" OPTIONS ${cradle_rcc_options} FILES ${qm_files})
 add_custom_target(update_translations
     COMMAND Qt6::lupdate -silent -no-obsolete -locations none -I "${CMAKE_SOURCE_DIR}" ${translated}
             -ts "${CMAKE_SOURCE_DIR}/translations/cradle_de.ts"

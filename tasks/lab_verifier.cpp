@@ -5,7 +5,7 @@
 #include "tasks/lab_findings.h"
 
 #include <QMutex>
-#include <QtConcurrent>
+#include <QtConcurrentMap>
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include <QJsonArray>
 #include <QMutex>
 #include <QSet>
-#include <QtConcurrent>
+#include <QtConcurrentMap>
 
 #include <algorithm>
 #include <cmath>

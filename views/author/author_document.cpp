@@ -10,7 +10,7 @@
 #include <QFileInfo>
 #include <QFileSystemWatcher>
 #include <QUndoCommand>
-#include <QtConcurrent>
+#include <QtConcurrentRun>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/proof_job.h"
 
-#include <QtConcurrent>
+#include <QtConcurrentRun>
 
 namespace cradle {
 

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 The Cradle authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The headers of the system that most of a folder's sources read, parsed once for each folder. They
+# only save time: every source still includes what it uses, as -DCRADLE_PRECOMPILE=OFF proves. Each
+# list adds to the one before it, as the folders do.
+option(CRADLE_PRECOMPILE "Compile with precompiled headers" ON)
+
+# What Clang precompiles names the clone's folder, so every clone compiles it anew. For ccache to serve
+# what is compiled with it, the file is named by an option whose path ccache makes relative, and a
+# fingerprint of what went into it stands beside it (CCACHE_PCH_EXTSUM in Compiler.cmake).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include <PCH_HEADER>)
+endif()
+
+set(cradle_model_headers
+    <algorithm> <array> <cmath> <cstdint> <deque> <functional> <limits> <map> <memory> <numbers>
+    <numeric> <optional> <span> <tuple> <utility> <variant> <vector>
+    <QByteArray> <QCoreApplication> <QJsonArray> <QJsonDocument> <QJsonObject> <QObject> <QString>
+    <QStringList>)
+set(cradle_tasks_headers ${cradle_model_headers}
+    <chrono> <QDir> <QFile> <QFileInfo> <QLocale> <QRegularExpression> <QSaveFile> <QSet>)
+set(cradle_views_headers ${cradle_tasks_headers}
+    <QAction> <QComboBox> <QEvent> <QFontMetricsF> <QFormLayout> <QFrame> <QHBoxLayout>
+    <QHeaderView> <QKeyEvent> <QLabel> <QLineEdit> <QListWidget> <QMenu> <QMouseEvent> <QPainter>
+    <QPushButton> <QScrollArea> <QScrollBar> <QSplitter> <QTableView> <QTextBlock> <QTextCursor>
+    <QTextDocument> <QTimer> <QToolButton> <QUndoStack> <QVBoxLayout> <QWidget>)
+set(cradle_app_headers ${cradle_views_headers}
+    <QApplication> <QDockWidget> <QMainWindow> <QMenuBar> <QMessageBox> <QSettings> <QTabWidget>)
+set(cradle_test_headers <QElapsedTimer> <QSignalSpy> <QTemporaryDir> <QTest>)
+
+# cradle_precompile(TARGET HEADER...)
+function(cradle_precompile target)
+    if(CRADLE_PRECOMPILE)
+        target_precompile_headers(${target} PRIVATE ${ARGN})
+        if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+            get_target_property(qt Qt6::Core LOCATION)
+            file(TIMESTAMP "${qt}" qt_time)
+            file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.pch.sum"
+                 "${ARGN} ${CMAKE_CXX_COMPILER_VERSION} ${Qt6_VERSION} ${qt_time}\n")
+        endif()
+    endif()
+endfunction()
+
+# cradle_precompile_as(TARGET OTHER): with the headers of OTHER, which is compiled in the same way.
+function(cradle_precompile_as target other)
+    if(CRADLE_PRECOMPILE)
+        target_precompile_headers(${target} REUSE_FROM ${other})
+    endif()
+endfunction()
