@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/lab_edits.h"
+#include "tests/test_paths.h"
 
 #include <QByteArray>
 #include <QDir>
@@ -13,7 +14,7 @@
 namespace cradle::authoring {
 
 /// Lab 4.2 as it lies in the repository.
-inline const QString shippedFolder = QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2");
+inline const QString shippedFolder = sourcePath("tasks/lab-4.2");
 
 inline QString text(const char *latin)
 {

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/test_paths.h"
+
 #include <QFile>
-#include <QTest>
 
 /// The scene files of the fixtures.
 namespace cradle::scenes {
 
 inline QString fixture(const QString &name)
 {
-    return QFINDTESTDATA(QStringLiteral("fixtures/presets/%1.json").arg(name));
+    return fixturePath("presets/") + name + QStringLiteral(".json");
 }
 
 inline QByteArray contentOf(const QString &path)

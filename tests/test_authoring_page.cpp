@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
 #include "tasks/lab_reader.h"
+#include "tests/test_paths.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -119,7 +120,7 @@ std::vector<KindInfo> allKinds()
 
 void TestAuthoringPage::initTestCase()
 {
-    m_page = textOf(QStringLiteral(CRADLE_SOURCE_DIR "/docs/authoring.md"));
+    m_page = textOf(sourcePath("docs/authoring.md"));
     QVERIFY(!m_page.isEmpty());
 }
 
@@ -176,8 +177,7 @@ void TestAuthoringPage::linksLeadSomewhere()
     int links = 0;
     for (auto found = link.globalMatch(m_page); found.hasNext(); ++links) {
         const QString file = found.next().captured(1);
-        QVERIFY2(QFile::exists(QStringLiteral(CRADLE_SOURCE_DIR "/docs/") + file),
-                 qPrintable(file));
+        QVERIFY2(QFile::exists(sourcePath("docs/") + file), qPrintable(file));
     }
     QVERIFY(links > 0);
 }

@@ -5,7 +5,7 @@
 #include "tests/scene_lists.h"
 #include "views/theme.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

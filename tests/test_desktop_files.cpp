@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/result.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 #include <QFile>
@@ -26,7 +27,7 @@ private:
 
 namespace {
 
-const QString desktopFolder = QStringLiteral(CRADLE_SOURCE_DIR "/resources/desktop/");
+const QString desktopFolder = cradle::sourcePath("resources/desktop/");
 
 QString text(const char *latin)
 {
@@ -98,7 +99,7 @@ void TestDesktopFiles::installPutsThemWhereDesktopsLook()
     QFETCH(QString, file);
     QFETCH(QString, folder);
     // As CMake wrote the rules for this build.
-    const QString rules = contentOf(QStringLiteral(CRADLE_BINARY_DIR "/cmake_install.cmake"));
+    const QString rules = contentOf(cradle::buildPath("cmake_install.cmake"));
     const qsizetype at = rules.indexOf(text("resources/desktop/") + file);
     QVERIFY(at > 0);
     const qsizetype rule = rules.lastIndexOf(text("file(INSTALL DESTINATION"), at);

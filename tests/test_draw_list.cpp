@@ -6,7 +6,7 @@
 #include "views/scene/handles.h"
 #include "views/theme.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace cradle;
 using namespace cradle::scenes;

@@ -5,7 +5,7 @@
 #include "views/scene/hit_parts.h"
 #include "views/theme.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "tasks/lab_verifier.h"
 #include "tests/authoring_labs.h"
+#include "tests/test_paths.h"
 
 using namespace cradle;
 using namespace cradle::authoring;
@@ -12,7 +13,7 @@ Q_DECLARE_METATYPE(cradle::LabFiles)
 
 namespace {
 
-const QString ballFolder = QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball");
+const QString ballFolder = sourcePath("tasks/bouncing-ball");
 
 /// A change of one field, by the name of the row.
 void change(TaskForm &form, const QByteArray &field)

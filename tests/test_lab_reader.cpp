@@ -3,6 +3,7 @@
 #include "tasks/lab_reader.h"
 
 #include "model/preset_json.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -37,7 +38,7 @@ namespace {
 
 QString fixture(const QString &name)
 {
-    return QStringLiteral(CRADLE_FIXTURES "/labs/") + name;
+    return fixturePath("labs/") + name;
 }
 
 void write(const QString &path, const QByteArray &text)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/other_forms.h"
+#include "tests/test_paths.h"
 
 #include "tasks/checker.h"
 #include "tasks/lab_reader.h"
@@ -21,7 +22,7 @@ constexpr qint64 seeds = 1; // ten times slower
 constexpr qint64 seeds = 3;
 #endif
 
-const QString folder = QStringLiteral(CRADLE_FIXTURES "/scripts/correct/");
+const QString folder = fixturePath("scripts/correct/");
 
 QStringList correctForms(const QString &step = {})
 {

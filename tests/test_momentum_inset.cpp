@@ -5,7 +5,7 @@
 #include "tests/scene_lists.h"
 #include "views/scene/momentum_inset.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <rapidcheck.h>
 

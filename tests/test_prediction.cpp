@@ -3,6 +3,7 @@
 #include "tasks/prediction.h"
 
 #include "tasks/lab_reader.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -114,7 +115,7 @@ void TestPrediction::rightAnswerMustBeOneOfThem()
 void TestPrediction::readerNamesTheWrongPlace()
 {
     const QTemporaryDir folder;
-    const QString from = QStringLiteral(CRADLE_FIXTURES "/labs/good/");
+    const QString from = fixturePath("labs/good/");
     QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("S1")));
     for (const char *name : {"S1/preset.json", "S1/instructions.md"})
         QVERIFY(QFile::copy(from + QLatin1String(name), folder.filePath(QLatin1String(name))));

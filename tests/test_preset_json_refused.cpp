@@ -4,6 +4,7 @@
 
 #include "tests/scene_files.h"
 #include "tests/scenes.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 #include <QFile>
@@ -149,7 +150,7 @@ void TestPresetJsonRefused::badFilesAreRefused()
 void TestPresetJsonRefused::everyBadFileHasARow()
 {
     const QDir folder = QFileInfo(fixture(QStringLiteral("bad/empty"))).dir();
-    const QByteArray source = contentOf(QFINDTESTDATA("test_preset_json_refused.cpp"));
+    const QByteArray source = contentOf(sourcePath("tests/test_preset_json_refused.cpp"));
     const QFileInfoList files = folder.entryInfoList(QDir::Files);
     for (const QFileInfo &file : files) {
         const QByteArray name = '"' + file.baseName().toUtf8() + '"';

@@ -9,7 +9,7 @@
 
 #include <QElapsedTimer>
 #include <QPainter>
-#include <QtTest>
+#include <QTest>
 
 using namespace cradle;
 using namespace cradle::scenes;

@@ -3,6 +3,7 @@
 #include "tasks/report_formats.h"
 #include "tasks/report_text.h"
 #include "tests/reports.h"
+#include "tests/test_paths.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -204,7 +205,7 @@ void TestReportFormats::junitFitsTheSchema()
     const QString file = written(m_folder, "report.xml", writeJUnit(report, {}));
     const Run run =
         runTool(QStringLiteral("xmllint"), {QStringLiteral("--noout"), QStringLiteral("--schema"),
-                                            QStringLiteral(CRADLE_FIXTURES "/junit-10.xsd"), file});
+                                            fixturePath("junit-10.xsd"), file});
     QVERIFY2(run.code == 0, qPrintable(run.out));
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/test_paths.h"
+
 #include <QFile>
 #include <QProcess>
 #include <QStringList>
@@ -58,7 +60,7 @@ run(const QString &program, const QStringList &arguments, const QString &home = 
 
 inline Outcome runCli(const QStringList &arguments)
 {
-    return run(QStringLiteral(CRADLE_CLI), arguments);
+    return run(cliProgram(), arguments);
 }
 
 inline QByteArray contentOf(const QString &path)

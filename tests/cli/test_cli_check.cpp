@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
+#include "tests/test_paths.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -52,7 +53,7 @@ QStringList words(const char *line)
 
 QString TestCliCheck::lab(const char *file)
 {
-    return QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/") + QLatin1String(file);
+    return cradle::sourcePath("tasks/lab-4.2/") + QLatin1String(file);
 }
 
 QJsonObject TestCliCheck::json(const QStringList &arguments, int code)
@@ -169,7 +170,7 @@ void TestCliCheck::seedChangesNothingButTheScenes()
 
 void TestCliCheck::ownLabIsRead()
 {
-    const QString folder = QStringLiteral(CRADLE_FIXTURES "/labs/");
+    const QString folder = cradle::fixturePath("labs/");
     const QStringList judge{text("check"), text("S1"), text("--preset"),
                             lab("L42T4/solution-preset.json"), text("--lab")};
     VERIFY_CODE(runCli(judge + QStringList{folder + text("good")}), 0);
@@ -218,8 +219,8 @@ void TestCliCheck::unreadableInputNamesItsPlace_data()
     QTest::addColumn<QString>("lab");
     QTest::addColumn<QString>("start"); ///< of the message
     const QString good = lab("L42T1/preset.json");
-    const QString bad = QStringLiteral(CRADLE_FIXTURES "/presets/bad/");
-    const QString labs = QStringLiteral(CRADLE_FIXTURES "/labs/");
+    const QString bad = cradle::fixturePath("presets/bad/");
+    const QString labs = cradle::fixturePath("labs/");
     const auto row = [](const char *name, const QString &preset, const QString &folder,
                         const QString &start) { QTest::newRow(name) << preset << folder << start; };
     row("missing preset", text("nowhere.json"), {}, text("nowhere.json: "));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
+#include "tests/test_paths.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -36,7 +37,7 @@ QString text(const char *latin)
 
 QString step1(const char *file)
 {
-    return QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/L42T1/") + QLatin1String(file);
+    return cradle::sourcePath("tasks/lab-4.2/L42T1/") + QLatin1String(file);
 }
 
 QJsonObject reportOf(const Outcome &outcome)
@@ -81,8 +82,7 @@ void TestCliCheckProgram::programIsJudged()
 /// Its id says which of the shipped labs is meant.
 void TestCliCheckProgram::stepOfTheOtherLabNeedsNoFolder()
 {
-    const QString solution =
-        QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball/BALL2/solution.lua");
+    const QString solution = cradle::sourcePath("tasks/bouncing-ball/BALL2/solution.lua");
     const Outcome outcome =
         runCli({text("check"), text("BALL2"), solution, text("--format"), text("json")});
     VERIFY_CODE(outcome, 0);
@@ -147,7 +147,7 @@ void TestCliCheckProgram::unreadableProgramIsRefused_data()
                              << text(":2: ");
     QTest::newRow("UTF-16") << written(m_folder, "utf16.lua", QByteArray("x\0=\0001\0", 6))
                             << text(":1: ");
-    QTest::newRow("too large") << text(CRADLE_CLI) << text(": ");
+    QTest::newRow("too large") << cradle::cliProgram() << text(": ");
 }
 
 void TestCliCheckProgram::unreadableProgramIsRefused()

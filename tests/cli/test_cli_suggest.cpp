@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 
@@ -78,7 +79,7 @@ void TestCliSuggest::namesWhatPassesAndWhatIsNotExplained()
 void TestCliSuggest::wrongUsageIsSaid_data()
 {
     QTest::addColumn<QStringList>("arguments");
-    const QString good = text(CRADLE_FIXTURES "/labs/good");
+    const QString good = cradle::fixturePath("labs/good");
     QTest::newRow("no lab") << QStringList{};
     QTest::newRow("unknown step") << QStringList{good, text("S9")};
     QTest::newRow("no such folder") << QStringList{text("nowhere")};

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
+#include "tests/test_paths.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -221,7 +222,7 @@ void TestCliVerify::oneStepAlone()
 void TestCliVerify::unreadableLabIsRefused_data()
 {
     QTest::addColumn<QString>("folder");
-    const QString labs = text(CRADLE_FIXTURES "/labs/");
+    const QString labs = cradle::fixturePath("labs/");
     QTest::newRow("missing") << text("nowhere");
     QTest::newRow("no lab.json") << labs + text("no_lab_json");
     QTest::newRow("broken syntax") << labs + text("broken_syntax");
@@ -240,7 +241,7 @@ void TestCliVerify::unreadableLabIsRefused()
 void TestCliVerify::wrongUsageIsSaid_data()
 {
     QTest::addColumn<QStringList>("arguments");
-    const QString good = text(CRADLE_FIXTURES "/labs/good");
+    const QString good = cradle::fixturePath("labs/good");
     QTest::newRow("no lab") << QStringList{};
     QTest::newRow("two labs") << QStringList{good, good};
     QTest::newRow("unknown step") << QStringList{good, text("--task"), text("S9")};

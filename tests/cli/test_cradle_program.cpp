@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
+#include "tests/test_paths.h"
 
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
@@ -74,7 +75,7 @@ Outcome TestCradleProgram::cradle(const QString &options,
 {
     QStringList arguments = options.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     arguments.replaceInStrings(text("PICTURE"), path("picture.png"));
-    return run(QStringLiteral(CRADLE_APP), arguments, m_home->path(), environment);
+    return run(cradle::desktopProgram(), arguments, m_home->path(), environment);
 }
 
 /// The bytes of a picture; empty if there is none.
@@ -160,9 +161,9 @@ void TestCradleProgram::pictureShowsTheMoment()
 
 void TestCradleProgram::pictureShowsAFile()
 {
-    const QString preset = QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/L42T14/preset.json");
+    const QString preset = cradle::sourcePath("tasks/lab-4.2/L42T14/preset.json");
     QCOMPARE(sizeOf(picture(text("--at 1 --size 1280x800 ") + preset)), QSize(1280, 800));
-    const QString lab = QStringLiteral(CRADLE_FIXTURES "/labs/good");
+    const QString lab = cradle::fixturePath("labs/good");
     QCOMPARE(sizeOf(picture(text("--step S2 --size 1280x800 ") + lab)), QSize(1280, 800));
 }
 
@@ -204,15 +205,14 @@ void TestCradleProgram::wrongUsageIsSaid_data()
     const auto row = [](const char *name, const QString &options, const char *word) {
         QTest::newRow(name) << options << text(word);
     };
-    const QString bad = QStringLiteral(CRADLE_FIXTURES "/presets/bad/");
+    const QString bad = cradle::fixturePath("presets/bad/");
     const QString draw = text("--screenshot PICTURE ");
     row("unknown step", draw + text("--step L42T99"), "L42T17");
     row("step outside the lab", draw + text("--step ../L42T1"), "L42T17");
     row("missing file", draw + text("nowhere.json"), "nowhere.json: ");
     row("broken preset", draw + bad + text("radius_negative.json"),
         "radius_negative.json: /circles/1/radius: ");
-    row("broken lab", draw + QStringLiteral(CRADLE_FIXTURES "/labs/wrong_format"),
-        "lab.json: /format: ");
+    row("broken lab", draw + cradle::fixturePath("labs/wrong_format"), "lab.json: /format: ");
     row("archive that is none", draw + bad + text("../../labs/good/lab.cradle"), "lab.cradle: ");
     row("author of an archive that is none",
         draw + text("--author ") + bad + text("../../labs/good/lab.cradle"), "lab.cradle: ");

@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "app/notice_bar.h"
+#include "tests/test_paths.h"
 #include "views/author/checks_tab.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/programs_tab.h"
@@ -192,7 +193,7 @@ inline void beginLab(OpenAuthor &author, const QString &title)
 /// Opens a copy of the bouncing ball, which may be edited, in a folder "ball" of \p folder.
 inline void openBall(OpenAuthor &author, const QTemporaryDir &folder)
 {
-    QVERIFY(!author.window.open(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball")));
+    QVERIFY(!author.window.open(sourcePath("tasks/bouncing-ball")));
     QVERIFY(!author.document().saveAs(folder.filePath(QStringLiteral("ball"))));
     QCOMPARE(author.document().steps().size(), 3);
 }

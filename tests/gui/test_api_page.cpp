@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_code.h"
+#include "tests/test_paths.h"
 #include "views/code/api_page.h"
 #include "views/code/api_words.h"
 
@@ -33,7 +34,7 @@ namespace {
 /// The lines of a page in docs that begin with \p start.
 QStringList linesOf(const QString &page, const QString &start)
 {
-    QFile file(s(CRADLE_SOURCE_DIR "/docs/") + page);
+    QFile file(sourcePath("docs/") + page);
     if (!file.open(QIODevice::ReadOnly))
         return {};
     return QString::fromUtf8(file.readAll())

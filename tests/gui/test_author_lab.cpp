@@ -5,6 +5,7 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tests/gui/open_window.h"
+#include "tests/test_paths.h"
 #include "views/author/lab_dialog.h"
 
 #include <QLabel>
@@ -164,8 +165,7 @@ void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
     const QTemporaryDir folder;
     OpenWindow student(folder);
     const QString place = folder.filePath(QStringLiteral("ball"));
-    const Result<LabFiles> ball =
-        readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
+    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/bouncing-ball"));
     QVERIFY(ball && !saveLabFiles(*ball, {}, place));
     QVERIFY(!student.window.openAuthor(place));
     AuthorWindow *author = student.window.author();

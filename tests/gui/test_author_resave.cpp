@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/test_paths.h"
 
 #include "app/author_window.h"
 
@@ -36,7 +37,7 @@ QMap<QString, QByteArray> bytesIn(const QString &folder)
 void TestAuthorResave::labIsSavedAsItWas()
 {
     const QTemporaryDir folder;
-    const QString from = QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2");
+    const QString from = sourcePath("tasks/lab-4.2");
     const QString copy = folder.filePath(QStringLiteral("copy"));
     QVERIFY(!saveLabFiles(*readLabFiles(from), {}, copy));
     const QMap<QString, QByteArray> before = bytesIn(from);

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 
 #include "tests/gui/open_window.h"
+#include "tests/test_paths.h"
 
 #include <QAction>
 #include <QApplication>
@@ -236,7 +237,7 @@ void TestMainWindow::layoutIsReset()
 
 void TestMainWindow::sceneFileIsOpened()
 {
-    openFile(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/L42T14/preset.json"));
+    openFile(sourcePath("tasks/lab-4.2/L42T14/preset.json"));
     QVERIFY(m_open->preset() == *readPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     // The lab is still there.
     QVERIFY(m_open->bench.openTask(QStringLiteral("L42T2")));
@@ -255,7 +256,7 @@ void TestMainWindow::brokenSceneFileGivesANotice()
     QFETCH(QString, name);
     m_open->typeCell(0, CircleTableModel::VelocityX, QStringLiteral("2"));
     const Preset before = m_open->preset();
-    openFile(QStringLiteral(CRADLE_FIXTURES "/presets/bad/") + name);
+    openFile(fixturePath("presets/bad/") + name);
     QVERIFY(m_open->window.notice().isVisible());
     QVERIFY2(m_open->window.notice().text().contains(name),
              qPrintable(m_open->window.notice().text()));

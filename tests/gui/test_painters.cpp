@@ -3,12 +3,13 @@
 #include "model/preset_json.h"
 #include "tests/gui/image_difference.h"
 #include "tests/gui/scene_fixture.h"
+#include "tests/test_paths.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/raster_canvas.h"
 #include "views/theme.h"
 
 #include <QProcess>
-#include <QtTest>
+#include <QTest>
 
 #include <memory>
 
@@ -28,7 +29,7 @@ enum class Extras { None, Ghosts, Marks };
 
 QString folder(const char *step)
 {
-    return QStringLiteral(CRADLE_SOURCE_DIR "/tasks/lab-4.2/") + QLatin1String(step);
+    return sourcePath("tasks/lab-4.2/") + QLatin1String(step);
 }
 
 /// The run that the circles would have with all velocities a tenth slower.

@@ -12,7 +12,7 @@
 #include <QClipboard>
 #include <QMenu>
 #include <QMenuBar>
-#include <QtTest>
+#include <QTest>
 
 using namespace cradle::scenes;
 using namespace cradle::windows;

@@ -7,7 +7,7 @@
 #include <QApplication>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -4,7 +4,8 @@
 #include "views/scene/scene_view.h"
 
 #include <QAction>
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include <algorithm>
 

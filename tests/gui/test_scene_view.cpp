@@ -8,7 +8,7 @@
 #include "views/scene/raster_painter.h"
 
 #include <QPainter>
-#include <QtTest>
+#include <QTest>
 
 using namespace cradle::scenes;
 using namespace cradle;
