@@ -127,7 +127,7 @@ void CodeSession::apply()
 void CodeSession::run()
 {
     auto script = std::make_unique<StudentScript>(
-        m_running, StudentScript::Options{.pinned = m_pinned, .locked = m_locked});
+        m_running, StudentScript::Options{.pinned = m_pinned, .timed = true, .locked = m_locked});
     if (m_active)
         m_simulation.setProgram(script.get());
     m_script = std::move(script);

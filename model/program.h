@@ -24,8 +24,9 @@ struct ProgramError {
     enum class Kind {
         Syntax,  ///< it cannot be read
         Runtime, ///< it did something that cannot be done
-        Time,    ///< it took too many instructions or too long
-        Memory   ///< it took too much memory
+        Time,    ///< it took too many instructions, or in a live run too long
+        Memory,  ///< it took too much memory
+        Machine  ///< nothing of its own: the machine was too slow, so there is no verdict
     };
 
     QString message; ///< what is wrong and what would be right

@@ -28,8 +28,10 @@ struct CheckerText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
-/// Of a whole judgement: a hundred times what the slowest sound program needs.
-constexpr qint64 mostMilliseconds = 30'000;
+/// Of all runs of a judgement: a hundred times what a sound program needs.
+constexpr qint64 mostInstructions = 500'000'000;
+/// Of a judgement that the instructions do not bound; then the machine, not the program, says so.
+constexpr qint64 mostMilliseconds = 60'000;
 
 /// The line of the program that last changed how the circle of \p fault moves, or any if it is of
 /// none alone, in that step of that scene; the last that set it, if none did; 0 without any.
@@ -149,7 +151,11 @@ private:
 
     [[nodiscard]] const Observation &runOf(const Variant &variant)
     {
-        return m_runs.of(variant, [this] { return isCancelled() || isLate(); });
+        const Observation &run = m_runs.of(
+            variant, [this] { return isCancelled() || isLate(); },
+            mostInstructions - m_instructions);
+        m_instructions += run.instructions;
+        return run;
     }
 
     void judgeScene(const CheckPlan &plan, std::size_t i, CheckOutcome &outcome,
@@ -159,10 +165,12 @@ private:
         const Observation &run = runOf(variant);
         std::optional<ProgramError> error = run.error;
         if (!error && isLate())
+            error = stoppedByMachine(mostMilliseconds / 1000);
+        else if (!error && m_instructions > mostInstructions)
             error = ProgramError{
-                .message = CheckerText::tr("the check took more than %1 s and was stopped; an "
-                                           "update should take less than a millisecond")
-                               .arg(mostMilliseconds / 1000),
+                .message = CheckerText::tr("the check took more than %1 million instructions; an "
+                                           "update should take a few thousand")
+                               .arg(mostInstructions / 1'000'000),
                 .kind = ProgramError::Kind::Time,
                 .step = run.steps(),
                 .time = run.states.time(run.steps())};
@@ -215,6 +223,7 @@ private:
     qint64 m_seed;
     const JudgeHooks &m_hooks;
     QElapsedTimer m_timer;
+    qint64 m_instructions = 0; ///< of all runs that were asked for, also of those made before
     bool m_cancelled = false;
 };
 
@@ -246,6 +255,15 @@ QString commitOf(const Task &task, const Submission &submission)
 }
 
 } // namespace
+
+ProgramError stoppedByMachine(qint64 seconds)
+{
+    return {.message =
+                CheckerText::tr("stopped by the machine: the check took more than %1 s. This "
+                                "is no verdict on the program")
+                    .arg(seconds),
+            .kind = ProgramError::Kind::Machine};
+}
 
 std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, const Submission &submission,
                                      qint64 seed, const JudgeHooks &hooks)

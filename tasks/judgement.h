@@ -11,17 +11,21 @@
 
 namespace cradle {
 
+/// Of a check that the machine could not do in so many seconds.
+[[nodiscard]] ProgramError stoppedByMachine(qint64 seconds);
+
 /// How a judgement is watched and stopped; both may be left empty.
 struct JudgeHooks {
     std::function<void(int done, int total)> progress{}; ///< after every scene
-    std::function<bool()> cancelled{};                   ///< asked before every scene
+    std::function<bool()> cancelled{};                   ///< asked all the time
     /// Whether the line at fault is proven by mending it, which takes some tenths of a second; else
     /// it is the one that last changed what is wrong.
     bool provesLines = true;
 };
 
 /// Judges \p submission by all checks of \p task, in scenes drawn from \p seed, and says which
-/// known mistake explains a failure. The result depends on nothing else.
+/// known mistake explains a failure. The result depends on nothing else: programs are stopped by
+/// what they do, not by the clock, but for an error of the kind Machine, which is no verdict.
 /// \return nullopt if it was cancelled
 [[nodiscard]] std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task,
                                                    const Submission &submission, qint64 seed,

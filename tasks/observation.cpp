@@ -31,25 +31,36 @@ Circle Observation::circleAt(int index, double seconds) const
 }
 
 Observation observe(const Variant &variant, const QString *script,
-                    const std::function<bool()> &stop)
+                    const std::function<bool()> &stop, qint64 mostInstructions)
 {
+    bool stopped = false;
+    const auto isOver = [&] { return stopped = stopped || (stop && stop()); };
     Observation o{variant, Recording(maxBytes)};
     std::optional<StudentScript> program;
     if (script) {
         program.emplace(*script, StudentScript::Options{.pinned = variant.pinned,
                                                         .quiet = true,
-                                                        .locked = variant.locked});
+                                                        .locked = variant.locked,
+                                                        .stop = isOver});
         o.error = program->begin(o.variant.preset);
     }
     World world = initialWorld(o.variant.preset);
     o.states.append(world);
-    if (o.error)
+    const auto close = [&]() -> Observation & {
+        o.instructions = program ? program->instructions() : 0;
+        if (stopped) // What it was stopped with is no error of its own.
+            o.error.reset();
         return o;
+    };
+    if (o.error)
+        return close();
     Stepper stepper(o.variant.preset);
     std::vector<Hit> hits;
     const double dt = o.variant.preset.timestep;
     const auto steps = static_cast<qint64>(std::ceil(variant.duration / dt));
-    for (qint64 k = 0; k < steps && !(stop && stop()); ++k) {
+    for (qint64 k = 0; k < steps && !isOver(); ++k) {
+        if (program && program->instructions() > mostInstructions)
+            break;
         if (program && program->moves()) {
             if ((o.error = program->advance(world, dt)))
                 break;
@@ -63,7 +74,7 @@ Observation observe(const Variant &variant, const QString *script,
     }
     if (program && !o.error)
         o.fields = program->ownFields();
-    return o;
+    return close();
 }
 
 } // namespace cradle

@@ -9,6 +9,7 @@
 #include "model/program.h"
 
 #include <functional>
+#include <limits>
 
 namespace cradle {
 
@@ -18,6 +19,7 @@ struct Observation {
     Variant variant;
     Recording states;
     std::optional<ProgramError> error{}; ///< the program stopped; the states are those before
+    qint64 instructions = 0;             ///< of the program, and the work that counts as such
     std::vector<CircleField> fields{};   ///< what the program keeps with the circles at the end
 
     [[nodiscard]] qint64 steps() const { return states.last(); }
@@ -35,8 +37,11 @@ struct Observation {
 
 /// Runs \p variant for its duration: \p script (a student's program) where it is not null, and
 /// where it moves nothing the laws. The observation's scene is what the program made of it.
-/// \param stop  asked before every step; if it answers true, the states end there
+/// \param stop  asked before every step, and while a program runs; if it answers true, the states
+///     end there
+/// \param mostInstructions  after so many of the program the states end, too
 [[nodiscard]] Observation observe(const Variant &variant, const QString *script = nullptr,
-                                  const std::function<bool()> &stop = {});
+                                  const std::function<bool()> &stop = {},
+                                  qint64 mostInstructions = std::numeric_limits<qint64>::max());
 
 } // namespace cradle

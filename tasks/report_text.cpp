@@ -121,6 +121,8 @@ QString kindName(ProgramError::Kind kind)
         return QStringLiteral("time");
     case ProgramError::Kind::Memory:
         return QStringLiteral("memory");
+    case ProgramError::Kind::Machine:
+        return QStringLiteral("machine");
     case ProgramError::Kind::Runtime:
         break;
     }

@@ -23,8 +23,9 @@ public:
     [[nodiscard]] const Submission &submission() const { return m_submission; }
 
     /// observe() of \p variant; the reference holds until the next call. A run that \p stop
-    /// ended is not kept.
-    const Observation &of(const Variant &variant, const std::function<bool()> &stop);
+    /// or \p mostInstructions ended is not kept.
+    const Observation &of(const Variant &variant, const std::function<bool()> &stop,
+                          qint64 mostInstructions = std::numeric_limits<qint64>::max());
 
 private:
     struct Run {

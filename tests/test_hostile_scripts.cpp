@@ -60,9 +60,11 @@ QByteArray nameOf(const std::optional<ProgramError> &error)
     case ProgramError::Kind::Time:
         return timeKind;
     case ProgramError::Kind::Memory:
+        return memoryKind;
+    case ProgramError::Kind::Machine:
         break;
     }
-    return memoryKind;
+    return "machine";
 }
 
 /// Programs that would do what they do for ever, but are stopped by more than one limit: whichever

@@ -728,10 +728,6 @@
         <translation>nicht geprüft: Das Programm hielt mit einem Fehler an</translation>
     </message>
     <message>
-        <source>the check took more than %1 s and was stopped; an update should take less than a millisecond</source>
-        <translation>die Prüfung dauerte mehr als %1 s und wurde abgebrochen; ein Schritt soll weniger als eine Millisekunde dauern</translation>
-    </message>
-    <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
         <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; die Wand soll ihn sofort umkehren</translation>
     </message>
@@ -774,6 +770,14 @@
     <message>
         <source>What the step fixes is as the step has it</source>
         <translation>Was der Schritt festlegt, ist so, wie er es festlegt</translation>
+    </message>
+    <message>
+        <source>the check took more than %1 million instructions; an update should take a few thousand</source>
+        <translation>die Prüfung brauchte mehr als %1 Millionen Befehle; für ein on_update sollten einige Tausend reichen</translation>
+    </message>
+    <message>
+        <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
+        <translation>vom Rechner abgebrochen: die Prüfung dauerte mehr als %1 s. Das ist kein Urteil über das Programm</translation>
     </message>
 </context>
 <context>
@@ -895,10 +899,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>a whole number from 1</source>
         <translation>eine ganze Zahl ab 1</translation>
-    </message>
-    <message>
-        <source>the check took more than %1 s and was stopped</source>
-        <translation>die Prüfung dauerte mehr als %1 s und wurde abgebrochen</translation>
     </message>
     <message>
         <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
@@ -2618,6 +2618,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>in step %1, at %2 s</source>
         <translation>in Schritt %1, bei %2 s</translation>
     </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
 </context>
 <context>
     <name>RunDifference</name>
@@ -3325,10 +3329,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>das ist kein Text, also kein Programm</translation>
     </message>
     <message>
-        <source>%p of string.format is not part of the lab&apos;s Lua</source>
-        <translation>%p von string.format gehört nicht zum Lua des Labs</translation>
-    </message>
-    <message>
         <source>`%1` is local here, so nobody can call it; write function %1(…) without local</source>
         <translation>`%1` ist hier local, also kann niemand es aufrufen; schreib function %1(…) ohne local</translation>
     </message>
@@ -3528,6 +3528,18 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>there is no %1: the scene has 1 circle</source>
         <translation>%1 gibt es nicht: Die Szene hat 1 Kreis</translation>
+    </message>
+    <message>
+        <source>pairs needs keys that have an order: numbers, texts, circles. Of tables, functions and equal vectors there may be one; keep them in a list and go through it with ipairs</source>
+        <translation>pairs braucht Schlüssel, die eine Reihenfolge haben: Zahlen, Texte, Kreise. Von Tabellen, Funktionen und gleichen Vektoren darf es einen geben; halte sie in einer Liste und geh mit ipairs durch sie</translation>
+    </message>
+    <message>
+        <source>this step does as much work as %1 million instructions (what is done to long texts and lists counts by their length); is there a loop that does not end?</source>
+        <translation>dieser Schritt tut so viel wie %1 Millionen Befehle (was mit langen Texten und Listen geschieht, zählt nach deren Länge); gibt es eine Schleife, die nicht endet?</translation>
+    </message>
+    <message>
+        <source>%p of string.format is not part of the lab&apos;s Lua: an address is another in every run</source>
+        <translation>%p von string.format gehört nicht zum Lua des Labs: eine Adresse ist in jedem Lauf eine andere</translation>
     </message>
 </context>
 <context>

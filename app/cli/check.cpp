@@ -21,8 +21,8 @@ namespace cradle::cli {
 
 namespace {
 
-/// Of the process that judges; it stops by itself long before.
-constexpr std::chrono::seconds mostTime{60};
+/// Of the process that judges; it stops by itself long before, where it can look at the clock.
+constexpr std::chrono::seconds mostTime{90};
 
 struct CheckText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
@@ -60,18 +60,11 @@ bool isShown(ReportFormat format, const QString &output)
     return format == ReportFormat::Text && output.isEmpty() && isatty(fileno(stdout)) == 1;
 }
 
-/// Of a program that hung where no limit sees it.
-CheckReport stoppedReport(const Lab &lab, const Task &task, qint64 seed)
+/// Nothing is written where there is nothing to say of the program.
+ExitCode noVerdict(const ProgramError &error)
 {
-    CheckReport report{.labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed};
-    report.error = ProgramError{.message = CheckText::tr("the check took more than %1 s and was "
-                                                         "stopped")
-                                               .arg(mostTime.count()),
-                                .kind = ProgramError::Kind::Time};
-    for (const CheckSpec &check : task.checks)
-        report.checks.push_back(
-            {.id = check.id, .title = check.title, .message = report.error->message});
-    return report;
+    QTextStream(stderr) << "cradle-cli: " << error.message << Qt::endl;
+    return Defect;
 }
 
 } // namespace
@@ -138,6 +131,8 @@ ExitCode check(const QStringList &arguments)
     if (!submission)
         return complain(submission.error());
     const auto tell = [&](const CheckReport &report) -> ExitCode {
+        if (report.error && report.error->kind == ProgramError::Kind::Machine)
+            return noVerdict(*report.error);
         if (report.error && !isShown(*format, parser.value(output)))
             QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
         const QByteArray text = writeReport(report, *format, program);
@@ -157,7 +152,7 @@ ExitCode check(const QStringList &arguments)
                             << crash->signal << Qt::endl;
         return Defect;
     }
-    return tell(stoppedReport(*lab, task, seedValue));
+    return noVerdict(stoppedByMachine(mostTime.count()));
 }
 
 } // namespace cradle::cli

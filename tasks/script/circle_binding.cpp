@@ -28,6 +28,8 @@ constexpr lua_Integer metatableKey = 102;
 /// Of a circle that has more fields of the program's own none are told.
 constexpr std::size_t mostFields = 100;
 
+constexpr qint64 instructionsPerNewField = 50; ///< its name is compared with the engine's
+
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
 /// The engine's fields by their first letters; all others are the program's own.
@@ -166,6 +168,7 @@ double newNumber(lua_State *L, int circle, const char *key)
 /// "velocty" is not a field of the program's own; "velocity2" and "old_position" are.
 void refuseSlip(lua_State *L, int circle, const char *key)
 {
+    ScriptHost::of(L).instructions += instructionsPerNewField;
     const QString name = QString::fromUtf8(key);
     for (const QString &known : engineFields()) {
         if (name.size() >= 5 && !name.startsWith(known) && editDistance(name, known) <= 2)
@@ -222,12 +225,6 @@ int setField(lua_State *L)
     return 0;
 }
 
-void setFunction(lua_State *L, const char *name, lua_CFunction function)
-{
-    lua_pushcfunction(L, function);
-    lua_setfield(L, -2, name);
-}
-
 } // namespace
 
 int circleAt(lua_State *L, int index)
@@ -248,9 +245,11 @@ void pushCircle(lua_State *L, int index)
 void pushCircles(lua_State *L)
 {
     lua_newtable(L);
-    setFunction(L, "__index", index);
-    setFunction(L, "__newindex", setField);
-    setFunction(L, "__tostring", describeObject);
+    constexpr luaL_Reg functions[] = {{"__index", index},
+                                      {"__newindex", setField},
+                                      {"__tostring", describeObject},
+                                      {nullptr, nullptr}};
+    luaL_setfuncs(L, functions, 0);
     lua_pushliteral(L, "circle");
     lua_setfield(L, -2, "__name");
     lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/lua_library.h"
 
+#include "tasks/script/library_parts.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/ordered_pairs.h"
 #include "tasks/script/sandbox.h"
@@ -12,8 +13,6 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include <initializer_list>
-
 namespace cradle {
 
 namespace {
@@ -21,6 +20,8 @@ namespace {
 struct LibraryText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
+
+constexpr qint64 digitsPerInstruction = 32;
 
 /// "vector", "circle" and the names of Lua's own types.
 int typeName(lua_State *L)
@@ -42,21 +43,6 @@ int toText(lua_State *L)
     return 1;
 }
 
-/// string.format without addresses. Upvalue: Lua's own.
-int formatText(lua_State *L)
-{
-    checkTime(L);
-    if (QByteArray(luaL_checkstring(L, 1)).contains("%p"))
-        raise(L, LibraryText::tr("%p of string.format is not part of the lab's Lua"));
-    for (int i = 2; i <= lua_gettop(L); ++i) {
-        if (lua_type(L, i) == LUA_TTABLE || lua_type(L, i) == LUA_TFUNCTION) {
-            pushText(L, i);
-            lua_replace(L, i);
-        }
-    }
-    return lua_tocfunction(L, lua_upvalueindex(1))(L);
-}
-
 /// math.randomseed without a number would make every run another.
 int seedRandom(lua_State *L)
 {
@@ -68,10 +54,18 @@ int seedRandom(lua_State *L)
     return 0;
 }
 
-/// A library function that may work long without an instruction: the clock is looked at first.
-int timed(lua_State *L)
+/// tonumber reads a text of any length. Upvalue: Lua's own.
+int toNumber(lua_State *L)
 {
-    checkTime(L);
+    if (lua_type(L, 1) == LUA_TSTRING)
+        charge(L, static_cast<qint64>(lua_rawlen(L, 1)) / digitsPerInstruction);
+    return lua_tocfunction(L, lua_upvalueindex(1))(L);
+}
+
+/// select gives back nearly all that it is given. Upvalue: Lua's own.
+int selectValues(lua_State *L)
+{
+    charge(L, lua_gettop(L));
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
@@ -100,31 +94,6 @@ int refuseMember(lua_State *L)
     raise(L, LibraryText::tr("%1 has no `%2`: did you mean `%1.%3`?").arg(library, name, near));
 }
 
-/// Tells a program that reads a member which the table on the top of the stack does not have.
-/// Lua's own library lies below it.
-void explainMembers(lua_State *L, const char *library)
-{
-    lua_newtable(L);
-    lua_pushstring(L, library);
-    lua_pushvalue(L, -4);
-    lua_pushcclosure(L, refuseMember, 2);
-    lua_setfield(L, -2, "__index");
-    lua_setmetatable(L, -2);
-}
-
-/// Moves the named functions of the library table on the top of the stack into a new table there.
-void keepOnly(lua_State *L, const char *library, std::initializer_list<const char *> names)
-{
-    lua_newtable(L);
-    for (const char *name : names) {
-        lua_getfield(L, -2, name);
-        lua_pushcclosure(L, timed, 1);
-        lua_setfield(L, -2, name);
-    }
-    explainMembers(L, library);
-    lua_remove(L, -2);
-}
-
 void addBase(lua_State *L)
 {
     lua_pushcfunction(L, luaopen_base);
@@ -137,6 +106,11 @@ void addBase(lua_State *L)
     }
     lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
     lua_pop(L, 1);
+    for (const luaL_Reg &entry : {luaL_Reg{"tonumber", toNumber}, {"select", selectValues}}) {
+        lua_getglobal(L, entry.name);
+        lua_pushcclosure(L, entry.func, 1);
+        lua_setglobal(L, entry.name);
+    }
     lua_register(L, "pcall", protectedCall);
     lua_register(L, "pairs", orderedPairs);
     lua_register(L, "type", typeName);
@@ -157,49 +131,37 @@ void addMath(lua_State *L)
     lua_setglobal(L, "math");
 }
 
-void addString(lua_State *L)
-{
-    luaL_requiref(L, "string", luaopen_string, 0);
-    lua_getfield(L, -1, "format");
-    lua_insert(L, -2);
-    keepOnly(L, "string", {"format", "sub", "len", "upper", "lower"});
-    lua_insert(L, -2);
-    lua_pushcclosure(L, formatText, 1);
-    lua_setfield(L, -2, "format");
-    // The methods of strings, ("x"):upper(), are the same few.
-    lua_pushliteral(L, "");
-    lua_getmetatable(L, -1);
-    lua_pushvalue(L, -3);
-    lua_setfield(L, -2, "__index");
-    lua_pop(L, 2);
-    lua_setglobal(L, "string");
-}
-
-void addTable(lua_State *L)
-{
-    luaL_requiref(L, "table", luaopen_table, 0);
-    keepOnly(L, "table", {"insert", "remove", "concat", "sort", "unpack"});
-    // In C a comparison of long strings is one step; in Lua it is counted.
-    static constexpr char sort[] = "local sort = ...\n"
-                                   "local function less(a, b) return a < b end\n"
-                                   "return function(list, comparator)\n"
-                                   "  sort(list, comparator or less)\n"
-                                   "end";
-    luaL_loadbufferx(L, sort, sizeof sort - 1, "=table.sort", "t");
-    lua_getfield(L, -2, "sort");
-    lua_call(L, 1, 1);
-    lua_setfield(L, -2, "sort");
-    lua_setglobal(L, "table");
-}
-
 } // namespace
+
+void explainMembers(lua_State *L, const char *library)
+{
+    lua_newtable(L);
+    lua_pushstring(L, library);
+    lua_pushvalue(L, -4);
+    lua_pushcclosure(L, refuseMember, 2);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, -2);
+}
+
+void keepOnly(lua_State *L, const char *library, std::initializer_list<luaL_Reg> functions)
+{
+    lua_newtable(L);
+    for (const luaL_Reg &entry : functions) {
+        lua_getfield(L, -2, entry.name);
+        if (entry.func)
+            lua_pushcclosure(L, entry.func, 1);
+        lua_setfield(L, -2, entry.name);
+    }
+    explainMembers(L, library);
+    lua_remove(L, -2);
+}
 
 void addLibraries(lua_State *L)
 {
     addBase(L);
     addMath(L);
-    addString(L);
-    addTable(L);
+    addTexts(L);
+    addTables(L);
     lua_settop(L, 0);
 }
 

@@ -10,21 +10,26 @@
 
 namespace cradle {
 
-void LuaMemory::hold(lua_State *L, std::chrono::steady_clock::time_point deadline)
+namespace {
+
+/// Each has cost a look at all that the program keeps, some 50 ms.
+constexpr int mostRefusals = 50;
+
+} // namespace
+
+void LuaMemory::hold(lua_State *L)
 {
     m_running = L;
-    m_deadline = deadline;
-    m_exhausted = false;
     m_refusedLine = 0;
 }
 
 bool LuaMemory::refuses(std::size_t more)
 {
-    if (!m_running || (!m_exhausted && m_used + more <= m_most))
+    if (!m_running || (m_refusals < mostRefusals && m_used + more <= m_most))
         return false;
     // Lua tells no line of this error; the stack can be read here without memory.
     m_refusedLine = currentLine(m_running);
-    m_exhausted = m_exhausted || std::chrono::steady_clock::now() > m_deadline;
+    m_refusals = std::min(m_refusals + 1, mostRefusals);
     return true;
 }
 
@@ -41,9 +46,20 @@ void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::s
     if (newSize > old && self.refuses(newSize - old))
         return nullptr;
     void *moved = self.resize(block, old, newSize);
-    if (moved)
-        self.m_used = self.m_used - old + newSize;
+    if (!moved)
+        return nullptr;
+    self.m_used = self.m_used - old + newSize;
+    self.note(!block && oldSize == LUA_TSTRING, newSize);
     return moved;
+}
+
+/// Small blocks cost no more than the instructions that ask for them.
+void LuaMemory::note(bool isText, std::size_t size)
+{
+    if (isText)
+        m_longestText = std::max(m_longestText, size);
+    else if (size > SmallBlocks::largest)
+        m_moved += size;
 }
 
 void LuaMemory::drop(void *block, std::size_t size)

@@ -6,9 +6,9 @@
 
 #include <lua.hpp>
 
-#include <chrono>
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 namespace cradle {
 
@@ -24,13 +24,19 @@ public:
 
     [[nodiscard]] std::size_t used() const { return m_used; }
 
-    /// The cap holds from now on, for what runs in \p L. Past \p deadline what was refused once
-    /// is refused for good: else Lua would collect garbage anew for every allocation.
-    void hold(lua_State *L, std::chrono::steady_clock::time_point deadline);
+    /// The cap holds from now on, for what runs in \p L. A program that is refused again and again
+    /// is given nothing more: else Lua would collect garbage anew for every allocation.
+    void hold(lua_State *L);
     /// The cap holds no more.
     void release() { m_running = nullptr; }
     /// The line of the program that was last refused memory; 0 if none was.
     [[nodiscard]] int refusedLine() const { return m_refusedLine; }
+
+    /// Bytes of the longest text that was made.
+    [[nodiscard]] std::size_t longestText() const { return m_longestText; }
+    /// Bytes of lists and tables that were made or moved to larger blocks since this was last
+    /// asked.
+    [[nodiscard]] std::size_t takeMoved() { return std::exchange(m_moved, 0); }
 
     /// A lua_Alloc; \p memory is a LuaMemory.
     static void *allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize);
@@ -39,12 +45,14 @@ private:
     std::size_t m_most;
     std::size_t m_used = 0;
     lua_State *m_running = nullptr; ///< null while the cap does not hold
-    std::chrono::steady_clock::time_point m_deadline{};
-    bool m_exhausted = false; ///< nothing more is given
+    int m_refusals = 0;             ///< in the whole run
+    std::size_t m_longestText = 0;
+    std::size_t m_moved = 0;
     int m_refusedLine = 0;
     SmallBlocks m_small; ///< nearly all of it
 
     [[nodiscard]] bool refuses(std::size_t more);
+    void note(bool isText, std::size_t size);
     void drop(void *block, std::size_t size);
     [[nodiscard]] void *resize(void *block, std::size_t oldSize, std::size_t newSize);
 };

@@ -11,6 +11,8 @@ namespace {
 
 /// Of so many letters one may be wrong; at least one, at most three.
 constexpr int lettersPerSlip = 3;
+/// Longer ones are no names that a person writes; comparing them would take long.
+constexpr qsizetype longestName = 64;
 /// The shortest beginning of a name that is taken for it ("pos" for "position").
 constexpr int shortestAbbreviation = 3;
 
@@ -23,6 +25,8 @@ bool abbreviates(const QString &name, const QString &known)
 
 int editDistance(const QString &a, const QString &b)
 {
+    if (std::max(a.size(), b.size()) > longestName)
+        return static_cast<int>(std::max(a.size(), b.size()));
     const auto columns = static_cast<std::size_t>(b.size()) + 1;
     std::vector<int> before(columns);
     std::vector<int> last(columns);
@@ -46,6 +50,8 @@ int editDistance(const QString &a, const QString &b)
 
 QString nearestName(const QString &name, const QStringList &known)
 {
+    if (name.size() > longestName)
+        return {};
     const int slips = std::clamp(static_cast<int>(name.size()) / lettersPerSlip, 1, 3);
     QString nearest;
     int best = slips + 1;

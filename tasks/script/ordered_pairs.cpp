@@ -5,10 +5,12 @@
 #include "tasks/script/sandbox.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/vector_binding.h"
+#include "tasks/script/world_binding.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <compare>
 #include <string_view>
 #include <vector>
 
@@ -24,13 +26,14 @@ struct PairsText {
 constexpr qint64 instructionsPerKey = 10;
 
 struct Key {
-    enum class Rank { Integer, Number, Text, Other };
+    enum class Rank { Integer, Number, Text, False, True, Circle, Vector, Other };
 
     Rank rank = Rank::Other;
     lua_Integer integer = 0;
     double number = 0.0;
     std::string_view text{}; ///< of Lua's; the list of keys keeps it
-    lua_Integer slot = 0;    ///< in the list of keys as Lua gave them
+    Vec2 vector{};
+    lua_Integer slot = 0; ///< in the list of keys as Lua gave them: another in every run
 
     friend bool operator<(const Key &a, const Key &b)
     {
@@ -38,15 +41,22 @@ struct Key {
             return a.rank < b.rank;
         switch (a.rank) {
         case Rank::Integer:
+        case Rank::Circle:
             return a.integer < b.integer;
         case Rank::Number:
             return a.number < b.number;
         case Rank::Text:
             return a.text < b.text;
+        case Rank::Vector:
+            if (const auto x = std::strong_order(a.vector.x, b.vector.x); x != 0)
+                return x < 0;
+            return std::strong_order(a.vector.y, b.vector.y) < 0;
+        case Rank::False:
+        case Rank::True:
         case Rank::Other:
             break;
         }
-        return a.slot < b.slot;
+        return false;
     }
 };
 
@@ -65,6 +75,14 @@ Key keyAt(lua_State *L, int index, lua_Integer slot)
         std::size_t size = 0;
         const char *text = lua_tolstring(L, index, &size);
         key.text = {text, size};
+    } else if (lua_type(L, index) == LUA_TBOOLEAN) {
+        key.rank = lua_toboolean(L, index) != 0 ? Key::Rank::True : Key::Rank::False;
+    } else if (const Vec2 *vector = vectorAt(L, index)) {
+        key.rank = Key::Rank::Vector;
+        key.vector = *vector;
+    } else if (const int circle = circleAt(L, index); circle >= 0) {
+        key.rank = Key::Rank::Circle;
+        key.integer = circle;
     }
     return key;
 }
@@ -88,11 +106,20 @@ int nextPair(lua_State *L)
     return 2;
 }
 
+/// Two keys that nothing but their address tells apart have no order that is the same in every run.
+void refuseUnordered(lua_State *L, const std::vector<Key> &sorted)
+{
+    const auto alike = [](const Key &a, const Key &b) { return !(a < b); };
+    if (std::adjacent_find(sorted.begin(), sorted.end(), alike) != sorted.end())
+        raise(L, PairsText::tr("pairs needs keys that have an order: numbers, texts, circles. Of "
+                               "tables, functions and equal vectors there may be one; keep them in "
+                               "a list and go through it with ipairs"));
+}
+
 } // namespace
 
 int orderedPairs(lua_State *L)
 {
-    checkTime(L);
     lua_settop(L, 1);
     if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
         lua_pushvalue(L, 1);
@@ -111,9 +138,12 @@ int orderedPairs(lua_State *L)
         lua_pushvalue(L, -1);
         lua_rawseti(L, 2, keys.back().slot);
     }
-    charge(L, instructionsPerKey * static_cast<qint64>(keys.size()));
-    if (!std::is_sorted(keys.begin(), keys.end())) {
+    charge(L, instructionsPerKey * static_cast<qint64>(keys.size()) * instructionsPerText(L));
+    const bool ordered = std::is_sorted(keys.begin(), keys.end());
+    if (!ordered)
         std::sort(keys.begin(), keys.end());
+    refuseUnordered(L, keys);
+    if (!ordered) {
         lua_createtable(L, static_cast<int>(keys.size()), 0); // in order
         for (std::size_t i = 0; i < keys.size(); ++i) {
             lua_rawgeti(L, 2, keys[i].slot);

@@ -7,8 +7,9 @@
 namespace cradle {
 
 /// pairs for programs. Lua's own goes through a table in an order that differs from run to run;
-/// this one takes whole numbers, other numbers and texts, each in ascending order, then the rest.
-/// Fields that are set to nil on the way are left out, new ones do not come up.
+/// this one takes whole numbers, other numbers, texts, false and true, circles and vectors, each in
+/// ascending order. Of what has no order, such as a table, it takes one. Fields that are set to nil
+/// on the way are left out, new ones do not come up.
 int orderedPairs(lua_State *L);
 
 } // namespace cradle

@@ -167,8 +167,6 @@ void findHits(lua_State *L, RunView &view)
     const Observation &run = view.run;
     for (qint64 k = 0; k < run.steps(); ++k) {
         charge(L, run.circleCount());
-        if (k % 256 == 0)
-            checkTime(L);
         inferHits(run.variant.preset, run.states.circles(k), run.states.circles(k + 1),
                   run.timestep(), k + 1, run.states.time(k + 1), view.hits);
     }

@@ -8,6 +8,8 @@
 
 #include <QCoreApplication>
 
+#include <utility>
+
 namespace cradle {
 
 namespace {
@@ -16,8 +18,11 @@ struct SandboxText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
-/// Instructions between two looks at the clock: few, since one may copy a string of many MB.
-constexpr int instructionsPerLook = 100;
+/// Instructions between two looks at what was used: few, since one may copy a text of many MB.
+constexpr qint64 instructionsPerLook = 100;
+
+/// Unwinding the stack takes some microseconds.
+constexpr qint64 instructionsPerCatch = 50;
 
 /// Where 3/2 is 1.5, and texts are compared by their bytes, whatever language the desktop speaks.
 locale_t plainLocale()
@@ -44,27 +49,51 @@ bool isOfProgram(const lua_Debug &where)
     return qstrcmp(where.source, "=lab.lua") == 0;
 }
 
-void checkTime(lua_State *L)
-{
-    if (std::chrono::steady_clock::now() > ScriptHost::of(L).deadline)
-        abortRun(L, ProgramError::Kind::Time,
-                 SandboxText::tr("this step has run for more than %1 s; is there a loop that does "
-                                 "not end?")
-                     .arg(limits::wallTimePerStep.count()));
-}
-
 void charge(lua_State *L, qint64 instructions)
 {
     ScriptHost &host = ScriptHost::of(L);
     host.instructions += instructions;
-    if (host.instructions > limits::instructionsPerStep)
-        abortRun(L, ProgramError::Kind::Time,
-                 SandboxText::tr("this step takes more than %1 million instructions; is there a "
-                                 "loop that does not end?")
-                     .arg(limits::instructionsPerStep / 1'000'000));
+    if (host.instructions <= limits::instructionsPerStep)
+        return;
+    const bool dear = host.memory.longestText() >= limits::textBytesPerInstruction
+                      || instructions > instructionsPerLook;
+    const QString message =
+        dear ? SandboxText::tr("this step does as much work as %1 million instructions (what is "
+                               "done to long texts and lists counts by their length); is there a "
+                               "loop that does not end?")
+             : SandboxText::tr("this step takes more than %1 million instructions; is there a "
+                               "loop that does not end?");
+    abortRun(L, ProgramError::Kind::Time, message.arg(limits::instructionsPerStep / 1'000'000));
+}
+
+qint64 instructionsPerText(lua_State *L)
+{
+    const std::size_t longest = ScriptHost::of(L).memory.longestText();
+    return 1 + static_cast<qint64>(longest / limits::textBytesPerInstruction);
 }
 
 namespace {
+
+void lookAtClock(lua_State *L)
+{
+    const ScriptHost &host = ScriptHost::of(L);
+    if (host.timed && std::chrono::steady_clock::now() > host.deadline)
+        abortRun(L, ProgramError::Kind::Time,
+                 SandboxText::tr("this step has run for more than %1 s; is there a loop that does "
+                                 "not end?")
+                     .arg(limits::wallTimePerStep.count()));
+    if (host.stop && host.stop())
+        abortRun(L, ProgramError::Kind::Time, SandboxText::tr("the run was stopped"));
+}
+
+/// What the instructions since the last look count; what they did to texts and lists is not told,
+/// so it is bounded by the longest text and by what memory was moved.
+qint64 costOfLook(lua_State *L)
+{
+    const std::size_t moved = ScriptHost::of(L).memory.takeMoved();
+    return instructionsPerLook * instructionsPerText(L)
+           + static_cast<qint64>(moved / limits::movedBytesPerInstruction);
+}
 
 void hook(lua_State *L, lua_Debug *event)
 {
@@ -82,8 +111,8 @@ void hook(lua_State *L, lua_Debug *event)
     }
     if (host.aborted) // Something went on after all.
         abortRun(L, *host.aborted, SandboxText::tr("the run was stopped"));
-    charge(L, instructionsPerLook);
-    checkTime(L);
+    charge(L, costOfLook(L));
+    lookAtClock(L);
     if (lua_getstack(L, limits::callDepth, event) != 0)
         raise(L, SandboxText::tr("functions call each other %1 deep; does one call itself without "
                                  "end?")
@@ -96,6 +125,7 @@ int finishCall(lua_State *L, int status, lua_KContext)
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L);
     ScriptHost &host = ScriptHost::of(L);
+    host.instructions += instructionsPerCatch;
     if (status == LUA_ERRMEM && !host.aborted)
         host.aborted = ProgramError::Kind::Memory;
     if (host.aborted)
@@ -118,16 +148,18 @@ int protectedCall(lua_State *L)
 
 void watch(lua_State *L, bool lines)
 {
-    lua_sethook(L, hook, LUA_MASKCOUNT | (lines ? LUA_MASKLINE : 0), instructionsPerLook);
+    lua_sethook(L, hook, LUA_MASKCOUNT | (lines ? LUA_MASKLINE : 0),
+                static_cast<int>(instructionsPerLook));
 }
 
 void beginCount(lua_State *L)
 {
     ScriptHost &host = ScriptHost::of(L);
-    host.instructions = 0;
+    host.earlierInstructions += std::exchange(host.instructions, 0);
     host.outputBytes = 0;
-    host.deadline = std::chrono::steady_clock::now() + limits::wallTimePerStep;
-    host.memory.hold(L, host.deadline);
+    if (host.timed)
+        host.deadline = std::chrono::steady_clock::now() + limits::wallTimePerStep;
+    host.memory.hold(L);
     host.outerLocale = uselocale(plainLocale());
 }
 

@@ -11,8 +11,8 @@ namespace cradle {
 /// pcall for programs: as Lua's own, but it lets no limit pass.
 int protectedCall(lua_State *L);
 
-/// From now on instructions and time are counted and limited; \p lines also yields at every new
-/// line where that is possible, with line and locals in ScriptHost::caught.
+/// From now on instructions are counted and limited, and time where a step is timed; \p lines also
+/// yields at every new line where that is possible, with line and locals in ScriptHost::caught.
 void watch(lua_State *L, bool lines);
 
 /// Begins a new count for a step that runs in \p L, in this thread until endCount().
@@ -20,11 +20,11 @@ void beginCount(lua_State *L);
 /// That step has come to an end or pauses.
 void endCount(lua_State *L);
 
-/// Ends a step that takes too long.
-void checkTime(lua_State *L);
-
-/// Counts work that a library function does as so many instructions.
+/// Counts work that a library function does as so many instructions; past the limit the run stops.
 void charge(lua_State *L, qint64 instructions);
+
+/// What an instruction counts that may copy or compare the longest text that there is.
+[[nodiscard]] qint64 instructionsPerText(lua_State *L);
 
 /// A message handler for lua_pcall: keeps line and locals of the error in ScriptHost::caught.
 int catchError(lua_State *L);

@@ -4,8 +4,15 @@
 
 namespace cradle {
 
+namespace {
+
+constexpr qint64 instructionsPerError = 1000;
+
+} // namespace
+
 void raise(lua_State *L, const QString &message)
 {
+    ScriptHost::of(L).instructions += instructionsPerError;
     const QByteArray text = message.toUtf8();
     lua_pushlstring(L, text.constData(), static_cast<std::size_t>(text.size()));
     lua_error(L);

@@ -7,6 +7,7 @@
 #include "tasks/script/trace.h"
 
 #include <chrono>
+#include <functional>
 #include <locale.h>
 #include <map>
 
@@ -45,8 +46,11 @@ struct ScriptHost {
     qint64 outputBytes = 0; ///< of this step
 
     // What was used; see script_limits.h.
-    qint64 instructions = 0;
+    qint64 instructions = 0;        ///< of this step, and what counts as such
+    qint64 earlierInstructions = 0; ///< of all steps before
+    bool timed = false;             ///< a step ends by the clock, too
     std::chrono::steady_clock::time_point deadline{};
+    std::function<bool()> stop{}; ///< asked again and again; true ends the run
     LuaMemory memory;
     locale_t outerLocale{}; ///< of this thread while no program runs
     /// Set once a limit is passed; no pcall of the program stops that.
@@ -58,7 +62,8 @@ struct ScriptHost {
     ProgramError caught{};  ///< the line and the locals of the last error
 };
 
-/// Raises an error of the program at its current line. Never returns.
+/// Raises an error of the program at its current line. Never returns. Counts what it costs to find
+/// the words, since a program may catch it and go on.
 [[noreturn]] void raise(lua_State *L, const QString &message);
 
 /// Raises it so that no pcall stops it: a limit was passed.

@@ -110,7 +110,7 @@ std::optional<ProgramError> findSyntaxError(const QString &source)
     const LuaState state = newLuaState(memory);
     if (!state)
         return noMemory();
-    memory.hold(state.get(), std::chrono::steady_clock::now() + limits::wallTimePerStep);
+    memory.hold(state.get());
     const int status = parse(state.get(), source);
     memory.release();
     if (status == LUA_OK)

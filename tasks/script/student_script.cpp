@@ -62,6 +62,8 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.source = m_source;
     host.pinned = m_options.pinned;
     host.quiet = m_options.quiet;
+    host.timed = m_options.timed;
+    host.stop = m_options.stop;
     host.gravity = scene.gravity;
     host.restitution = scene.restitution;
     host.halfWidth = scene.halfWidth;
@@ -202,6 +204,11 @@ ProgramOutput StudentScript::takeOutput()
 void StudentScript::setRestitution(double restitution)
 {
     m_engine->host.restitution = restitution;
+}
+
+qint64 StudentScript::instructions() const
+{
+    return m_engine ? m_engine->host.earlierInstructions + m_engine->host.instructions : 0;
 }
 
 std::vector<CircleField> StudentScript::ownFields() const

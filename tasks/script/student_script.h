@@ -8,6 +8,7 @@
 
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 
 struct lua_State;
@@ -24,8 +25,11 @@ public:
     struct Options {
         bool pinned = false; ///< the scene keeps its values whatever on_load sets
         bool quiet = false;  ///< nobody looks at what it prints, plots and draws
+        bool timed = false;  ///< a live run: a step ends by the clock, too, not only by its work
         /// What it must not change; see locks.h. Places and velocities are fixed at the start only.
         QStringList locked{};
+        /// Asked again and again while it runs; true ends the run, with an error of no meaning.
+        std::function<bool()> stop{};
     };
 
     explicit StudentScript(QString source, Options options);
@@ -60,6 +64,9 @@ public:
     /// Leaves an update that was begun, without its end.
     void dropLines();
 
+    /// The instructions of the run so far, and the work that counts as such; the same for the same
+    /// run, on any machine.
+    [[nodiscard]] qint64 instructions() const;
     /// The numbers that the program keeps with the circles, such as their masses.
     [[nodiscard]] std::vector<CircleField> ownFields() const;
     /// What one update of \p world assigns to the circles, in order, until it ends or fails; of

@@ -22,6 +22,8 @@ struct VectorText {
 /// Where the metatable of all vectors lies in the registry.
 constexpr lua_Integer metatableKey = 101;
 
+constexpr qsizetype longestLine = 300; ///< letters in which an assignment is looked for
+
 /// Operands of an arithmetic function: numbers and vectors as they come.
 struct Operand {
     const Vec2 *vector = nullptr;
@@ -146,7 +148,8 @@ int refuseChange(lua_State *L)
 {
     const ScriptHost &host = ScriptHost::of(L);
     const QString line =
-        host.source.section(QLatin1Char('\n'), currentLine(L) - 1, currentLine(L) - 1);
+        host.source.section(QLatin1Char('\n'), currentLine(L) - 1, currentLine(L) - 1)
+            .left(longestLine);
     static const QRegularExpression assignment(QStringLiteral(
         "([A-Za-z_][A-Za-z_0-9.\\[\\]]*)\\.([xy])\\s*=\\s*([^=;]+?)\\s*(?:;|--|end\\b|$)"));
     const QRegularExpressionMatch match = assignment.match(line);

@@ -25,6 +25,8 @@ struct WorldText {
 constexpr std::size_t mostNamed = 100;
 /// Names among which the nearest is looked for; a program of the lab has a handful.
 constexpr qsizetype mostNames = 1000;
+constexpr lua_Unsigned longestName = 64;
+constexpr qint64 instructionsPerName = 50; ///< that comparing two names counts
 /// In the registry: the table of the lab's own names.
 constexpr lua_Integer givenKey = 105;
 
@@ -65,8 +67,9 @@ void appendKeys(lua_State *L, QStringList &names)
 {
     lua_pushnil(L);
     while (lua_next(L, -2) != 0) {
-        if (lua_type(L, -2) == LUA_TSTRING)
+        if (lua_type(L, -2) == LUA_TSTRING && lua_rawlen(L, -2) <= longestName)
             names.append(QString::fromUtf8(lua_tostring(L, -2)));
+        ScriptHost::of(L).instructions += instructionsPerName;
         lua_pop(L, 1);
         if (names.size() > mostNames) {
             lua_pop(L, 1);
@@ -171,6 +174,7 @@ void setRestitution(lua_State *L)
 /// "on_updat" is hardly a name of the program's own.
 void refuseSlip(lua_State *L, const QString &name)
 {
+    ScriptHost::of(L).instructions += instructionsPerName;
     for (const char *known : {"on_load", "on_update", "gravity", "restitution"}) {
         const QString right = QLatin1String(known);
         if (!name.startsWith(right) && editDistance(name.toLower(), right) <= 2)

@@ -51,10 +51,12 @@ void SceneTab::followMover()
 void SceneTab::runProgram(const QString &source, bool pinned)
 {
     m_locked = lockedFields();
-    auto script = source.isEmpty()
-                      ? nullptr
-                      : std::make_unique<StudentScript>(
-                          source, StudentScript::Options{.pinned = pinned, .locked = m_locked});
+    auto script =
+        source.isEmpty()
+            ? nullptr
+            : std::make_unique<StudentScript>(
+                source,
+                StudentScript::Options{.pinned = pinned, .timed = true, .locked = m_locked});
     m_simulation.setProgram(script.get());
     m_program = std::move(script);
     showError();

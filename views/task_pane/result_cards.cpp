@@ -29,6 +29,8 @@ QString headlineOf(const ProgramError &error)
         return CardText::tr("The program takes too long");
     case ProgramError::Kind::Memory:
         return CardText::tr("The program needs too much memory");
+    case ProgramError::Kind::Machine:
+        return CardText::tr("Not judged");
     case ProgramError::Kind::Runtime:
         break;
     }
