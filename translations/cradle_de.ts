@@ -3097,10 +3097,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>das Programm rief error auf; übergeben wurde %1</translation>
     </message>
     <message>
-        <source>parentheses, blocks or terms are nested too deeply</source>
-        <translation>Klammern, Blöcke oder Terme sind zu tief verschachtelt</translation>
-    </message>
-    <message>
         <source>`%1.%2` is not part of the lab&apos;s Lua; %1 has %3</source>
         <translation>`%1.%2` gehört nicht zum Lua des Labs; %1 hat %3</translation>
     </message>
@@ -3540,6 +3536,142 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>%p of string.format is not part of the lab&apos;s Lua: an address is another in every run</source>
         <translation>%p von string.format gehört nicht zum Lua des Labs: eine Adresse ist in jedem Lauf eine andere</translation>
+    </message>
+    <message>
+        <source>how many circles there are is #circles</source>
+        <translation>wie viele Kreise es gibt, sagt #circles</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are no two numbers to calculate with</source>
+        <translation>%1 und %2 sind keine zwei Zahlen, mit denen man rechnen kann</translation>
+    </message>
+    <message>
+        <source>. There is no circles[%1]: circles are counted from 1 to %2</source>
+        <translation>. Es gibt kein circles[%1]: Kreise werden von 1 bis %2 gezählt</translation>
+    </message>
+    <message>
+        <source>. The length of a list is #%1</source>
+        <translation>. Die Länge einer Liste ist #%1</translation>
+    </message>
+    <message>
+        <source>. Texts are joined by .., not by +</source>
+        <translation>. Texte verbindet .., nicht +</translation>
+    </message>
+    <message>
+        <source>. A function is called with its parentheses, and that of a vector with a colon: v:length()</source>
+        <translation>. Eine Funktion wird mit ihren Klammern aufgerufen, die eines Vektors mit Doppelpunkt: v:length()</translation>
+    </message>
+    <message>
+        <source>`%1.%2` is %3 in Lua</source>
+        <translation>`%1.%2` ist in Lua %3</translation>
+    </message>
+    <message>
+        <source>Lua has no null; nothing is written nil</source>
+        <translation>Lua hat kein null; nichts heißt nil</translation>
+    </message>
+    <message>
+        <source>there is no `%1` here; the circles are circle1, circle2 …, and what is your own has its plain name</source>
+        <translation>hier gibt es kein `%1`; die Kreise sind circle1, circle2 …, und was dir gehört, hat seinen bloßen Namen</translation>
+    </message>
+    <message>
+        <source>Lua has no `new`; a vector is made by vec(x, y), a table by {}</source>
+        <translation>Lua hat kein `new`; einen Vektor macht vec(x, y), eine Tabelle {}</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; a vector is made by vec(x, y)</source>
+        <translation>`%1` ist nicht bekannt; einen Vektor macht vec(x, y)</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; print(…) writes to the console</source>
+        <translation>`%1` ist nicht bekannt; print(…) schreibt in die Konsole</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; // divides, a comment begins with -- in Lua</source>
+        <translation>`%1` ist nicht bekannt; // teilt, ein Kommentar beginnt in Lua mit --</translation>
+    </message>
+    <message>
+        <source>`%1` is not known yet: it is local and stands below, in line %2; move it up, or leave out `local`</source>
+        <translation>`%1` ist noch nicht bekannt: es ist local und steht weiter unten, in Zeile %2; setz es nach oben oder lass `local` weg</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here: it is local to the block of line %2; declare it before that block</source>
+        <translation>`%1` ist hier nicht bekannt: es gilt nur im Block von Zeile %2; vereinbare es vor diesem Block</translation>
+    </message>
+    <message>
+        <source>Lua has no foreach; write: for _, %1 in ipairs(%2) do … end</source>
+        <translation>Lua hat kein foreach; schreib: for _, %1 in ipairs(%2) do … end</translation>
+    </message>
+    <message>
+        <source>a loop that counts is written: for %1 = first, last do … end, both included</source>
+        <translation>eine Schleife, die zählt, schreibt man: for %1 = erster, letzter do … end, beide eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Lua has no =&gt;; a function is function(x) return … end, and &quot;greater or equal&quot; is &gt;=</source>
+        <translation>Lua hat kein =&gt;; eine Funktion ist function(x) return … end, und „größer oder gleich“ ist &gt;=</translation>
+    </message>
+    <message>
+        <source>Lua has no ? : to choose; write: if … then … else … end, or: condition and a or b</source>
+        <translation>Lua hat kein ? : zum Auswählen; schreib: if … then … else … end, oder: Bedingung and a or b</translation>
+    </message>
+    <message>
+        <source>Lua writes `not` in words, not !</source>
+        <translation>Lua schreibt `not` in Worten, nicht !</translation>
+    </message>
+    <message>
+        <source>Lua names no types; a function is written: function %1(…) … end</source>
+        <translation>Lua nennt keine Typen; eine Funktion schreibt man: function %1(…) … end</translation>
+    </message>
+    <message>
+        <source>Lua names no types; write: local %1 = …</source>
+        <translation>Lua nennt keine Typen; schreib: local %1 = …</translation>
+    </message>
+    <message>
+        <source>Lua names no types; of a parameter write only the name: %1</source>
+        <translation>Lua nennt keine Typen; schreib vom Parameter nur den Namen: %1</translation>
+    </message>
+    <message>
+        <source>Lua has no `%1`</source>
+        <translation>Lua hat kein `%1`</translation>
+    </message>
+    <message>
+        <source>Lua has no `continue`; put what it leaves out into an if</source>
+        <translation>Lua hat kein `continue`; setz in ein if, was es auslässt</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: if … then … else … end</source>
+        <translation>Lua hat keine Klammern um Blöcke; schreib: if … then … else … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: while … do … end</source>
+        <translation>Lua hat keine Klammern um Blöcke; schreib: while … do … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: for … do … end</source>
+        <translation>Lua hat keine Klammern um Blöcke; schreib: for … do … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: function name(…) … end</source>
+        <translation>Lua hat keine Klammern um Blöcke; schreib: function name(…) … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; a block ends with `end`</source>
+        <translation>Lua hat keine Klammern um Blöcke; ein Block endet mit `end`</translation>
+    </message>
+    <message>
+        <source>Lua has no --, which begins a comment; write %1 = %1 - 1</source>
+        <translation>Lua hat kein --, das beginnt einen Kommentar; schreib %1 = %1 - 1</translation>
+    </message>
+    <message>
+        <source>return ends its block: nothing may follow it there but end, else or elseif</source>
+        <translation>return beendet seinen Block: darin darf nichts mehr folgen als end, else oder elseif</translation>
+    </message>
+    <message>
+        <source>here `%1` is missing</source>
+        <translation>hier fehlt `%1`</translation>
+    </message>
+    <message>
+        <source>an `end` is missing: `else if` begins a second if, which needs an `end` of its own; the one word elseif does not</source>
+        <translation>ein `end` fehlt: `else if` beginnt ein zweites if, das sein eigenes `end` braucht; das eine Wort elseif braucht keines</translation>
     </message>
 </context>
 <context>

@@ -70,11 +70,8 @@ public:
         beginCount(L);
         const int status = parse(L, m_source);
         endCount(L);
-        if (status != LUA_OK) {
-            ProgramError error = errorOf(status);
-            addHint(error, m_source);
-            return error;
-        }
+        if (status != LUA_OK)
+            return errorOf(status);
         watch(L, false);
         if (auto error = call(0, 0))
             return error;
@@ -116,8 +113,8 @@ private:
     ProgramError errorOf(int status)
     {
         lua_State *L = m_state.get();
-        ProgramError error =
-            errorAtTop(L, m_host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status);
+        ProgramError error = errorAtTop(
+            L, m_host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status, m_source);
         if (m_host.aborted)
             error.kind = *m_host.aborted;
         if (error.kind == ProgramError::Kind::Memory)

@@ -21,6 +21,12 @@ struct ListText {
 /// circles[i]; nil beyond the last, as ipairs wants it.
 int listIndex(lua_State *L)
 {
+    const QString name =
+        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : QString();
+    for (const char *length : {"Length", "length", "Count", "count", "size"}) {
+        if (name == QLatin1String(length))
+            raise(L, ListText::tr("how many circles there are is #circles"));
+    }
     if (lua_type(L, 2) != LUA_TNUMBER)
         raise(L, ListText::tr("circles[i] takes a number from 1 to %1, not %2")
                      .arg(ScriptHost::of(L).circles.size())

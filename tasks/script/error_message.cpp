@@ -3,6 +3,8 @@
 #include "tasks/script/error_message.h"
 
 #include "tasks/script/lua_message.h"
+#include "tasks/script/meant.h"
+#include "tasks/script/other_language.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/script/vector_binding.h"
 
@@ -19,9 +21,23 @@ struct MessageText {
 
 constexpr std::size_t longestMessage = 2000; ///< bytes of an error that are shown
 
+void explainGrammar(ProgramError &error, const QString &message, const QString &source)
+{
+    if (message.contains(QLatin1String("stack overflow"))) {
+        error.message = MessageText::tr("parentheses, blocks or terms are nested too deeply");
+        return;
+    }
+    error.message = plainSyntaxMessage(message);
+    const GrammarHint hint = otherLanguage(source, error.line, message);
+    if (hint.text.isEmpty())
+        return;
+    error.message = hint.text + QStringLiteral(" (%1)").arg(error.message);
+    error.line = hint.line;
+}
+
 } // namespace
 
-ProgramError errorAtTop(lua_State *L, int status)
+ProgramError errorAtTop(lua_State *L, int status, const QString &source)
 {
     ProgramError error;
     if (status == LUA_ERRMEM) {
@@ -54,11 +70,10 @@ ProgramError errorAtTop(lua_State *L, int status)
     if (message.startsWith(QLatin1String("attempt to load a binary chunk")))
         message = MessageText::tr("this is no text, so it is no program");
     if (status != LUA_ERRSYNTAX)
-        error.message = plainRuntimeMessage(message);
+        error.message =
+            plainRuntimeMessage(message) + meantAtRunTime(L, message, error.line, source);
     else
-        error.message = message.contains(QLatin1String("stack overflow"))
-                            ? MessageText::tr("parentheses, blocks or terms are nested too deeply")
-                            : plainSyntaxMessage(message);
+        explainGrammar(error, message, source);
     return error;
 }
 

@@ -43,6 +43,7 @@ constexpr Form runtimeForms[] = {
     {"attempt to compare (\\w+) with (\\w+)", QT_TRANSLATE_NOOP("Script", "attempt to compare %1 with %2")},
     {"attempt to (?:divide by zero|perform 'n//0')", QT_TRANSLATE_NOOP("Script", "attempt to divide a whole number by zero")},
     {"attempt to perform 'n%+0'", QT_TRANSLATE_NOOP("Script", "attempt to take the rest of a division by zero")},
+    {"attempt to \\w+ an? '(\\w+)' with an? '(\\w+)'", QT_TRANSLATE_NOOP("Script", "%1 and %2 are no two numbers to calculate with")},
     {"bad argument #(\\d+) to '(.+)' \\((\\w+) expected, got (.+)\\)", QT_TRANSLATE_NOOP("Script", "bad argument #%1 to '%2' (%3 expected, got %4)")},
     {"bad argument #(\\d+) to '(.+)' \\(number has no integer representation\\)", QT_TRANSLATE_NOOP("Script", "bad argument #%1 to '%2' (number has no integer representation)")},
     {"bad argument #(\\d+) to '(.+)' \\((?:interval is empty|out of range|position out of bounds)\\)", QT_TRANSLATE_NOOP("Script", "bad argument #%1 to '%2' (out of range)")},
@@ -99,7 +100,7 @@ QString nameIn(const QString &message)
     static const QRegularExpression pattern(
         QStringLiteral("\\((?:local|field|global|upvalue|method|constant) '([^']*)'\\)"));
     const QString name = pattern.match(message).captured(1);
-    return name == QLatin1String("?") ? QString() : name;
+    return name == QLatin1String("?") || name == QLatin1String("integer index") ? QString() : name;
 }
 
 QString typeIn(const QString &message, const QString &verb)

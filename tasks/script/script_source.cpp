@@ -45,16 +45,6 @@ ProgramError noMemory()
             .kind = ProgramError::Kind::Memory};
 }
 
-void addHint(ProgramError &error, const QString &source)
-{
-    if (error.kind != ProgramError::Kind::Syntax || error.line < 1)
-        return;
-    const QString hint =
-        otherLanguage(source.section(QLatin1Char('\n'), error.line - 1, error.line - 1));
-    if (!hint.isEmpty())
-        error.message = hint + QStringLiteral(" (%1)").arg(error.message);
-}
-
 std::optional<ProgramError> hiddenEntry(const QString &source)
 {
     static const QRegularExpression local(
@@ -71,37 +61,6 @@ std::optional<ProgramError> hiddenEntry(const QString &source)
                         .line = static_cast<int>(before.count(QLatin1Char('\n'))) + 1};
 }
 
-QString otherLanguage(const QString &line)
-{
-    const QString code = line.section(QStringLiteral("--"), 0, 0);
-    static const QRegularExpression compound(QStringLiteral("([\\w.]+)\\s*([-+*/])=\\s*(.*\\S)"));
-    static const QRegularExpression unequal(QStringLiteral("!="));
-    static const QRegularExpression increment(QStringLiteral("(\\w+)\\+\\+"));
-    static const QRegularExpression comment(QStringLiteral("^\\s*(//|/\\*|#)"));
-    static const QRegularExpression assigned(
-        QStringLiteral("\\b(?:if|while|elseif)\\b[^=<>~]*[^=<>~]=[^=]"));
-    static const QRegularExpression compared(QStringLiteral("^\\s*[\\w.]+\\s*==\\s*"));
-    static const QRegularExpression letters(QStringLiteral("[^\\x00-\\x7F]"));
-    if (const auto m = compound.match(code); m.hasMatch())
-        return SourceText::tr("Lua has no %2=; write %1 = %1 %2 %3")
-            .arg(m.captured(1), m.captured(2), m.captured(3));
-    if (unequal.match(code).hasMatch())
-        return SourceText::tr("\"not equal\" is ~= in Lua, not !=");
-    if (const auto m = increment.match(code); m.hasMatch())
-        return SourceText::tr("Lua has no ++; write %1 = %1 + 1").arg(m.captured(1));
-    if (comment.match(code).hasMatch())
-        return SourceText::tr("a comment begins with -- in Lua");
-    if (code.contains(QLatin1String("&&")) || code.contains(QLatin1String("||")))
-        return SourceText::tr("Lua writes `and`, `or`, `not` in words");
-    if (assigned.match(code).hasMatch())
-        return SourceText::tr("= assigns; to compare write ==");
-    if (compared.match(code).hasMatch())
-        return SourceText::tr("== compares; to assign write =");
-    if (letters.match(code).hasMatch())
-        return SourceText::tr("names have the letters a to z, digits and _ only");
-    return {};
-}
-
 std::optional<ProgramError> findSyntaxError(const QString &source)
 {
     if (auto error = tooLong(source))
@@ -115,9 +74,7 @@ std::optional<ProgramError> findSyntaxError(const QString &source)
     memory.release();
     if (status == LUA_OK)
         return hiddenEntry(source);
-    ProgramError error = errorAtTop(state.get(), status);
-    addHint(error, source);
-    return error;
+    return errorAtTop(state.get(), status, source);
 }
 
 } // namespace cradle

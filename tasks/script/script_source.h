@@ -19,11 +19,4 @@ namespace cradle {
 /// What is wrong if \p source makes on_load or on_update local, so that nobody can call it.
 [[nodiscard]] std::optional<ProgramError> hiddenEntry(const QString &source);
 
-/// Says in a grammar's error what is meant, if the line has something of another language.
-void addHint(ProgramError &error, const QString &source);
-
-/// What to write in place of what \p line has from other languages ("+=", "!=", "//" …); empty
-/// if nothing of the kind is in it.
-[[nodiscard]] QString otherLanguage(const QString &line);
-
 } // namespace cradle

@@ -99,11 +99,8 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
     beginCount(L);
     const int status = parse(L, m_source);
     endCount(L);
-    if (status != LUA_OK) {
-        ProgramError error = errorOf(L, status);
-        addHint(error, m_source);
-        return error;
-    }
+    if (status != LUA_OK)
+        return errorOf(L, status);
     if (auto hidden = hiddenEntry(m_source))
         return hidden;
     watch(L, false);
@@ -146,7 +143,7 @@ ProgramError StudentScript::errorOf(lua_State *L, int status)
 {
     ScriptHost &host = m_engine->host;
     ProgramError error =
-        errorAtTop(L, host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status);
+        errorAtTop(L, host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status, m_source);
     if (host.aborted)
         error.kind = *host.aborted;
     if (error.kind == ProgramError::Kind::Memory)

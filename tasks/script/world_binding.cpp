@@ -4,6 +4,7 @@
 
 #include "tasks/script/circle_binding.h"
 #include "tasks/script/locked_value.h"
+#include "tasks/script/meant.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/square_binding.h"
@@ -101,7 +102,12 @@ QStringList globalNames(lua_State *L)
               count == 1
                   ? WorldText::tr("there is no %1: the scene has 1 circle").arg(name)
                   : WorldText::tr("there is no %1: the scene has %2 circles").arg(name).arg(count));
-    const QString near = nearestName(name, globalNames(L));
+    if (const QString meant = meantByName(L, name); !meant.isEmpty())
+        raise(L, meant);
+    QStringList locals;
+    if (const QString meant = meantByLocals(L, name, locals); !meant.isEmpty())
+        raise(L, meant);
+    const QString near = nearestName(name, locals + globalNames(L));
     if (!near.isEmpty())
         raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, near));
     raise(L, WorldText::tr("`%1` is not known: nothing of that name was given a value before")
