@@ -18,13 +18,31 @@ struct PlanText {
 /// circles and some thousand steps.
 constexpr std::size_t mostCircles = 100;
 constexpr double mostSteps = 100'000;
+/// Hits that are looked at before circles that part are judged: each timestep with each way to
+/// meet, and the time in which they have all happened, s.
+constexpr int causes = 15;
+constexpr double secondsOfHits = 0.7;
+
+/// The hits that may lead to what a check of parting circles shows, with its own circles.
+std::vector<Variant> causesOf(const CheckSpec &check, const Preset &submission, qint64 seed)
+{
+    if (check.scene.value(QStringLiteral("kind")) != QLatin1String("parting"))
+        return {};
+    CheckSpec hits = check;
+    hits.scene.insert(QStringLiteral("kind"), QStringLiteral("encounters"));
+    hits.scene.insert(QStringLiteral("count"), causes);
+    hits.scene.insert(QStringLiteral("duration"), secondsOfHits);
+    hits.scene.insert(QStringLiteral("offset"), 0.9);
+    hits.scene.insert(QStringLiteral("both_move"), true);
+    return makeVariants(submission, hits, seed);
+}
 
 } // namespace
 
 CheckPlan planOf(const CheckSpec &check, const Preset &submission, const QStringList &locked,
                  qint64 seed)
 {
-    CheckPlan plan{&check, {}, {}};
+    CheckPlan plan{&check, {}, {}, {}};
     const int last = *std::max_element(check.circles.begin(), check.circles.end());
     const bool pair = check.scene.value(QStringLiteral("kind")) == QLatin1String("encounters")
                       || check.kind == QLatin1String("passes_through");
@@ -40,6 +58,9 @@ CheckPlan planOf(const CheckSpec &check, const Preset &submission, const QString
         return plan;
     }
     plan.variants = makeVariants(submission, check, seed);
+    plan.causes = causesOf(check, submission, seed);
+    for (Variant &variant : plan.causes)
+        variant.locked = locked;
     for (Variant &variant : plan.variants)
         variant.locked = locked;
     for (const Variant &variant : plan.variants) {

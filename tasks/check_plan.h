@@ -11,6 +11,8 @@ namespace cradle {
 struct CheckPlan {
     const CheckSpec *check = nullptr;
     std::vector<Variant> variants{};
+    std::vector<Variant> causes{}; ///< of circles that part inside each other: the hits that must
+                                   ///< leave some so, or else the variants say nothing
     QString missing{};
 };
 

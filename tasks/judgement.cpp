@@ -5,6 +5,7 @@
 #include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/integrator_matching.h"
+#include "tasks/checks/motion.h"
 #include "tasks/judging/findings.h"
 #include "tasks/locks.h"
 #include "tasks/remarks.h"
@@ -95,11 +96,12 @@ public:
         for (const CheckPlan &plan : plans) {
             report.checks.push_back(outcomeOf(plan));
             CheckOutcome &outcome = report.checks.back();
+            const bool shows = canHappen(plan);
             for (std::size_t i = 0; i < plan.variants.size(); ++i) {
                 if (isCancelled())
                     return false;
                 // After the first scene that shows the fault the others say nothing new.
-                if (outcome.passed && !report.error)
+                if (shows && outcome.passed && !report.error)
                     judgeScene(plan, i, outcome, report);
                 if (m_hooks.progress)
                     m_hooks.progress(++done, total);
@@ -156,6 +158,17 @@ private:
             mostInstructions - m_instructions);
         m_instructions += run.instructions;
         return run;
+    }
+
+    /// Whether the program itself ever leads to what the scenes of \p plan begin with.
+    [[nodiscard]] bool canHappen(const CheckPlan &plan)
+    {
+        return plan.causes.empty()
+               || std::any_of(plan.causes.begin(), plan.causes.end(), [&](const Variant &cause) {
+                      const Observation &run = runOf(cause);
+                      return run.error
+                             || motion::leavesInside(run, 0, 1, run.variant.preset.gravity);
+                  });
     }
 
     void judgeScene(const CheckPlan &plan, std::size_t i, CheckOutcome &outcome,

@@ -37,6 +37,7 @@ SceneSpec::SceneSpec(const CheckSpec &check, double ownTimestep)
         return Vec2{list[0], list[1]};
     };
     speeds = pair("speeds", {1.0, 3.0});
+    sideways = pair("sideways", {0.0, 0.0});
     angles = pair("angles", {0.0, 360.0});
     radii = pair("radii", {0.2, 0.2});
     densities = pair("densities", {7.8, 7.8});

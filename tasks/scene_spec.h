@@ -19,8 +19,9 @@ struct SceneSpec {
     std::vector<double> timesteps{};
     std::vector<double> restitutions{};
     Vec2 gravity{};
-    Vec2 speeds{}; ///< least and most
-    Vec2 angles{}; ///< from the x axis, degrees
+    Vec2 speeds{};   ///< least and most
+    Vec2 sideways{}; ///< of drops, m/s
+    Vec2 angles{};   ///< from the x axis, degrees
     Vec2 radii{};
     Vec2 densities{};
     double offset = 0.0;

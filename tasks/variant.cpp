@@ -3,8 +3,9 @@
 #include "tasks/variant.h"
 
 #include "model/random.h"
-#include "model/stepper.h"
+#include "tasks/meeting_scene.h"
 #include "tasks/scene_spec.h"
+#include "tasks/shot_scene.h"
 
 #include <QCoreApplication>
 
@@ -18,19 +19,13 @@ struct VariantText {
     Q_DECLARE_TR_FUNCTIONS(Variant)
 };
 
-constexpr double halfWidth = 4.0;      ///< of the square of pinned scenes, m
-constexpr double timeToContact = 0.5;  ///< from the start of an encounter, s
-constexpr double placeOfContact = 1.0; ///< encounters happen within ± this of the middle, m
+constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
+constexpr double slowest = 0.1;   ///< of slow hits where nothing pulls, a quarter of it, m/s
+constexpr int stepsToWall = 3;    ///< before a slow hit
 
 QString timestepText(double timestep)
 {
     return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
-}
-
-Vec2 fromAngle(double degrees)
-{
-    const double a = degrees * std::numbers::pi / 180.0;
-    return {std::cos(a), std::sin(a)};
 }
 
 /// Makes the scenes of one check.
@@ -57,8 +52,10 @@ public:
                 addParting(i);
             else if (m_spec.kind == QLatin1String("drop"))
                 addDrop(i);
+            else if (m_spec.kind == QLatin1String("slow"))
+                addSlowHit(i);
             else if (m_spec.kind == QLatin1String("corners"))
-                addShot(i, 45.0 + 90.0 * i + (i / 4) * (i % 2 == 0 ? 1.5 : -1.5));
+                addCornerShot(i);
             else
                 addShot(i, spread(i + m_random.between(0.1, 0.9)));
         }
@@ -141,15 +138,48 @@ private:
     {
         for (const int circle : m_spec.circles) {
             Preset preset = stage(i, needed());
+            const auto shot = static_cast<std::size_t>(circle);
+            // The first, from the very middle and fast, is one that a program could know.
             const double speed = range(m_spec.speeds);
-            preset.circles[static_cast<std::size_t>(circle)].body.velocity =
-                speed * fromAngle(degrees);
-            parkOthers(preset, static_cast<std::size_t>(circle));
-            add(VariantText::tr("circle %1 towards %2°")
-                    .arg(circle + 1)
-                    .arg(std::fmod(degrees, 360.0), 0, 'f', 1),
-                preset);
+            const Vec2 place = drawStart(m_random);
+            preset.circles[shot].body.velocity =
+                (i == 0 ? m_spec.speeds.y : speed) * fromAngle(degrees);
+            preset.circles[shot].body.position = i == 0 ? Vec2{} : place;
+            bringNear(preset, shot, m_spec.duration);
+            finishShot(preset, shot, degrees);
         }
+    }
+
+    /// The first four straight at the corners, the others just beside them.
+    void addCornerShot(int i)
+    {
+        for (const int circle : m_spec.circles) {
+            Preset preset = stage(i, needed());
+            const auto shot = static_cast<std::size_t>(circle);
+            Circle &body = preset.circles[shot].body;
+            const double room = preset.halfWidth - body.radius;
+            const double quarter = 45.0 + 90.0 * i;
+            const Vec2 corner = std::sqrt(2.0) * room * fromAngle(quarter);
+            const Vec2 place = 0.5 * drawStart(m_random);
+            body.position = i == 0 ? Vec2{} : place;
+            const Vec2 way = corner - body.position;
+            const double degrees = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi
+                                   + (i / 4) * (i % 2 == 0 ? 1.5 : -1.5);
+            // Fast enough to come there in time.
+            const double speed =
+                std::max(range(m_spec.speeds), length(way) / (0.6 * m_spec.duration));
+            body.velocity = speed * fromAngle(degrees);
+            finishShot(preset, shot, degrees + 360.0);
+        }
+    }
+
+    void finishShot(Preset &preset, std::size_t shot, double degrees)
+    {
+        drawOthers(preset, shot, m_spec.duration, m_random);
+        add(VariantText::tr("circle %1 towards %2°")
+                .arg(shot + 1)
+                .arg(std::fmod(degrees, 360.0), 0, 'f', 1),
+            preset);
     }
 
     void addDrop(int i)
@@ -158,96 +188,60 @@ private:
         for (const int circle : m_spec.circles) {
             PresetCircle &c = preset.circles[static_cast<std::size_t>(circle)];
             c.body.position = {-2.0 + circle * 2.5, m_random.between(-0.5, 0.5)};
-            c.body.velocity = {0.0, 0.0};
+            c.body.velocity = {range(m_spec.sideways), 0.0};
         }
         add(VariantText::tr("drop %1").arg(i + 1), preset);
+    }
+
+    /// In turn onto the wall that gravity pulls to and to the one opposite. The scenes divide a
+    /// step evenly by when in it the wall is met: a circle that is still beyond the wall after a
+    /// step of its way back shows in some of them, whatever the seed.
+    void addSlowHit(int i)
+    {
+        Preset preset = stage(i, needed());
+        const Vec2 down = preset.gravity == Vec2{} ? Vec2{0.0, -1.0} : normalized(preset.gravity);
+        const Vec2 toWall = i % 2 == 0 ? down : -down;
+        const double dt = preset.timestep;
+        const double pull = dot(preset.gravity, toWall) * dt;
+        // Drawn once, or the moments would not be spread evenly.
+        if (i == 0)
+            m_slow = {m_random.between(3.8, 4.2), m_random.uniform()};
+        const double speed = m_slow.x * std::max(std::abs(pull), slowest);
+        const int half = (m_spec.count + 1) / 2;
+        const double phase = (i / 2 + m_slow.y) / half;
+        for (const int circle : m_spec.circles) {
+            Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
+            const double room = preset.halfWidth - c.radius;
+            const double gap = (stepsToWall + phase) * dt * speed;
+            const double across = -2.0 + circle * 2.5 + m_random.between(-0.3, 0.3);
+            c.position = (room - gap) * toWall + across * perpendicular(toWall);
+            c.velocity = (speed - stepsToWall * pull) * toWall
+                         + m_random.between(-0.5, 0.5) * perpendicular(toWall);
+        }
+        add(VariantText::tr("slow hit %1").arg(i + 1), preset);
     }
 
     void addEncounter(int i)
     {
         Preset preset = stage(i, 2);
-        Circle &a = preset.circles[0].body;
-        Circle &b = preset.circles[1].body;
         const double degrees = spread(i + m_random.between(0.0, 1.0));
-        const Vec2 n = fromAngle(degrees);
-        // Off centre by the sine of the angle between the relative velocity and the normal.
-        const double sine = m_spec.offset * m_random.between(-1.0, 1.0);
-        const Vec2 u =
-            range(m_spec.speeds) * (std::sqrt(1.0 - sine * sine) * n + sine * perpendicular(n));
-        const Vec2 common =
-            m_spec.bothMove ? range({0.5, 1.5}) * fromAngle(m_random.between(0, 360)) : Vec2{};
-        a.velocity = u + common;
-        b.velocity = common;
-        const Vec2 place{m_random.between(-placeOfContact, placeOfContact),
-                         m_random.between(-placeOfContact, placeOfContact)};
-        // A part of a step more, so that the moment of contact falls anywhere inside a step.
-        const double t = timeToContact + preset.timestep * m_random.uniform();
-        a.position = place - t * a.velocity;
-        b.position = place + (a.radius + b.radius) * n - t * b.velocity;
+        placeEncounter(preset, m_spec, i, degrees, m_random);
         add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);
     }
 
-    /// As after a hit that was told late: they overlap, and for one update more while they part.
     void addParting(int i)
     {
         Preset preset = stage(i, 2);
-        Circle &a = preset.circles[0].body;
-        Circle &b = preset.circles[1].body;
         const double degrees = spread(i + m_random.between(0.0, 1.0));
-        const Vec2 n = fromAngle(degrees);
-        const double speed = range(m_spec.speeds);
-        const Vec2 common = range({0.5, 1.5}) * fromAngle(m_random.between(0.0, 360.0));
-        a.velocity = common - 0.5 * speed * n;
-        b.velocity = common + 0.5 * speed * n;
-        const double touching = a.radius + b.radius;
-        const double overlap = speed * preset.timestep * m_random.between(1.2, 1.8);
-        b.position = std::max(touching - overlap, 0.5 * touching) * n;
+        placeParting(preset, m_spec, degrees, m_random);
         add(VariantText::tr("parting at %1°").arg(degrees, 0, 'f', 1), preset);
-    }
-
-    /// Puts the circles that a shot does not need where it will not come.
-    void parkOthers(Preset &preset, std::size_t shot) const
-    {
-        if (preset.circles.size() < 2)
-            return;
-        Preset alone = preset;
-        alone.circles = {preset.circles[shot]};
-        alone.laws = {WallLaw::Reflect, CircleLaw::None, Timing::Continuous};
-        Stepper stepper(alone);
-        World world = initialWorld(alone);
-        std::vector<Hit> hits;
-        std::vector<Vec2> way;
-        while (world.time < m_spec.duration) {
-            way.push_back(world.circles[0].position);
-            stepper.advance(world, hits);
-        }
-        for (std::size_t other = 0; other < preset.circles.size(); ++other) {
-            if (other == shot)
-                continue;
-            Circle &parked = preset.circles[other].body;
-            const double room = preset.halfWidth - parked.radius;
-            double best = -1.0;
-            for (const double x : {-0.95, -0.5, 0.0, 0.5, 0.95}) {
-                for (const double y : {-1.0, -0.5, 0.5, 0.95}) {
-                    // Under gravity only the floor holds it.
-                    if (preset.gravity != Vec2{} && y != -1.0)
-                        continue;
-                    const Vec2 spot{room * x, room * y};
-                    double nearest = 1e9;
-                    for (const Vec2 point : way)
-                        nearest = std::min(nearest, length(point - spot));
-                    if (nearest > best) {
-                        best = nearest;
-                        parked.position = spot;
-                    }
-                }
-            }
-        }
     }
 
     const Preset &m_submission;
     SceneSpec m_spec;
     Random m_random;
+    Vec2 m_slow{}; ///< of slow hits: the speed, in what gravity makes in a step, and the first
+                   ///< moment
     std::vector<Variant> m_variants;
 };
 

@@ -158,7 +158,7 @@ inline OtherForm otherForm(const QString &step)
     if (number >= 16)
         form.start += lab("restitution = 0.6 ");
     if (number == 17)
-        form.start += lab("gravity = vec(0, -9.81) ");
+        form.start += lab("gravity = vec(0, -9.81) restitution = 0.75 ");
     if (number == 9)
         form.answer = stop;
     else if (number == 10)

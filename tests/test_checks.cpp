@@ -24,6 +24,8 @@ private slots:
     void wrongAccelerationIsRefused_data();
     void wrongAccelerationIsRefused();
     void circleAtAWallCannotBeJudged();
+    void asMuchFreeFlightIsSeenAsIsAskedFor();
+    void circlesThatStandStillAreNotTogether();
     void closedFormIsCompared_data();
     void closedFormIsCompared();
     void circlesMustStayTogether();
@@ -176,7 +178,34 @@ void TestChecks::circleAtAWallCannotBeJudged()
 {
     const Circle onFloor{.position = {0.0, -3.8}};
     const Observation o = observed(scene({onFloor}, down), 0.5, [](Circles &, double) {});
-    VERIFY_REFUSED(judge(check("integrates"), o), QStringLiteral("never free"));
+    VERIFY_REFUSED(judge(check("integrates"), o), QStringLiteral("free of walls"));
+}
+
+void TestChecks::asMuchFreeFlightIsSeenAsIsAskedFor()
+{
+    // 0.8 s of fall, then it lies on the floor.
+    const Observation o =
+        observed(scene({Circle{.position = {0.0, -0.7}}}, down), 4.0, [](Circles &c, double h) {
+            fall(c[0], down, h);
+            if (c[0].position.y < -3.8)
+                c[0] = {.position = {0.0, -3.8}};
+        });
+    VERIFY_ACCEPTED(judge(check("integrates"), o));
+    const QJsonObject one{{QStringLiteral("free"), 1.0}};
+    for (const char *kind : {"integrates", "closed_form"})
+        VERIFY_REFUSED(
+            judge(check(kind, {0},
+                        {{QStringLiteral("free"), 1.0}, {QStringLiteral("tolerance"), 0.2}}),
+                  o),
+            QStringLiteral("at least 1 s must be seen"));
+    VERIFY_REFUSED(judge(check("same_integrator", {0, 0}, one), o),
+                   QStringLiteral("at least 1 s must be seen"));
+}
+
+void TestChecks::circlesThatStandStillAreNotTogether()
+{
+    const Observation o = observed(scene({{}, {}}), 4.0, [](Circles &, double) {});
+    VERIFY_REFUSED(judge(check("together", {0, 1}), o), QStringLiteral("stay together"));
 }
 
 void TestChecks::closedFormIsCompared_data()

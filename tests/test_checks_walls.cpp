@@ -4,6 +4,8 @@
 
 #include "tests/wall_programs.h"
 
+#include <algorithm>
+
 using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::programs::walls;
@@ -18,7 +20,10 @@ private slots:
     void wrongProgramIsRefused_data();
     void wrongProgramIsRefused();
     void leapToTheOtherSideIsRefused();
-    void circleInAFreeSquareIsAccepted();
+    void wallsThatNothingCameToAreNotJudged();
+    void asManyHitsAreSeenAsAreAskedFor();
+    void slowHitsAreAnsweredOnce_data();
+    void slowHitsAreAnsweredOnce();
     void restitutionOfTheCheckCounts();
     void leavingTheSquareIsSeenByStaysInside();
     void oneStepBeyondTheWallIsAllowed();
@@ -110,10 +115,74 @@ void TestChecksWalls::leapToTheOtherSideIsRefused()
     VERIFY_REFUSED(judge(check("bounces"), o), QStringLiteral("m at once"));
 }
 
-void TestChecksWalls::circleInAFreeSquareIsAccepted()
+void TestChecksWalls::wallsThatNothingCameToAreNotJudged()
 {
-    VERIFY_ACCEPTED(judge(check("bounces"), flight({}, {}, 1.0, rightWays[0])));
-    VERIFY_ACCEPTED(judge(check("stays_inside"), flight({}, {}, 1.0, rightWays[0])));
+    for (const char *kind : {"bounces", "stays_inside"})
+        VERIFY_REFUSED(judge(check(kind), flight({}, {}, 1.0, rightWays[0])),
+                       QStringLiteral("0 times; at least 1 must be seen"));
+    // Nor does it help to stand still before a wall, or to creep to the floor.
+    const Way frozen{"", [](Circle &, Vec2, double, double) {}};
+    VERIFY_REFUSED(judge(check("bounces"), flight(thrown(20.0), {}, 1.0, frozen)),
+                   QStringLiteral("must be seen"));
+    const Way creeping{"", [](Circle &c, Vec2, double, double) {
+                           c.position.y = std::max(c.radius - wall, c.position.y - 0.01);
+                           c.velocity = {};
+                       }};
+    for (const char *kind : {"bounces", "settles"})
+        VERIFY_REFUSED(judge(check(kind), flight({}, down, 0.5, creeping)),
+                       QStringLiteral("must be seen"));
+}
+
+void TestChecksWalls::asManyHitsAreSeenAsAreAskedFor()
+{
+    // 3.8 m and then 7.6 m at 3 m/s: hits after 1.27 and 3.8 s.
+    const Observation o = flight(thrown(0.0), {}, 1.0, rightWays[0]);
+    VERIFY_ACCEPTED(judge(check("bounces", {0}, {{QStringLiteral("hits"), 2}}), o));
+    VERIFY_REFUSED(judge(check("bounces", {0}, {{QStringLiteral("hits"), 3}}), o),
+                   QStringLiteral("2 times; at least 3 must be seen"));
+    VERIFY_ACCEPTED(judge(check("stays_inside", {0}, {{QStringLiteral("visits"), 2}}), o));
+    VERIFY_REFUSED(judge(check("stays_inside", {0}, {{QStringLiteral("visits"), 3}}), o),
+                   QStringLiteral("2 times; at least 3 must be seen"));
+}
+
+void TestChecksWalls::slowHitsAreAnsweredOnce_data()
+{
+    QTest::addColumn<int>("way");
+    for (int way = 0; way < static_cast<int>(std::size(rightWays)); ++way)
+        QTest::newRow(rightWays[way].name) << way;
+    QTest::newRow("neither back nor test, symplectic Euler") << -1;
+    QTest::newRow("neither back nor test, Euler") << -2;
+}
+
+/// Turned without a way back and without asking where it goes to, which fast hits hardly show.
+void TestChecksWalls::slowHitsAreAnsweredOnce()
+{
+    QFETCH(int, way);
+    const Way blind{"", stuck};
+    const Way blindEuler{"", [](Circle &c, Vec2 gravity, double e, double h) {
+                             c.position += h * c.velocity;
+                             c.velocity += h * gravity;
+                             atWalls(c, [&](double &, double &v, double) { v *= -e; });
+                         }};
+    CheckSpec slow = check("bounces");
+    slow.scene = {{QStringLiteral("kind"), QStringLiteral("slow")},
+                  {QStringLiteral("count"), 12},
+                  {QStringLiteral("duration"), 0.5},
+                  {QStringLiteral("timesteps"), QJsonArray{1.0 / 30.0}},
+                  {QStringLiteral("gravity"), json(down)}};
+    for (qint64 seed = 1; seed <= 40; ++seed) {
+        bool refused = false;
+        for (const Variant &variant : makeVariants(scene({Circle{}}), slow, seed)) {
+            const Way &program = way >= 0 ? rightWays[way] : way == -1 ? blind : blindEuler;
+            const Observation o =
+                observed(variant.preset, variant.duration,
+                         [&](Circles &c, double h) { program.step(c[0], down, 1.0, h); });
+            const auto fault = judge(slow, o);
+            QVERIFY2(!fault || way < 0, say(fault).constData());
+            refused = refused || fault;
+        }
+        QVERIFY2(refused == (way < 0), qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
 }
 
 void TestChecksWalls::restitutionOfTheCheckCounts()

@@ -30,8 +30,7 @@ private slots:
     void valuesStayInTheirRanges();
     void encountersMeetInTheMiddle();
     void encountersComeFromAllSides();
-    void directionsShootEachCircleAlone();
-    void cornersAreAimedAt();
+    void encountersTakeTurnsInWhoCatchesUp();
     void dropsFallOntoTheFloor();
     void restitutionsAndTimestepsAreMixed();
     void namesTellScenesApart();
@@ -91,7 +90,7 @@ double directionOf(Vec2 v)
 void TestVariant::addKinds()
 {
     QTest::addColumn<QString>("kind");
-    for (const char *kind : {"flight", "directions", "corners", "encounters", "drop"})
+    for (const char *kind : {"flight", "directions", "corners", "encounters", "slow", "drop"})
         QTest::newRow(kind) << QString::fromLatin1(kind);
 }
 
@@ -216,48 +215,30 @@ void TestVariant::encountersComeFromAllSides()
     QVERIFY2(sectors.size() >= 7, qPrintable(QString::number(sectors.size())));
 }
 
-void TestVariant::directionsShootEachCircleAlone()
+void TestVariant::encountersTakeTurnsInWhoCatchesUp()
 {
-    CheckSpec still = spec(QStringLiteral("directions"));
-    still.scene.remove(QStringLiteral("gravity"));
-    Preset passing = odd();
-    passing.laws.circles = CircleLaw::None;
-    std::set<int> quadrants;
-    const auto variants = makeVariants(passing, still, 1);
-    QCOMPARE(variants.size(), std::size_t{24});
-    for (const Variant &variant : variants) {
-        const auto &c = variant.preset.circles;
-        const std::size_t shot = c[0].body.velocity == Vec2{} ? 1 : 0;
-        const std::size_t parked = 1 - shot;
-        QVERIFY(c[parked].body.velocity == Vec2{});
-        QVERIFY(c[shot].body.position == Vec2{});
-        QVERIFY(length(c[shot].body.velocity) >= 1.0 - 1e-12);
-        QVERIFY(length(c[shot].body.velocity) <= 4.0 + 1e-12);
-        quadrants.insert(static_cast<int>((directionOf(c[shot].body.velocity) + 180.0) / 90.0));
-        const Observation o = observe(variant);
-        for (qint64 k = 0; k <= o.steps(); ++k) {
-            const double apart = length(o.circle(1, k).position - o.circle(0, k).position);
-            QVERIFY2(apart > c[0].body.radius + c[1].body.radius, qPrintable(variant.name));
-        }
+    int byOne = 0;
+    int byTwo = 0;
+    int oneRests = 0;
+    int twoRests = 0;
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("encounters")), 1)) {
+        const Circle &a = variant.preset.circles[0].body;
+        const Circle &b = variant.preset.circles[1].body;
+        const double t = 0.5 + 0.5 * variant.preset.timestep;
+        const Vec2 n = normalized(b.position - a.position + t * (b.velocity - a.velocity));
+        byOne += dot(a.velocity, n) > 0.1 && dot(b.velocity, n) > 0.1 ? 1 : 0;
+        byTwo += dot(a.velocity, n) < -0.1 && dot(b.velocity, n) < -0.1 ? 1 : 0;
+        oneRests += a.velocity == Vec2{} ? 1 : 0;
+        twoRests += b.velocity == Vec2{} ? 1 : 0;
     }
-    QCOMPARE(quadrants.size(), std::size_t{4});
-}
-
-void TestVariant::cornersAreAimedAt()
-{
-    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("corners")), 1)) {
-        const auto &c = variant.preset.circles;
-        const Vec2 v = c[0].body.velocity == Vec2{} ? c[1].body.velocity : c[0].body.velocity;
-        const double offDiagonal = std::abs(std::abs(std::abs(directionOf(v)) - 90.0) - 45.0);
-        QVERIFY2(offDiagonal < 5.0, qPrintable(QString::number(offDiagonal)));
-    }
+    QVERIFY(byOne >= 2 && byTwo >= 2 && oneRests >= 2 && twoRests >= 2);
 }
 
 void TestVariant::dropsFallOntoTheFloor()
 {
     for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("drop")), 1)) {
         for (const PresetCircle &circle : variant.preset.circles)
-            QVERIFY(circle.body.velocity == Vec2{});
+            QVERIFY(circle.body.velocity.y == 0.0);
         const Observation o = observe(variant);
         double lowest = 4.0;
         for (qint64 k = 0; k <= o.steps(); ++k)

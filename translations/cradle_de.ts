@@ -485,16 +485,8 @@
         <translation>Schüsse in alle Richtungen</translation>
     </message>
     <message>
-        <source>Each of the circles alone from the middle, all round</source>
-        <translation>Jeder der Kreise allein aus der Mitte, ringsum</translation>
-    </message>
-    <message>
         <source>Shots at the corners</source>
         <translation>Schüsse in die Ecken</translation>
-    </message>
-    <message>
-        <source>Each of the circles alone from the middle, straight at the corners and just beside them</source>
-        <translation>Jeder der Kreise allein aus der Mitte, genau in die Ecken und knapp daneben</translation>
     </message>
     <message>
         <source>Encounters</source>
@@ -517,10 +509,6 @@
         <translation>Beide bewegen sich</translation>
     </message>
     <message>
-        <source>Else circle 2 rests before the hit</source>
-        <translation>Sonst ruht Kreis 2 vor dem Stoß</translation>
-    </message>
-    <message>
         <source>Circles that part</source>
         <translation>Kreise, die sich trennen</translation>
     </message>
@@ -533,16 +521,64 @@
         <translation>Fälle</translation>
     </message>
     <message>
-        <source>The circles fall from rest, at about the middle of the square</source>
-        <translation>Die Kreise fallen aus der Ruhe, etwa aus der Mitte des Quadrats</translation>
-    </message>
-    <message>
         <source>Angles</source>
         <translation>Winkel</translation>
     </message>
     <message>
         <source>From the x axis; the scenes divide them evenly</source>
         <translation>Von der x-Achse aus; die Szenen teilen sie gleichmäßig auf</translation>
+    </message>
+    <message>
+        <source>How often walls must turn the circles round, together, in every scene</source>
+        <translation>Wie oft Wände die Kreise umdrehen müssen, zusammen, in jeder Szene</translation>
+    </message>
+    <message>
+        <source>Visits at least</source>
+        <translation>Besuche mindestens</translation>
+    </message>
+    <message>
+        <source>How often each circle must come to a wall</source>
+        <translation>Wie oft jeder Kreis an eine Wand kommen muss</translation>
+    </message>
+    <message>
+        <source>Free at least</source>
+        <translation>Frei mindestens</translation>
+    </message>
+    <message>
+        <source>How long each circle must be free of walls and circles; a tenth of the duration if left out</source>
+        <translation>Wie lange jeder Kreis frei von Wänden und Kreisen sein muss; ein Zehntel der Dauer, wenn nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Each of the circles at the walls, all round, while the others move on where nothing meets them</source>
+        <translation>Jeder der Kreise an die Wände, ringsum, während die anderen weiterlaufen, wo ihnen nichts begegnet</translation>
+    </message>
+    <message>
+        <source>Each of the circles straight at the corners and just beside them, while the others move on where nothing meets them</source>
+        <translation>Jeder der Kreise genau in die Ecken und dicht daneben, während die anderen weiterlaufen, wo ihnen nichts begegnet</translation>
+    </message>
+    <message>
+        <source>Also one after the other, or one of them at rest; else circle 2 rests before the hit</source>
+        <translation>Auch einer dem anderen hinterher oder einer von ihnen in Ruhe; sonst ruht Kreis 2 vor dem Stoß</translation>
+    </message>
+    <message>
+        <source>Slow hits</source>
+        <translation>Langsame Stöße</translation>
+    </message>
+    <message>
+        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
+        <translation>Die Kreise kommen langsam an Boden und Decke, früher oder später in einem Schritt: Was eine Wand langsamer verlässt, als es kam, wird leicht zweimal umgedreht</translation>
+    </message>
+    <message>
+        <source>The circles fall onto the floor</source>
+        <translation>Die Kreise fallen auf den Boden</translation>
+    </message>
+    <message>
+        <source>Sideways</source>
+        <translation>Seitwärts</translation>
+    </message>
+    <message>
+        <source>Speed to the right, drawn between the least and the most</source>
+        <translation>Tempo nach rechts, gezogen zwischen dem kleinsten und dem größten</translation>
     </message>
 </context>
 <context>
@@ -626,10 +662,6 @@
     <message>
         <source>. This is what %1 does</source>
         <translation>. Das tut das Verfahren %1</translation>
-    </message>
-    <message>
-        <source>Circle %1 is never free of walls and other circles, so its motion cannot be judged; a start in the open is right</source>
-        <translation>Kreis %1 ist nie frei von Wänden und anderen Kreisen, also lässt sich seine Bewegung nicht beurteilen; richtig ist ein Start im Freien</translation>
     </message>
     <message>
         <source> or </source>
@@ -778,6 +810,26 @@
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
         <translation>vom Rechner abgebrochen: die Prüfung dauerte mehr als %1 s. Das ist kein Urteil über das Programm</translation>
+    </message>
+    <message>
+        <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
+        <translation>In %1 s drehten die Wände %2-mal einen Kreis um; um sie zu beurteilen, muss es mindestens %3-mal zu sehen sein</translation>
+    </message>
+    <message>
+        <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
+        <translation>In %1 s kam Kreis %2 %3-mal an eine Wand; um zu beurteilen, ob er drinnen bleibt, muss es mindestens %4-mal zu sehen sein</translation>
+    </message>
+    <message>
+        <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
+        <translation>Kreis %1 war nur %2 s lang frei von Wänden und anderen Kreisen; um seine Bewegung zu beurteilen, müssen mindestens %3 s zu sehen sein</translation>
+    </message>
+    <message>
+        <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
+        <translation>Kreis %1 fiel in %2 s nie auf den Boden; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
+        <translation>Kreis %1 kam in %3 s %2 m weit; mindestens sein Durchmesser von %4 m muss zu sehen sein, um zu beurteilen, ob sie zusammenbleiben</translation>
     </message>
 </context>
 <context>
@@ -3706,6 +3758,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>parting at %1°</source>
         <translation>Trennung bei %1°</translation>
+    </message>
+    <message>
+        <source>slow hit %1</source>
+        <translation>langsamer Stoß %1</translation>
     </message>
 </context>
 <context>

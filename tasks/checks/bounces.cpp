@@ -18,6 +18,8 @@ struct BounceText {
 /// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
 /// then a program may well keep it there.
 constexpr double restingSteps = 3.0;
+/// What a wall only holds falls for less than so many steps before it is stopped again.
+constexpr double heldSteps = 1.5;
 /// A circle that comes to a wall slower than this has been stopped by it, m/s.
 constexpr double stopped = 1e-6;
 /// Steps within which a circle at a wall must be turned: one may show it beyond the wall, and the
@@ -34,6 +36,8 @@ struct Turn {
     double tolerance;
 
     [[nodiscard]] std::optional<Fault> faultAlong(Wall low, Wall high) const;
+    /// Whether a wall turned or stopped it, and not only held what rests there.
+    [[nodiscard]] bool isHit() const;
 
 private:
     [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;
@@ -129,6 +133,44 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
                  last, after);
 }
 
+bool Turn::isHit() const
+{
+    const Circle &before = o.circle(circle, step);
+    const Vec2 kick = motion::kick(o, circle, step, gravity);
+    const double held = heldSteps * length(gravity) * o.timestep();
+    return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        const Vec2 n = outwardNormal(wall);
+        const double into = dot(before.velocity, n);
+        return into > held + stopped && -dot(kick, n) > 0.5 * into
+               && motion::wallGap(o, before, wall) <= motion::travel(o, circle, step, gravity);
+    });
+}
+
+/// What was too little to judge walls by.
+Fault tooFewHits(const Observation &o, int seen, int wanted)
+{
+    return {.message = BounceText::tr("In %1 s the walls turned a circle round %2 times; at least "
+                                      "%3 must be seen to judge them")
+                           .arg(motion::figure(o.states.time(o.steps())), QString::number(seen),
+                                QString::number(wanted)),
+            .expected = wanted,
+            .observed = seen,
+            .step = o.steps()};
+}
+
+/// How often circle \p i came to a wall, having been away from all of them.
+int visitsOf(const Observation &o, int i, Vec2 gravity)
+{
+    int visits = 0;
+    bool wasNear = false;
+    for (qint64 k = 0; k <= o.steps(); ++k) {
+        const bool isNear = motion::isNearWall(o, i, k, gravity);
+        visits += isNear && !wasNear ? 1 : 0;
+        wasNear = isNear;
+    }
+    return visits;
+}
+
 /// \param more  how much further than the way of one step is allowed, m
 std::optional<Fault> outside(const CheckSpec &check, const Observation &o, double more)
 {
@@ -205,7 +247,25 @@ std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gra
 
 std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
 {
-    return outside(check, o, motion::toleranceOf(check, 0.0));
+    if (auto fault = outside(check, o, motion::toleranceOf(check, 0.0)))
+        return fault;
+    const Vec2 gravity = motion::gravityOf(check, o);
+    const int wanted = check.parameters.value(QStringLiteral("visits")).toInt(1);
+    for (const int i : check.circles) {
+        const int seen = visitsOf(o, i, gravity);
+        if (seen >= wanted)
+            continue;
+        return Fault{.message =
+                         BounceText::tr("In %1 s circle %2 came to a wall %3 times; at least "
+                                        "%4 must be seen to judge whether it stays inside")
+                             .arg(motion::figure(o.states.time(o.steps())), QString::number(i + 1),
+                                  QString::number(seen), QString::number(wanted)),
+                     .expected = wanted,
+                     .observed = seen,
+                     .step = o.steps(),
+                     .circle = i};
+    }
+    return std::nullopt;
 }
 
 std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
@@ -217,6 +277,7 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
     const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
     const double restitution = check.parameters.value(QStringLiteral("restitution"))
                                    .toDouble(o.variant.preset.restitution);
+    int hits = 0;
     for (const int i : check.circles) {
         if (auto fault = stuck(o, i, gravity))
             return fault;
@@ -231,9 +292,11 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
                 return fault;
             if (auto fault = turn.faultAlong(Wall::Bottom, Wall::Top))
                 return fault;
+            hits += turn.isHit() ? 1 : 0;
         }
     }
-    return std::nullopt;
+    const int wanted = check.parameters.value(QStringLiteral("hits")).toInt(1);
+    return hits < wanted ? std::optional(tooFewHits(o, hits, wanted)) : std::nullopt;
 }
 
 } // namespace cradle::kinds

@@ -46,6 +46,32 @@ ParameterInfo restitution()
                   "", {0.0, 1.0});
 }
 
+ParameterInfo hits()
+{
+    return usually(
+        inUnit(make("hits", Type::Count, KindText::tr("Hits at least"),
+                    KindText::tr("How often walls must turn the circles round, together, "
+                                 "in every scene")),
+               "", {0.0, 1000.0}),
+        1);
+}
+
+ParameterInfo visits()
+{
+    return usually(inUnit(make("visits", Type::Count, KindText::tr("Visits at least"),
+                               KindText::tr("How often each circle must come to a wall")),
+                          "", {0.0, 1000.0}),
+                   1);
+}
+
+ParameterInfo freeFlight()
+{
+    return inUnit(make("free", Type::Number, KindText::tr("Free at least"),
+                       KindText::tr("How long each circle must be free of walls and circles; a "
+                                    "tenth of the duration if left out")),
+                  "s", {0.0, 600.0});
+}
+
 ParameterInfo contacts()
 {
     return usually(inUnit(make("contacts", Type::Count, KindText::tr("Hits at least"),
@@ -135,16 +161,16 @@ std::vector<KindInfo> motionKinds()
         kind("integrates", KindText::tr("Moves by an integrator"),
              KindText::tr("Every step far from walls is one of the named integrators under the "
                           "named gravity"),
-             1, {integrators(), gravity(), collisions(), tolerance(rounding, "m")}),
+             1, {integrators(), gravity(), collisions(), freeFlight(), tolerance(rounding, "m")}),
         kind("closed_form", KindText::tr("Follows x₀ + v₀t + ½gt²"),
              KindText::tr("Up to the first bounce it is where the formula says"), 1,
-             {gravity(), collisions(), tolerance(rounding, "m")}),
+             {gravity(), collisions(), freeFlight(), tolerance(rounding, "m")}),
         kind("together", KindText::tr("Stay together"),
              KindText::tr("Two circles are in the same place with the same velocity at every step"),
              2, {tolerance(rounding, "m")}),
         kind("same_integrator", KindText::tr("Use the same integrator"),
              KindText::tr("Two circles follow one and the same integrator, whichever it is"), 2,
-             {gravity(), collisions()}),
+             {gravity(), collisions(), freeFlight()}),
         kind(
             "ends_at", KindText::tr("Is there at a moment"),
             KindText::tr("Positions and velocities at a moment; between two steps, on the straight "
@@ -166,10 +192,10 @@ std::vector<KindInfo> wallKinds()
              KindText::tr(
                  "At a wall v_n' = −e v_n; the part along the wall stays; at the rim and in "
                  "time"),
-             1, {restitution(), gravity(), collisions(), tolerance(rounding, "m/s")}),
+             1, {restitution(), gravity(), collisions(), hits(), tolerance(rounding, "m/s")}),
         kind("stays_inside", KindText::tr("Stays inside"),
              KindText::tr("Never further beyond a wall than the way of one step and the tolerance"),
-             1, {gravity(), tolerance(0.0, "m")}),
+             1, {gravity(), visits(), tolerance(0.0, "m")}),
         kind("bounce_heights", KindText::tr("Bounces to the heights e²ⁿ h₀"),
              KindText::tr("After the n-th bounce it rises to e²ⁿ times the height it came from"), 1,
              {restitution(),

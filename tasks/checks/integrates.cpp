@@ -101,13 +101,36 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
             .circle = i};
 }
 
-Fault nothingToSee(int i)
+/// Of a scene's duration: what must be seen of the free motion where the check says nothing.
+constexpr double leastShare = 0.1;
+
+/// What is missing to judge the motion of circle \p i, which was free for \p steps steps.
+std::optional<Fault> tooLittle(const CheckSpec &check, const Observation &o, int i, qint64 steps)
 {
-    return {.message = IntegratorText::tr("Circle %1 is never free of walls and other circles, so "
-                                          "its motion cannot be judged; a start in the open is "
-                                          "right")
-                           .arg(i + 1),
-            .step = 0};
+    const double seen = static_cast<double>(steps) * o.timestep();
+    const double wanted =
+        check.parameters.value(QStringLiteral("free")).toDouble(leastShare * o.variant.duration);
+    if (seen > wanted - o.timestep())
+        return std::nullopt;
+    return Fault{.message =
+                     IntegratorText::tr("Circle %1 was free of walls and other circles for "
+                                        "%2 s only; at least %3 s must be seen to judge its "
+                                        "motion")
+                         .arg(QString::number(i + 1), motion::figure(seen), motion::figure(wanted)),
+                 .expected = wanted,
+                 .observed = seen,
+                 .unit = QStringLiteral("s"),
+                 .step = 0,
+                 .circle = i};
+}
+
+/// How many steps of circle \p i nothing can meet it in.
+qint64 freeSteps(const CheckSpec &check, const Observation &o, int i, Vec2 gravity)
+{
+    qint64 steps = 0;
+    for (qint64 k = 0; k < o.steps(); ++k)
+        steps += motion::isFree(check, o, i, k, gravity) ? 1 : 0;
+    return steps;
 }
 
 } // namespace
@@ -143,11 +166,11 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
     const double tolerance = motion::toleranceOf(check, motion::samePosition);
     for (const int i : check.circles) {
         std::vector<Integrator> left = wanted;
-        bool seen = false;
+        qint64 seen = 0;
         for (qint64 k = 0; k < o.steps(); ++k) {
             if (!motion::isFree(check, o, i, k, gravity))
                 continue;
-            seen = true;
+            ++seen;
             if (motion::isKicked(o, i, k, gravity, tolerance))
                 return wrongAcceleration(o, i, k, gravity);
             std::erase_if(left, [&](Integrator integrator) {
@@ -156,8 +179,8 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
             if (left.empty())
                 return wrongPlace(o, i, k, gravity, wanted.front());
         }
-        if (!seen)
-            return nothingToSee(i);
+        if (auto fault = tooLittle(check, o, i, seen))
+            return fault;
     }
     return std::nullopt;
 }
@@ -167,6 +190,8 @@ std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o
     const Vec2 gravity = motion::gravityOf(check, o);
     std::vector<Integrator> first;
     for (const int i : check.circles) {
+        if (auto fault = tooLittle(check, o, i, freeSteps(check, o, i, gravity)))
+            return fault;
         const std::vector<Integrator> own = matchingIntegrators(check, o, i, gravity);
         if (own.empty()) {
             return Fault{.message = IntegratorText::tr("Circle %1 moves by none of the four "
@@ -192,7 +217,8 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
     const Vec2 gravity = motion::gravityOf(check, o);
     for (const int i : check.circles) {
         const Circle &begin = o.circle(i, 0);
-        for (qint64 k = 0; k < o.steps() && motion::isFree(check, o, i, k, gravity); ++k) {
+        qint64 k = 0;
+        for (; k < o.steps() && motion::isFree(check, o, i, k, gravity); ++k) {
             const double t = o.states.time(k + 1);
             const Vec2 right = begin.position + t * begin.velocity + (0.5 * t * t) * gravity;
             const Vec2 observed = o.circle(i, k + 1).position;
@@ -211,6 +237,8 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
                          .step = k + 1,
                          .circle = i};
         }
+        if (auto fault = tooLittle(check, o, i, k))
+            return fault;
     }
     return std::nullopt;
 }

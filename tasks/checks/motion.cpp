@@ -174,6 +174,20 @@ qint64 missedContact(const Observation &o, int a, int b)
     return -1;
 }
 
+bool leavesInside(const Observation &o, int a, int b, Vec2 gravity)
+{
+    const std::vector<Contact> contacts = contactsOf(o, a, b, gravity);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        const Circle &ca = o.circle(a, contact.step + 1);
+        const Circle &cb = o.circle(b, contact.step + 1);
+        const Vec2 d = cb.position - ca.position;
+        const double sum = ca.radius + cb.radius;
+        const double parting = dot(normalized(d), cb.velocity - ca.velocity);
+        return length(d) < sum * (1.0 - samePosition)
+               && parting > sameVelocity * (1.0 + length(ca.velocity) + length(cb.velocity));
+    });
+}
+
 QString wallName(Wall wall)
 {
     switch (wall) {

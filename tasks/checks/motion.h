@@ -77,6 +77,10 @@ struct Contact {
 /// an honest program needs to see it; −1 if there is none.
 [[nodiscard]] qint64 missedContact(const Observation &o, int a, int b);
 
+/// Whether a hit of \p a and \p b ever leaves them inside each other while they part. Only then
+/// does it show whether a program asks if they approach.
+[[nodiscard]] bool leavesInside(const Observation &o, int a, int b, Vec2 gravity);
+
 [[nodiscard]] QString wallName(Wall wall); ///< "right wall"
 [[nodiscard]] QString integratorName(Integrator integrator);
 [[nodiscard]] QString figure(double value);                     ///< enough digits to read

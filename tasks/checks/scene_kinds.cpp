@@ -102,12 +102,13 @@ std::vector<KindInfo> sceneKinds()
               SceneText::tr("The circles thrown together from the middle, in any direction"), 1,
               drawn({speeds(20.0), angles()})),
         scene("directions", SceneText::tr("Shots in all directions"),
-              SceneText::tr("Each of the circles alone from the middle, all round"), 1,
-              drawn({speeds(20.0), angles()})),
+              SceneText::tr("Each of the circles at the walls, all round, while the others move on "
+                            "where nothing meets them"),
+              1, drawn({speeds(20.0), angles()})),
         scene(
             "corners", SceneText::tr("Shots at the corners"),
-            SceneText::tr("Each of the circles alone from the middle, straight at the corners and "
-                          "just beside them"),
+            SceneText::tr("Each of the circles straight at the corners and just beside them, while "
+                          "the others move on where nothing meets them"),
             1, drawn({speeds(20.0)})),
         scene("encounters", SceneText::tr("Encounters"),
               SceneText::tr("Circles 1 and 2 thrown so that they meet, from all angles"), 2,
@@ -118,15 +119,25 @@ std::vector<KindInfo> sceneKinds()
                                     "", {0.0, 0.95}),
                              0.0),
                      usually(make("both_move", Type::Flag, SceneText::tr("Both move"),
-                                  SceneText::tr("Else circle 2 rests before the hit")),
+                                  SceneText::tr("Also one after the other, or one of them at rest; "
+                                                "else circle 2 rests before the hit")),
                              false)})),
         scene("parting", SceneText::tr("Circles that part"),
               SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
                             "apart already; ask for 0 hits"),
               2, drawn({speeds(3.0), angles()})),
-        scene("drop", SceneText::tr("Drops"),
-              SceneText::tr("The circles fall from rest, at about the middle of the square"), 1,
-              drawn({})),
+        scene("slow", SceneText::tr("Slow hits"),
+              SceneText::tr("The circles come slowly to the floor and to the ceiling, sooner or "
+                            "later in a step: what leaves a wall more slowly than it came is "
+                            "easily turned twice"),
+              1, drawn({})),
+        scene(
+            "drop", SceneText::tr("Drops"), SceneText::tr("The circles fall onto the floor"), 1,
+            drawn({usually(inUnit(make("sideways", Type::Range, SceneText::tr("Sideways"),
+                                       SceneText::tr("Speed to the right, drawn between the least "
+                                                     "and the most")),
+                                  "m/s", {-3.0, 3.0}),
+                           QJsonArray{0.0, 0.0})})),
     };
 }
 

@@ -24,6 +24,19 @@ constexpr double lastSeconds = 5.0;
 constexpr double generosity = 2.0;
 constexpr double alwaysAllowed = 0.06;
 
+/// Whether circle \p i came to the floor as fast as what falls for a tenth of a second.
+bool hasFallen(const Observation &o, int i, Vec2 gravity)
+{
+    const Vec2 down = outwardNormal(Wall::Bottom);
+    for (qint64 k = 0; k <= o.steps(); ++k) {
+        const Circle &c = o.circle(i, k);
+        if (dot(c.velocity, down) > 0.1 * length(gravity)
+            && motion::wallGap(o, c, Wall::Bottom) <= motion::travel(o, i, k, gravity))
+            return true;
+    }
+    return false;
+}
+
 /// How high above the floor the rim of circle \p i still comes at the end, m.
 double lastHeight(const Observation &o, int i)
 {
@@ -56,6 +69,14 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
         allowed = std::max(generosity * allowed, motion::toleranceOf(check, alwaysAllowed));
+        if (!hasFallen(o, i, gravity))
+            return Fault{.message =
+                             SettleText::tr("Circle %1 never fell onto the floor in %2 s; "
+                                            "that must be seen to judge how it comes to rest")
+                                 .arg(i + 1)
+                                 .arg(motion::figure(o.variant.duration)),
+                         .step = o.steps(),
+                         .circle = i};
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
             return Fault{.message = SettleText::tr("After %1 s circle %2 still comes %3 m above "

@@ -53,6 +53,15 @@ std::optional<Fault> wrongVector(const QString &what, Vec2 observed, const QJson
     return fault;
 }
 
+/// How far circle \p i came in the whole run, m.
+double wayOf(const Observation &o, int i)
+{
+    double way = 0.0;
+    for (qint64 k = 0; k < o.steps(); ++k)
+        way += length(o.circle(i, k + 1).position - o.circle(i, k).position);
+    return way;
+}
+
 } // namespace
 
 std::optional<Fault> start(const CheckSpec &check, const Observation &o)
@@ -113,6 +122,18 @@ std::optional<Fault> together(const CheckSpec &check, const Observation &o)
                          .step = k};
         }
     }
+    const double way = wayOf(o, a);
+    const double wanted = 2.0 * o.circle(a, 0).radius;
+    if (way < wanted)
+        return Fault{.message =
+                         StartText::tr("Circle %1 came %2 m far in %3 s; at least its diameter of "
+                                       "%4 m must be seen to judge whether they stay together")
+                             .arg(QString::number(a + 1), motion::figure(way),
+                                  motion::figure(o.states.time(o.steps())), motion::figure(wanted)),
+                     .expected = wanted,
+                     .observed = way,
+                     .unit = QStringLiteral("m"),
+                     .step = o.steps()};
     return std::nullopt;
 }
 

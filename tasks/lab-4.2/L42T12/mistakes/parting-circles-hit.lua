@@ -1,9 +1,9 @@
 -- Circles that part are hit once more
 --
--- Two circles overlapped and were moving apart already; your answer swapped their parts along the
--- normal, and now they run into each other. In your own scene this never shows, since both go back
--- to where they were. After a hit that was seen late, it does: such circles have had their hit.
--- Look at what your test asks besides the distance.
+-- After your hits circles may still overlap for a step, while they already move apart. Your test asks
+-- for the distance alone, so it hits them once more, and that pulls them together again. Circles
+-- that move apart have had their hit. Look at what your test asks besides the distance, and at where
+-- the circles stand after a hit.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 
@@ -49,7 +49,6 @@ local function collide(a, b, old_a, old_b)
   if not overlap(a, b) then
     return
   end
-  a.position, b.position = old_a, old_b
   a.velocity = a.velocity - u_a * normal + u_b * normal
   b.velocity = b.velocity - u_b * normal + u_a * normal
 end

@@ -1,9 +1,9 @@
--- Circles that part are pulled back
+-- Circles that part are hit once more
 --
--- Two circles overlapped and were moving apart already. Their closing speed was negative, so
--- your impulse was, too: it pulled them together instead of pushing them apart. After a hit
--- that was seen late such circles have had their impulse. Look at what your test asks besides
--- the distance.
+-- After your hits circles may still overlap for a step, while they already move apart. Your test asks
+-- for the distance alone, so it hits them once more, and that pulls them together again. Circles
+-- that move apart have had their hit. Look at what your test asks besides the distance, and at where
+-- the circles stand after a hit.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 
@@ -62,7 +62,6 @@ local function collide(a, b, old_a, old_b)
   if not overlap(a, b) then
     return
   end
-  a.position, b.position = old_a, old_b
   local reduced_mass = a.mass * b.mass / (a.mass + b.mass)
   local impulse = (1 + restitution) * reduced_mass * closing_speed  -- N s
   a.velocity = a.velocity - impulse / a.mass * normal

@@ -1,0 +1,60 @@
+-- Circles that part swap back
+--
+-- After a hit the circles may still overlap for a step while they already move apart. Your test asks
+-- for the distance alone, so they swap their velocities a second time, run into each other again,
+-- and stick together. Circles that move apart have had their hit. Look at what your test asks besides
+-- the distance, and at where the circles stand after a hit.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, 0)
+  circle1.position = vec(-2, 2)
+  circle1.velocity = vec(2, 0)
+  circle2.position = vec(2, 2)
+  circle2.velocity = vec(0, 0)
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the circle.
+local function integrate(circle, timestep)
+  circle.velocity = circle.velocity + gravity * timestep
+  circle.position = circle.position + circle.velocity * timestep
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, circle.radius
+  if (p.x - r < square.left and v.x < 0) or (p.x + r > square.right and v.x > 0) then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+  if (p.y - r < square.bottom and v.y < 0) or (p.y + r > square.top and v.y > 0) then
+    circle.position = old_position
+    circle.velocity = vec(circle.velocity.x, -circle.velocity.y)
+  end
+end
+
+-- Circles overlap when their centres are nearer than the sum of the radii, in any direction.
+local function overlap(a, b)
+  return (b.position - a.position):length() < a.radius + b.radius
+end
+
+-- Equal circles that meet head-on swap their velocities. Those that move apart have done so.
+local function collide(a, b)
+  if overlap(a, b) then
+    a.velocity, b.velocity = b.velocity, a.velocity  -- Lua reads the whole right side first
+  end
+end
+
+-- Runs every step.
+function on_update(timestep)
+  local old_position1 = circle1.position
+  local old_position2 = circle2.position
+  integrate(circle1, timestep)
+  integrate(circle2, timestep)
+  bounce_off_walls(circle1, old_position1)
+  bounce_off_walls(circle2, old_position2)
+  collide(circle1, circle2)
+end

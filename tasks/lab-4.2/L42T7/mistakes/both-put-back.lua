@@ -1,0 +1,51 @@
+-- Both circles go back when one meets a wall
+--
+-- Where one circle meets a wall, both are put back to where they were before the step: the other
+-- one, free in the middle of the square, stands still for that step although it has a velocity. A
+-- wall acts on the circle that touches it and on no other. Look at whose positions are set when a
+-- wall is hit.
+
+-- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+
+-- Runs once, when the scene is in place.
+function on_load()
+  gravity = vec(0, -9.81)
+  circle1.position = vec(-2, 2)
+  circle1.velocity = vec(2, 0)
+  circle2.position = vec(-2, 2)
+  circle2.velocity = vec(2, 0)
+end
+
+-- Symplectic Euler: the velocity from the end of the step moves the circle.
+local function integrate(circle, timestep)
+  circle.velocity = circle.velocity + gravity * timestep
+  circle.position = circle.position + circle.velocity * timestep
+end
+
+-- A circle whose rim is past a wall goes back to where it was before the step and turns round.
+-- Only one that moves into the wall: else it could be turned back into it.
+local function bounce_off_walls(circle, old_position)
+  local p, v, r = circle.position, circle.velocity, circle.radius
+  if (p.x - r < square.left and v.x < 0) or (p.x + r > square.right and v.x > 0) then
+    circle.position = old_position
+    circle.velocity = vec(-circle.velocity.x, circle.velocity.y)
+  end
+  if (p.y - r < square.bottom and v.y < 0) or (p.y + r > square.top and v.y > 0) then
+    circle.position = old_position
+    circle.velocity = vec(circle.velocity.x, -circle.velocity.y)
+  end
+end
+
+-- Runs every step.
+function on_update(timestep)
+  local old_position1 = circle1.position
+  local old_position2 = circle2.position
+  integrate(circle1, timestep)
+  integrate(circle2, timestep)
+  local velocity1, velocity2 = circle1.velocity, circle2.velocity
+  bounce_off_walls(circle1, old_position1)
+  bounce_off_walls(circle2, old_position2)
+  if circle1.velocity ~= velocity1 or circle2.velocity ~= velocity2 then
+    circle1.position, circle2.position = old_position1, old_position2
+  end
+end

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/variant.h"
+
+#include "tasks/observation.h"
+
+#include "tests/programs.h"
+#include "tests/scenes.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// Shots at the walls: from places that no program knows, surely at a wall, and with the other
+/// circle on its way meanwhile.
+class TestShotScenes : public QObject
+{
+    Q_OBJECT
+private slots:
+    void directionsShootEachCircleClearOfTheOther();
+    void shotsBeginAtUnknownPlaces();
+    void everyShotComesToAWallInTime_data();
+    void everyShotComesToAWallInTime();
+    void cornersAreAimedAt();
+    void slowHitsDivideAStep();
+};
+
+namespace {
+
+Preset two()
+{
+    Preset preset = scene({Circle{}, Circle{.position = {1.0, 1.0}}});
+    preset.laws.circles = CircleLaw::None;
+    return preset;
+}
+
+/// Twelve scenes, long enough and without gravity.
+CheckSpec shots(const QString &kind)
+{
+    CheckSpec made = check("bounces", {0, 1});
+    made.scene = {{QStringLiteral("kind"), kind},
+                  {QStringLiteral("count"), 12},
+                  {QStringLiteral("duration"), 4},
+                  {QStringLiteral("timesteps"), QJsonArray{1.0 / 60.0, 1.0 / 120.0}},
+                  {QStringLiteral("speeds"), QJsonArray{1.0, 4.0}},
+                  {QStringLiteral("radii"), QJsonArray{0.1, 0.4}}};
+    return made;
+}
+
+double directionOf(Vec2 v)
+{
+    return std::atan2(v.y, v.x) * 180.0 / scenes::pi;
+}
+
+/// The circle that is shot: the other drifts, more slowly than any shot of shots().
+std::size_t shotOf(const Variant &variant)
+{
+    const auto &c = variant.preset.circles;
+    return length(c[0].body.velocity) > length(c[1].body.velocity) ? 0 : 1;
+}
+
+} // namespace
+
+void TestShotScenes::directionsShootEachCircleClearOfTheOther()
+{
+    const CheckSpec floating = shots(QStringLiteral("directions"));
+    std::set<int> quadrants;
+    for (qint64 seed = 1; seed <= 10; ++seed) {
+        const auto variants = makeVariants(two(), floating, seed);
+        QCOMPARE(variants.size(), std::size_t{24});
+        for (const Variant &variant : variants) {
+            const auto &c = variant.preset.circles;
+            const std::size_t shot = shotOf(variant);
+            QVERIFY(length(c[1 - shot].body.velocity) > 0.2);
+            QVERIFY(length(c[shot].body.velocity) >= 1.0 - 1e-12);
+            QVERIFY(length(c[shot].body.velocity) <= 4.0 + 1e-12);
+            quadrants.insert(static_cast<int>((directionOf(c[shot].body.velocity) + 180.0) / 90.0));
+            const Observation o = observe(variant);
+            for (qint64 k = 0; k <= o.steps(); ++k) {
+                const double apart = length(o.circle(1, k).position - o.circle(0, k).position);
+                QVERIFY2(apart > c[0].body.radius + c[1].body.radius, qPrintable(variant.name));
+                const Vec2 other = o.circle(static_cast<int>(1 - shot), k).velocity;
+                QVERIFY2(other == c[1 - shot].body.velocity, "what drifts comes to a wall");
+            }
+        }
+    }
+    QCOMPARE(quadrants.size(), std::size_t{4});
+}
+
+void TestShotScenes::shotsBeginAtUnknownPlaces()
+{
+    std::set<double> places;
+    std::size_t fromTheMiddle = 0;
+    const auto variants = makeVariants(two(), shots(QStringLiteral("directions")), 1);
+    for (const Variant &variant : variants) {
+        const Vec2 place = variant.preset.circles[shotOf(variant)].body.position;
+        places.insert(place.x);
+        fromTheMiddle += place == Vec2{} ? 1 : 0;
+    }
+    // The first of each circle is the one that a program could know.
+    QCOMPARE(fromTheMiddle, std::size_t{2});
+    QCOMPARE(places.size(), variants.size() - 1);
+}
+
+void TestShotScenes::everyShotComesToAWallInTime_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<Vec2>("gravity");
+    QTest::addColumn<Vec2>("speeds");
+    QTest::newRow("directions") << QStringLiteral("directions") << Vec2{} << Vec2{1.0, 4.0};
+    QTest::newRow("corners") << QStringLiteral("corners") << Vec2{} << Vec2{1.0, 4.0};
+    QTest::newRow("under gravity")
+        << QStringLiteral("directions") << Vec2{0.0, -9.81} << Vec2{9.0, 11.0};
+}
+
+void TestShotScenes::everyShotComesToAWallInTime()
+{
+    QFETCH(QString, kind);
+    QFETCH(Vec2, gravity);
+    QFETCH(Vec2, speeds);
+    CheckSpec check = shots(kind);
+    check.circles = {0};
+    check.scene.insert(QStringLiteral("gravity"), json(gravity));
+    check.scene.insert(QStringLiteral("speeds"), json(speeds));
+    check.scene.insert(QStringLiteral("duration"), gravity == Vec2{} ? 4 : 2);
+    for (qint64 seed = 1; seed <= 10; ++seed) {
+        for (const Variant &variant : makeVariants(scene({Circle{}}), check, seed)) {
+            const Observation o = observe(variant);
+            bool turned = false;
+            for (qint64 k = 0; k < 7 * o.steps() / 10; ++k) {
+                const Vec2 kick =
+                    o.circle(0, k + 1).velocity - o.circle(0, k).velocity - o.timestep() * gravity;
+                turned = turned || length(kick) > 0.5;
+            }
+            QVERIFY2(turned, qPrintable(variant.name));
+        }
+    }
+}
+
+void TestShotScenes::cornersAreAimedAt()
+{
+    for (const Variant &variant : makeVariants(two(), shots(QStringLiteral("corners")), 1)) {
+        const Circle &c = variant.preset.circles[shotOf(variant)].body;
+        const double room = 4.0 - c.radius;
+        const Vec2 corner{std::copysign(room, c.velocity.x), std::copysign(room, c.velocity.y)};
+        const double off = std::abs(directionOf(c.velocity) - directionOf(corner - c.position));
+        QVERIFY2(off < 5.0, qPrintable(QString::number(off)));
+    }
+}
+
+void TestShotScenes::slowHitsDivideAStep()
+{
+    CheckSpec slow = shots(QStringLiteral("slow"));
+    slow.circles = {0};
+    slow.scene.insert(QStringLiteral("gravity"), json({0.0, -9.81}));
+    slow.scene.insert(QStringLiteral("timesteps"), QJsonArray{1.0 / 30.0});
+    for (qint64 seed = 1; seed <= 10; ++seed) {
+        std::vector<double> moments[2]; // at the floor and at the ceiling, in steps
+        for (const Variant &variant : makeVariants(scene({Circle{}}), slow, seed)) {
+            const Circle &c = variant.preset.circles[0].body;
+            const bool up = c.velocity.y > 0.0;
+            const double gap = 4.0 - c.radius - std::abs(c.position.y);
+            // With the velocity that gravity will have given it after three steps.
+            const double speed = std::abs(c.velocity.y - 3.0 * 9.81 / 30.0);
+            QVERIFY(speed > 3.0 * 9.81 / 30.0 && speed < 4.5 * 9.81 / 30.0);
+            moments[up ? 1 : 0].push_back(gap / (speed / 30.0));
+        }
+        for (std::vector<double> &each : moments) {
+            QCOMPARE(each.size(), std::size_t{6});
+            std::sort(each.begin(), each.end());
+            for (std::size_t i = 1; i < each.size(); ++i)
+                QVERIFY(std::abs(each[i] - each[i - 1] - 1.0 / 6.0) < 1e-9);
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(TestShotScenes)
+#include "test_shot_scenes.moc"
