@@ -68,6 +68,7 @@ struct CheckReport {
     QString taskId;
     qint64 seed = 1;
     bool passed = false;
+    bool byProgram = false; ///< a program moved the circles; else the laws of the scene did
     std::vector<CheckOutcome> checks{};
     std::vector<Finding> findings{}; ///< in the order in which to mend them
     std::vector<Remark> remarks{};

@@ -4,8 +4,8 @@
 
 #include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
-#include "tasks/checks/integrator_matching.h"
 #include "tasks/checks/motion.h"
+#include "tasks/commit_message.h"
 #include "tasks/judging/findings.h"
 #include "tasks/locks.h"
 #include "tasks/remarks.h"
@@ -18,7 +18,6 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace cradle {
@@ -86,6 +85,7 @@ public:
     {
         findEarlyError(report);
         findChangedLock(report);
+        findWrongMover(report);
         std::vector<CheckPlan> plans;
         int total = 0;
         for (const CheckSpec &check : m_task.checks) {
@@ -96,6 +96,13 @@ public:
         for (const CheckPlan &plan : plans) {
             report.checks.push_back(outcomeOf(plan));
             CheckOutcome &outcome = report.checks.back();
+            if (m_wrongMover && plan.check->kind != QLatin1String("start")) {
+                outcome.passed = false;
+                outcome.message = CheckerText::tr("not judged: what moves the circles is not what "
+                                                  "the step asks for");
+                done += static_cast<int>(plan.variants.size());
+                continue;
+            }
             const bool shows = canHappen(plan);
             for (std::size_t i = 0; i < plan.variants.size(); ++i) {
                 if (isCancelled())
@@ -128,7 +135,7 @@ private:
     [[nodiscard]] bool isLate() const { return m_timer.elapsed() > mostMilliseconds; }
 
     /// A program that does not load is told so before anything is judged.
-    void findEarlyError(CheckReport &report) const
+    void findEarlyError(CheckReport &report)
     {
         if (!m_submission.script)
             return;
@@ -136,6 +143,27 @@ private:
                               {.pinned = false, .quiet = true, .locked = m_task.locked});
         Preset scene = m_submission.preset;
         report.error = program.begin(scene);
+        report.byProgram = report.error || program.moves();
+    }
+
+    /// Who programs moves the circles by his program where the step asks for that, and leaves them
+    /// to the laws where it asks for those.
+    void findWrongMover(CheckReport &report)
+    {
+        const bool idle = m_task.moves == Mover::Program && !report.byProgram;
+        const bool busy = m_task.moves == Mover::Laws && report.byProgram;
+        if (!m_submission.script || report.error || (!idle && !busy))
+            return;
+        m_wrongMover = true;
+        report.passed = false;
+        report.checks.push_back(
+            {.id = QStringLiteral("moves"),
+             .title = idle ? CheckerText::tr("Your program moves the circles")
+                           : CheckerText::tr("The laws of the scene move the circles"),
+             .message =
+                 idle ? CheckerText::tr("Nothing moves the circles: write on_update")
+                      : CheckerText::tr("Your program moves the circles: leave on_update out, and "
+                                        "the laws of the scene do it")});
     }
 
     /// What the step fixes is as the step has it; only a breach is told.
@@ -237,35 +265,9 @@ private:
     const JudgeHooks &m_hooks;
     QElapsedTimer m_timer;
     qint64 m_instructions = 0; ///< of all runs that were asked for, also of those made before
+    bool m_wrongMover = false;
     bool m_cancelled = false;
 };
-
-/// The lab's commit messages are English, whatever language the student reads.
-QString englishNames(const std::vector<Integrator> &integrators)
-{
-    static const std::map<Integrator, QString> names{
-        {Integrator::Euler, QStringLiteral("Euler")},
-        {Integrator::SymplecticEuler, QStringLiteral("symplectic Euler")},
-        {Integrator::Verlet, QStringLiteral("velocity Verlet")},
-        {Integrator::RungeKutta4, QStringLiteral("Runge-Kutta 4")}};
-    QStringList found;
-    for (const Integrator integrator : integrators)
-        found.append(names.at(integrator));
-    return found.join(QStringLiteral(" or "));
-}
-
-/// The commit message, with the integrator that the submission was seen to use.
-QString commitOf(const Task &task, const Submission &submission)
-{
-    QString commit = task.id + QLatin1Char(' ') + task.commit;
-    const QString wanted = QStringLiteral("{integrator}");
-    if (!commit.contains(wanted) || submission.preset.circles.empty())
-        return commit;
-    const Observation run =
-        observe({QStringLiteral("preset"), submission.preset, 2.0}, submission.program());
-    return commit.replace(
-        wanted, englishNames(matchingIntegrators({}, run, 0, run.variant.preset.gravity)));
-}
 
 } // namespace
 

@@ -46,6 +46,13 @@ struct RemarkSpec {
     QJsonObject scene{};                   ///< where it shows, see tasks/variant.h
 };
 
+/// Who may move the circles in a step.
+enum class Mover {
+    Program, ///< of those who program; without a program, the laws of the scene
+    Laws,    ///< the laws of the scene; a program may set values
+    Either   ///< a program if it has on_update, else the laws
+};
+
 /// One step of a lab; a plain value.
 struct Task {
     QString id;           ///< L42T1
@@ -62,6 +69,7 @@ struct Task {
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
     bool extra = false;                     ///< not in the original lab
+    Mover moves = Mover::Either;            ///< who moves the circles
     QStringList locked{};                   ///< what the student may not change, see locks.h
     std::optional<Prediction> prediction{}; ///< asked before the scene is watched
     std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it

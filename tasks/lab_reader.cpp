@@ -74,6 +74,13 @@ QStringList stringsOf(const QJsonValue &list)
     return strings;
 }
 
+Mover moverOf(const QString &name)
+{
+    if (name == QLatin1String("program"))
+        return Mover::Program;
+    return name == QLatin1String("laws") ? Mover::Laws : Mover::Either;
+}
+
 std::vector<CheckSpec> checksOf(const QJsonObject &json, const QJsonObject &titles)
 {
     std::vector<CheckSpec> checks;
@@ -159,6 +166,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     task.checks = checksOf(*json, words.value(QStringLiteral("checks")).toObject());
     for (CheckSpec &check : task.checks)
         check.language = language;
+    task.moves = moverOf(text("moves"));
     task.extra = json->value(QStringLiteral("extra")).toBool();
     task.solutionScene = solution;
     if (solution)

@@ -120,6 +120,8 @@ QByteArray writeReport(const CheckReport &report)
                      {QStringLiteral("task"), report.taskId},
                      {QStringLiteral("seed"), report.seed},
                      {QStringLiteral("passed"), report.passed},
+                     {QStringLiteral("moved_by"),
+                      report.byProgram ? QStringLiteral("program") : QStringLiteral("laws")},
                      {QStringLiteral("commit"), report.commit},
                      {QStringLiteral("checks"), checks},
                      {QStringLiteral("diagnosis"), jsonOf(report.diagnosis())},

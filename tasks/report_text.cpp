@@ -105,6 +105,10 @@ QString describeReport(const CheckReport &report, const QString &program)
     for (const Remark &remark : report.remarks)
         text += QLatin1Char('\n') + behind(margin, plainText(remark.message, terminalColumns - 2));
     text += QLatin1Char('\n') + verdictOf(report) + QLatin1Char('\n');
+    if (report.passed)
+        text += (report.byProgram ? ReportText::tr("The program moved the circles.")
+                                  : ReportText::tr("The laws of the scene moved the circles."))
+                + QLatin1Char('\n');
     if (report.passed && !report.commit.isEmpty())
         text += wrapped(ReportText::tr("Commit message: %1").arg(report.commit), terminalColumns,
                         {}, margin)

@@ -32,6 +32,8 @@ void change(TaskForm &form, const QByteArray &field)
         form.checks[0].parameters.insert(text("tolerance"), 0.25);
     else if (field == "scene")
         form.checks.back().scene.insert(text("duration"), 7.5);
+    else if (field == "moves")
+        form.moves = QStringLiteral("laws");
     else if (field == "extra")
         form.extra = !form.extra;
     else if (field == "remark")
@@ -48,8 +50,8 @@ void addFields()
 {
     QTest::addColumn<QByteArray>("field");
     for (const char *field :
-         {"title", "commit", "hint", "code hint", "title of a check", "parameter", "scene", "extra",
-          "remark", "question", "answer", "right answer"})
+         {"title", "commit", "hint", "code hint", "title of a check", "parameter", "scene", "moves",
+          "extra", "remark", "question", "answer", "right answer"})
         QTest::newRow(field) << QByteArray(field);
 }
 

@@ -831,6 +831,26 @@
         <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
         <translation>Kreis %1 kam in %3 s %2 m weit; mindestens sein Durchmesser von %4 m muss zu sehen sein, um zu beurteilen, ob sie zusammenbleiben</translation>
     </message>
+    <message>
+        <source>not judged: what moves the circles is not what the step asks for</source>
+        <translation>nicht beurteilt: Die Kreise bewegt nicht, was der Schritt verlangt</translation>
+    </message>
+    <message>
+        <source>Your program moves the circles</source>
+        <translation>Dein Programm bewegt die Kreise</translation>
+    </message>
+    <message>
+        <source>The laws of the scene move the circles</source>
+        <translation>Die Gesetze der Szene bewegen die Kreise</translation>
+    </message>
+    <message>
+        <source>Nothing moves the circles: write on_update</source>
+        <translation>Nichts bewegt die Kreise: Schreibe on_update</translation>
+    </message>
+    <message>
+        <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
+        <translation>Dein Programm bewegt die Kreise: Lass on_update weg, dann tun es die Gesetze der Szene</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -2642,6 +2662,14 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>%1 (%2 of %3 points)</source>
         <translation>%1 (%2 von %3 Punkten)</translation>
+    </message>
+    <message>
+        <source>The program moved the circles.</source>
+        <translation>Das Programm hat die Kreise bewegt.</translation>
+    </message>
+    <message>
+        <source>The laws of the scene moved the circles.</source>
+        <translation>Die Gesetze der Szene haben die Kreise bewegt.</translation>
     </message>
 </context>
 <context>

@@ -107,7 +107,7 @@ constexpr std::array keyOrder{
     "timesteps", "speeds",   "offset",     "both_move", "restitutions", "radii",      "densities",
     "position",  "velocity", "radius",     "density",   "colour",       "integrator", "rms_speed",
     "seed",      "hints",    "code_hints", "circles",   "points",       "parameters", "scene",
-    "checks",    "mistakes", "remarks",    "steps",     "extra",        "locked"};
+    "checks",    "mistakes", "remarks",    "steps",     "moves",        "extra",      "locked"};
 
 } // namespace
 

@@ -105,6 +105,8 @@ QJsonObject jsonFrom(const TaskForm &form)
     putList(json, QStringLiteral("locked"), form.locked);
     if (!remarks.isEmpty())
         json.insert(QStringLiteral("remarks"), remarks);
+    if (!form.moves.isEmpty())
+        json.insert(QStringLiteral("moves"), form.moves);
     if (form.extra)
         json.insert(QStringLiteral("extra"), true);
     if (form.prediction)
@@ -137,6 +139,7 @@ TaskForm formFrom(const QJsonObject &json)
                   .codeHints = toStrings(json.value(QStringLiteral("code_hints"))),
                   .checks = {},
                   .remarks = {},
+                  .moves = text("moves"),
                   .extra = json.value(QStringLiteral("extra")).toBool(),
                   .locked = toStrings(json.value(QStringLiteral("locked"))),
                   .prediction = predictionFrom(json)};

@@ -43,6 +43,7 @@ struct TaskForm {
     QStringList codeHints{};                        ///< in the form's language
     std::vector<CheckForm> checks{};
     std::vector<RemarkForm> remarks{};
+    QString moves{}; ///< who moves the circles: program, laws or either; empty: either
     bool extra = false;
     QStringList locked{};                   ///< fields of the scene that the student may not change
     std::optional<Prediction> prediction{}; ///< in the form's language; right may be none of them
