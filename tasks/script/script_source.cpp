@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/script_source.h"
 
+#include "tasks/script/chunk_cache.h"
 #include "tasks/script/error_message.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/script/student_script.h"
@@ -21,9 +22,7 @@ struct SourceText {
 
 int parse(lua_State *L, const QString &source)
 {
-    const QByteArray text = source.toUtf8();
-    const int status = luaL_loadbufferx(L, text.constData(), static_cast<std::size_t>(text.size()),
-                                        "=lab.lua", "t");
+    const int status = loadProgram(L, source.toUtf8(), "=lab.lua");
     // Nesting that is too deep for the parser Lua tells as an overflow while running.
     return status == LUA_OK || status == LUA_ERRMEM ? status : LUA_ERRSYNTAX;
 }

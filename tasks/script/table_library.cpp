@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/script/chunk_cache.h"
 #include "tasks/script/library_parts.h"
 #include "tasks/script/sandbox.h"
 
@@ -131,7 +132,9 @@ void addTables(lua_State *L)
               {"concat", concat},
               {"sort", nullptr},
               {"unpack", unpack}});
-    luaL_loadbufferx(L, sortSource, sizeof sortSource - 1, "=table.sort", "t");
+    static const QByteArray sort = QByteArray::fromRawData(sortSource, sizeof sortSource - 1);
+    if (loadProgram(L, sort, "=table.sort") != LUA_OK)
+        lua_error(L); // There is no memory.
     lua_pushcfunction(L, checkSort);
     lua_call(L, 1, 1);
     lua_setfield(L, -2, "sort");
