@@ -208,7 +208,7 @@ void TestSameVerdict::costlyWorkEndsByCount_data()
                                "while a <= b do end");
     row("long texts joined", "local a = 'x' for i = 1, 20 do a = a .. a end\n"
                              "while true do local b = a .. 'x' end");
-    row("long text as a number", "local a = '1' for i = 1, 20 do a = a .. a end\n"
+    row("long text as a number", "local a = '1' for i = 1, 15 do a = a .. a end\n"
                                  "while true do local b = a + 1 end");
     row("table that is built anew for every key",
         "local t = {} for i = 1, 65536 do t[i + 0.5] = true end\n"

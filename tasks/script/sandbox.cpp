@@ -21,6 +21,9 @@ struct SandboxText {
 /// Instructions between two looks at what was used: few, since one may copy a text of many MB.
 constexpr qint64 instructionsPerLook = 100;
 
+/// Looks between two at how deep calls are: that goes through all of them.
+constexpr qint64 looksPerDepth = 16;
+
 /// Unwinding the stack takes some microseconds.
 constexpr qint64 instructionsPerCatch = 50;
 
@@ -113,7 +116,7 @@ void hook(lua_State *L, lua_Debug *event)
         abortRun(L, *host.aborted, SandboxText::tr("the run was stopped"));
     charge(L, costOfLook(L));
     lookAtClock(L);
-    if (lua_getstack(L, limits::callDepth, event) != 0)
+    if (++host.looks % looksPerDepth == 0 && lua_getstack(L, limits::callDepth, event) != 0)
         raise(L, SandboxText::tr("functions call each other %1 deep; does one call itself without "
                                  "end?")
                      .arg(limits::callDepth));
@@ -157,6 +160,7 @@ void beginCount(lua_State *L)
     ScriptHost &host = ScriptHost::of(L);
     host.earlierInstructions += std::exchange(host.instructions, 0);
     host.outputBytes = 0;
+    (void)host.memory.takeMoved(); // What we did in between is not the program's.
     if (host.timed)
         host.deadline = std::chrono::steady_clock::now() + limits::wallTimePerStep;
     host.memory.hold(L);

@@ -94,6 +94,10 @@ QStringList globalNames(lua_State *L)
 
 [[noreturn]] void refuseUnknown(lua_State *L, const QString &name)
 {
+    const QString unknown =
+        WorldText::tr("`%1` is not known: nothing of that name was given a value before");
+    if (name.size() > static_cast<qsizetype>(longestName))
+        raise(L, unknown.arg(name.left(longestName) + QStringLiteral("…")));
     if (const QString why = whyAbsent(name); !why.isEmpty())
         raise(L, why);
     const auto count = ScriptHost::of(L).circles.size();
@@ -110,8 +114,7 @@ QStringList globalNames(lua_State *L)
     const QString near = nearestName(name, locals + globalNames(L));
     if (!near.isEmpty())
         raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, near));
-    raise(L, WorldText::tr("`%1` is not known: nothing of that name was given a value before")
-                 .arg(name));
+    raise(L, unknown.arg(name));
 }
 
 /// A global that the program has not set itself.
