@@ -250,7 +250,7 @@ private:
         const bool ran = !report.error
                          || (report.error->kind == ProgramError::Kind::Runtime
                              && report.error->step > 1);
-        if (!report.passed && ran)
+        if (!report.passed && ran && !m_wrongMover)
             report.findings = findingsOf(m_lab, m_task, m_submission, report.checks,
                                          m_hooks.provesLines);
         if (report.passed)

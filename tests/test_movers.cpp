@@ -89,7 +89,7 @@ void TestMovers::oneCheckSaysThatNothingMoves()
     const CheckOutcome &walls = outcome(report, "walls");
     QVERIFY(!walls.passed);
     QVERIFY2(walls.message.startsWith(QStringLiteral("not judged")), qPrintable(walls.message));
-    QVERIFY(!report.diagnosis);
+    QVERIFY(!report.diagnosis());
 }
 
 void TestMovers::programThatDoesNotLoadIsToldThat()
