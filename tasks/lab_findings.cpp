@@ -77,6 +77,50 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
     return !seen && say(Kind::RemarkNotRecognised, VerifyText::tr("is not recognised"));
 }
 
+/// Whether \p report fails by \p check and no other.
+bool isFailedAlone(const CheckReport &report, const QString &check)
+{
+    return std::all_of(report.checks.begin(), report.checks.end(),
+                       [&](const CheckOutcome &c) { return c.passed == (c.id != check); });
+}
+
+bool asksTheSame(const CheckSpec &a, const CheckSpec &b)
+{
+    return a.kind == b.kind && a.circles == b.circles && a.parameters == b.parameters
+           && a.scene == b.scene && a.source == b.source;
+}
+
+/// Checks that could be left out: nothing would be judged otherwise.
+std::vector<LabFinding> idleChecks(const Task &task, const VerifiedTask &verified)
+{
+    std::vector<LabFinding> found;
+    for (auto check = task.checks.begin(); check != task.checks.end(); ++check) {
+        const auto twin = std::find_if(task.checks.begin(), check, [&](const CheckSpec &other) {
+            return asksTheSame(other, *check);
+        });
+        const auto seenBy = [&](bool (*sees)(const CheckReport &, const QString &)) {
+            return std::any_of(
+                verified.programs.begin(), verified.programs.end(), [&](const VerifiedProgram &p) {
+                    return p.role == Role::Mistake && sees(p.reports.front(), check->id);
+                });
+        };
+        LabFinding finding{.task = task.id, .check = check->id};
+        if (twin != check) {
+            finding.kind = Kind::CheckIsDuplicate;
+            finding.message =
+                VerifyText::tr("the check %1 asks for the same as %2").arg(check->id, twin->id);
+        } else if (seenBy(isFailedBy) && !seenBy(isFailedAlone)) {
+            finding.kind = Kind::CheckNeverAlone;
+            finding.message =
+                VerifyText::tr("no mistake fails by the check %1 alone").arg(check->id);
+        } else {
+            continue;
+        }
+        found.push_back(finding);
+    }
+    return found;
+}
+
 /// "x . x": which checks failed.
 QString rowOf(const VerifiedTask &task, const CheckReport &report)
 {
@@ -117,6 +161,7 @@ void findProblems(const Task &task, VerifiedTask &verified)
                  .check = check,
                  .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
     }
+    verified.warnings = idleChecks(task, verified);
 }
 
 LabFinding tooTight(const Task &task, const CheckSpec &check, const TightTolerance &tight)
@@ -168,6 +213,17 @@ QString describeVerified(const VerifiedTask &task)
     }
     for (const LabFinding &finding : task.findings)
         text += QStringLiteral("  ! %1\n").arg(finding.message);
+    QStringList idle;
+    for (const LabFinding &warning : task.warnings) {
+        if (warning.kind == Kind::CheckNeverAlone)
+            idle.append(warning.check);
+        else
+            text += QStringLiteral("  ? %1\n").arg(warning.message);
+    }
+    if (!idle.isEmpty())
+        text += QStringLiteral("  ? %1\n")
+                    .arg(VerifyText::tr("by these checks alone no mistake fails: %1")
+                             .arg(idle.join(QStringLiteral(", "))));
     return text;
 }
 

@@ -7,7 +7,7 @@
 
 namespace cradle {
 
-/// Fills in the findings of \p verified, whose programs have been judged.
+/// Fills in the findings and warnings of \p verified, whose programs have been judged.
 void findProblems(const Task &task, VerifiedTask &verified);
 
 /// The finding about a tolerance that the solution nearly uses up.

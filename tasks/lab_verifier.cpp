@@ -100,7 +100,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     for (const Task &task : lab.tasks) {
         if (!only.isEmpty() && task.id != only)
             continue;
-        VerifiedTask verified{task.id, task.title, {}, {}, {}};
+        VerifiedTask verified{task.id, task.title, {}, {}, {}, {}};
         for (const CheckSpec &check : task.checks)
             verified.checks.append(check.id);
         candidates.push_back(candidatesOf(task));

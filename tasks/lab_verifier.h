@@ -28,7 +28,9 @@ struct LabFinding {
         RemarkFails,            ///< work that gets a remark should pass
         RemarkNotRecognised,    ///< it passes, and nothing is said of it
         CheckNeverFails,        ///< no mistake fails \c check
-        ToleranceTooTight       ///< the solution itself nearly uses up that of \c check
+        ToleranceTooTight,      ///< the solution itself nearly uses up that of \c check
+        CheckIsDuplicate,       ///< \c check asks for the same as one before it
+        CheckNeverAlone         ///< no mistake is seen by \c check alone
     };
 
     Kind kind = Kind::ProgramErrs;
@@ -47,16 +49,16 @@ struct VerifiedTask {
     QStringList checks{}; ///< ids
     std::vector<VerifiedProgram> programs{};
     std::vector<LabFinding> findings{};
+    std::vector<LabFinding> warnings{}; ///< what may well be so, and yet deserves a look
 };
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
 /// with five seeds; every mistake fails and is diagnosed as itself; every remark passes and is
 /// recognised; every check is failed by a mistake; no tolerance is nearly used up by the solution
-/// itself. Where a step has a solution-preset.json, the laws of that scene pass, too. Uses all
-/// processors.
-/// \param only   the id of one step; empty for all
-/// \param hooks  called from other threads, never two at once
-/// \return nothing if it was cancelled
+/// itself. Warns of checks that add nothing: duplicates, and those without which every mistake
+/// would still fail. Where a step has a solution-preset.json, the laws of that scene pass, too.
+/// Uses all processors. \param only   the id of one step; empty for all \param hooks  called from
+/// other threads, never two at once \return nothing if it was cancelled
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
                                                   const JudgeHooks &hooks = {});
 

@@ -18,6 +18,7 @@ private slots:
     void soundLabHasNoFindings();
     void findingSaysWhatItIsAbout_data();
     void findingSaysWhatItIsAbout();
+    void checksThatAddNothingAreNamed();
     void progressReachesTheEnd();
     void cancelEndsIt();
     void usedUpToleranceIsMeasured_data();
@@ -167,6 +168,31 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     QCOMPARE(found->check, check);
     QCOMPARE(found->seed, qint64{1});
     QVERIFY(!found->message.isEmpty());
+}
+
+void TestLabVerifier::checksThatAddNothingAreNamed()
+{
+    const auto warningsOf = [](const Task &task) {
+        return verifyLab(labOf(task)).front().warnings;
+    };
+    Task task = soundTask();
+    QVERIFY(warningsOf(task).empty());
+    // The same circle over a longer time: all that fails there fails here, too.
+    CheckSpec longer = task.checks.front();
+    longer.id = QStringLiteral("longer");
+    longer.scene.insert(QStringLiteral("duration"), 2.0);
+    task.checks.push_back(longer);
+    std::vector<LabFinding> warnings = warningsOf(task);
+    QCOMPARE(warnings.size(), std::size_t{2});
+    for (const LabFinding &warning : warnings)
+        QCOMPARE(warning.kind, LabFinding::Kind::CheckNeverAlone);
+    QCOMPARE(warnings.back().check, QStringLiteral("longer"));
+    task.checks.back().scene = task.checks.front().scene;
+    warnings = warningsOf(task);
+    QCOMPARE(warnings.back().kind, LabFinding::Kind::CheckIsDuplicate);
+    QVERIFY2(warnings.back().message.contains(QStringLiteral("the same as drifts")),
+             qPrintable(warnings.back().message));
+    QVERIFY(verifyLab(labOf(task)).front().findings.empty());
 }
 
 void TestLabVerifier::progressReachesTheEnd()
