@@ -164,7 +164,8 @@ void TestCliCheckProgram::everyFormatIsWritten_data()
 {
     QTest::addColumn<QString>("format");
     QTest::addColumn<QByteArray>("start");
-    QTest::newRow("text") << text("text") << QByteArray("  The circle moves to the left\n");
+    QTest::newRow("text") << text("text")
+                          << QByteArray("  The velocity at the start points to the left\n");
     QTest::newRow("json") << text("json") << QByteArray("{\n");
     QTest::newRow("junit") << text("junit")
                            << QByteArray("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
@@ -188,7 +189,7 @@ void TestCliCheckProgram::everyFormatIsWritten()
     VERIFY_CODE(runCli(judge), 1);
     const QByteArray report = contentOf(path);
     QVERIFY2(report.startsWith(start), report);
-    QVERIFY2(report.contains("moves to the left"), report);
+    QVERIFY2(report.contains("points to the left"), report);
     VERIFY_CODE(runCli(judge + QStringList{text("--exit-zero")}), 0);
 }
 

@@ -1,8 +1,8 @@
 -- The circle moves against its velocity
 --
--- The velocity of your circle is (2, 0) m/s, to the right, but in every step it goes the other way.
--- In a timestep the velocity is added to the position as often as the step is long. Look at the
--- signs in the line that changes the position.
+-- In every step your circle covers the right distance to the wrong side: a velocity to the right
+-- carries it to the left. A velocity points where a body goes, and in a timestep the way
+-- $v \, \Delta t$ comes to the position. Look at the signs where the position changes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,9 +1,8 @@
--- The circle jumps 2 m in every step
+-- Each step goes as far as a whole second
 --
--- In the first step your circle went from $x = -2$ m to $x = 0$; one step at 2 m/s is 0.0333 m.
--- A velocity says how many metres a circle covers in one *second*, and a step lasts
--- $\frac{1}{60}$ s. Compare the units on both sides of the line in `on_update` that changes the
--- position.
+-- In a single step your circle covers what it should cover in a second. A velocity says how many
+-- metres it gets in one *second*, and a step lasts only $\Delta t$. Compare the units on both sides
+-- of the line that changes the position: are they metres on both?
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

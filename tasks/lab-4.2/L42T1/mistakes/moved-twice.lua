@@ -1,8 +1,8 @@
--- The circle moves twice in every step
+-- The circle goes twice as far as it should
 --
--- In one step your circle covers 0.0667 m, and after 1 s it is at $x = 2$ m instead of 0. Its
--- velocity says 2 m/s, but it travels at 4 m/s: what you see and what the velocity says must
--- agree. Count how often `on_update` changes the position.
+-- In every step your circle covers $2 \, v \, \Delta t$: a velocity of 2 m/s takes it 4 m far in a
+-- second. What you see and what the velocity says must agree. Look at how often a step moves the
+-- circle, and with which factors.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- The circle moves to the left
+-- The velocity at the start points to the left
 --
--- Your circle starts with the velocity (−2, 0) m/s and is at $x = -4$ m after 1 s, on the
--- left-hand wall. The sign of a part of the velocity says which way it points along its axis,
--- and $x$ counts to the right. Look at the sign in `on_load`.
+-- Your circle starts with the velocity (−2, 0) m/s. The sign of a part of the velocity says which
+-- way it points along its axis, and $x$ counts to the right. Look at the sign in the velocity that
+-- you give the circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,7 @@
--- The circle moves up, not to the right
+-- The velocity at the start points up, not to the right
 --
--- Your circle starts with the velocity (0, 2) m/s and rises from $y = 2$ m, while $x$ stays at
--- −2 m. A velocity has two parts: the first counts to the right, the second upward. Look at the
--- order of the two numbers in `on_load`.
+-- Your circle starts with the velocity (0, 2) m/s. A velocity has two parts: the first counts to
+-- the right, the second upward. Look at the order of the two numbers that you give the circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- The circle has no velocity yet
+-- The circle starts without a velocity
 --
--- Your circle starts with the velocity (0, 0) m/s, as the scene has left it, so it stays at $x =
--- -2$ m however long you wait. Without a force nothing changes a velocity: what a circle shall
--- start with has to be said once, before the first step. Look at what `on_load` does.
+-- Your circle starts with the velocity (0, 0) m/s, as it stands in the scene. Without a force
+-- nothing changes a velocity: what a circle shall start with has to be said once, before the first
+-- step. Look at what gives your circle its velocity, and when.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

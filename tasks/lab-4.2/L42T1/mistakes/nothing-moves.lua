@@ -1,8 +1,8 @@
--- It has a velocity and stays where it is
+-- Nothing moves the circle
 --
--- Your circle has the velocity (2, 0) m/s, yet after 60 steps it is still at $x = -2$ m. A
--- velocity by itself moves nothing: in every step somebody has to work out how far the circle
--- gets. From the moment that `on_update` exists, that is its work, so look there.
+-- Whatever velocity your circle has, after a step it is where it was before. A velocity by itself
+-- moves nothing: in every step somebody has to work out how far the circle gets. That is the work
+-- of `on_update`, so look at what happens to the position there.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
 -- The circle was moved, not set moving
 --
--- Your circle starts at (2, 0) m and stays there: its velocity is still (0, 0). A position says
--- where a body is, a velocity how fast that changes; setting the first does not touch the
--- second. Look at which field of `circle1` you assign in `on_load`.
+-- Your circle starts at (2, 0) m with the velocity (0, 0) m/s. A position says where a body is, a
+-- velocity how fast that changes; setting the first does not touch the second. Look at which of the
+-- two you give the circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

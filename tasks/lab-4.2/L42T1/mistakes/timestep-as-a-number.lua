@@ -1,8 +1,8 @@
--- The length of a step is written as a number
+-- A number stands for the length of a step
 --
--- In the scene of the step your circle moves right. In a scene with another timestep it comes too far
--- or not far enough: your program always takes $\frac{1}{60}$ s for the length of a step. Look at where
--- that length comes from; `on_update` is told it.
+-- However long a step lasts, your circle goes as far as in $\frac{1}{60}$ s. With that very
+-- timestep nothing is to be seen of it; with any other the circle comes too far or not far enough.
+-- Look at where your program takes the length of a step from; `on_update` is told it.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

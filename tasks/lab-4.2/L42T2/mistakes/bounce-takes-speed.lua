@@ -1,9 +1,8 @@
--- The wall takes half the speed
+-- The walls take half the speed
 --
--- Your circle came to the wall with 2 m/s and left it with 1 m/s. A perfectly elastic wall takes
--- no energy: the part of the velocity along the normal changes its sign and keeps its size.
--- Losses come in the last step of the lab; for now look at the factor in front of the part that
--- you turn round.
+-- Of the velocity that your circle brings along the normal, every wall gives only half back. A
+-- perfectly elastic wall takes no energy: that part changes its sign and keeps its size. Losses
+-- come in the last step of the lab; for now look at what makes the part that turns round smaller.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

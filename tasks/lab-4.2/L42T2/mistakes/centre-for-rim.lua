@@ -1,8 +1,8 @@
 -- The circle turns when its centre is at the wall
 --
--- Your circle turned round only when its centre had passed the wall at $x = 4$ m; by then its
--- rim was 0.2 m outside. A wall meets a body where the body ends, and that is one radius away
--- from the centre. Look at what you compare with the walls.
+-- Your circle turns round only when its *centre* is at the wall; by then half of it is outside. A
+-- wall meets a body where the body ends, and that is one radius away from the centre. Look at what
+-- you compare with the walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
 -- The circle turns before it is at the wall
 --
--- Your circle turned round while its rim was still some way from the wall. From the centre to
--- the rim it is one radius, 0.2 m; the distance that your program uses is larger: twice the
--- radius, or a radius with something added. Look at how you work out where the rim is.
+-- Your circle turns round while its rim is still some way from the wall. From the centre to the rim
+-- it is one radius and no more; where yours turns, its centre is farther from the wall than that.
+-- Look at how you work out where the rim is.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,9 +1,8 @@
 -- The circle turns when all of it is outside
 --
--- Your circle turned round at the right-hand wall when its centre was at $x = 4.2$ m, that is,
--- when the last of it had left the square. Of the two ends of a circle it is the one nearer to
--- the wall that touches first. Look at the sign in front of the radius in each of your four
--- comparisons.
+-- Your circle turns round only when the last of it has left the square. Of the two ends of a circle
+-- it is the one nearer to the wall that touches first. Look at which end of the circle you compare
+-- with each of the four walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- The circle moves twice in every step
+-- The circle goes twice as far as it should
 --
--- Between the walls your circle covers 0.0667 m in a step, although its velocity of 2 m/s is
--- worth 0.0333 m. Looking ahead where the circle would get to is fine, but then that move has
--- been made. Count the lines that change the position in a step without a hit.
+-- In every step without a hit your circle covers $2 \, v \, \Delta t$ instead of $v \, \Delta t$.
+-- Looking ahead where the circle would get to is fine, but then that move has been made. Look at
+-- how often such a step changes the position, and with which factors.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,9 @@
--- The part along the wall turned round
+-- The walls turn the wrong part round
 --
--- At the right-hand wall $v_y$ changes its sign and $v_x$ stays, so the circle goes on into
--- the wall. The normal of the left-hand and the right-hand wall points along $x$, that of
--- floor and ceiling along $y$. Look at which component you reverse at which walls.
+-- At the right-hand wall $v_y$ changes its sign and $v_x$ stays, so the velocity still points into
+-- the wall; at floor and ceiling it is the other way round. The normal of the left-hand and the
+-- right-hand wall points along $x$, that of floor and ceiling along $y$. Look at which component
+-- turns round at which walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

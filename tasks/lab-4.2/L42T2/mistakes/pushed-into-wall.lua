@@ -1,9 +1,8 @@
--- The circle is held at the wall
+-- The walls hold the circle
 --
--- At $t = 2.9$ s your circle stops at the wall, while its velocity goes on saying (2, 0) m/s. It
--- is sent back to its old place in every step, but it leaves the hit with the velocity it came
--- with, and so runs into the wall again. A wall pushes along its normal, away from itself: look
--- at the sign of the part that you give the circle afterwards.
+-- At a wall your circle is put back, but it keeps the velocity that it came with: that still points
+-- into the wall, and so the circle runs into it again and again. A wall pushes along its normal,
+-- away from itself. Look at what a hit does to the velocity.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,9 +1,8 @@
 -- Only the right-hand wall turns it round
 --
--- At the right-hand wall your circle turns round; at $t = 6.7$ s it comes to the left-hand one
--- and goes through it. A square has four walls, and each needs its question: on which side of
--- the rim it is, and which sign the velocity has that runs into it. Count the ones that your
--- program asks about.
+-- At the right-hand wall your circle turns round; the left-hand one, floor and ceiling let it
+-- through. A square has four walls, and each needs its question: on which side of the rim it is,
+-- and which sign the velocity has that runs into it. Look for the question about each of them.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,9 +1,8 @@
 -- Floor and ceiling let the circle through
 --
--- Left and right your circle turns round, but thrown upward or downward it leaves the square and
--- never comes back. In your own scene it moves only sideways, so that you cannot see it there;
--- the other scenes throw it in all directions. A square has four walls: count the ones that your
--- program asks about.
+-- Left and right your circle turns round, but thrown upward or downward it leaves the square. A
+-- circle that moves only sideways never shows that; the other scenes throw it in all directions. A
+-- square has four walls: look for the question about each of them.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

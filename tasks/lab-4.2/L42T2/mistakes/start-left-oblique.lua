@@ -1,8 +1,7 @@
 -- The circle starts with another velocity
 --
 -- Your circle starts with (2, 1.3) m/s; the step asks for (2, 0) m/s. To try an oblique hit is a
--- good idea, and your walls may well be right. Look at `on_load`: is the value from your
--- experiment still there?
+-- good idea. Look at the start: is it that of an experiment?
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- The circle stops at the wall
+-- The walls stop the circle
 --
--- At the wall the part of the velocity that runs into it becomes 0, as in the example of the
--- floor, and nothing brings the circle back. An elastic wall gives that part back with the
--- other sign. Look at what you put in the place of the part along the normal.
+-- At a wall the part of the velocity along its normal becomes 0, and nothing brings the circle
+-- back. An elastic wall gives that part back with the other sign. Look at what takes the place of
+-- the part along the normal.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

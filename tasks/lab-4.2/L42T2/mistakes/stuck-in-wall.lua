@@ -1,10 +1,8 @@
--- The circle shakes inside the wall
+-- The circle shakes at the wall
 --
--- At the first hit your circle is put with its centre on the wall, so that its rim is 0.2 m
--- outside. One step later the rim is still outside, and the circle is turned round again, into
--- the wall; its velocity changes between 2 and −2 m/s in every step. Two things are worth a
--- look: the place where you put the circle, and whether you ask which way it moves before you
--- turn it.
+-- At a wall your circle is turned round, and soon afterwards, although it is on its way back, once
+-- more: into the wall. So it does not get away. Two things are worth a look: the place where a hit
+-- leaves the circle, and whether you ask which way it moves before you turn it.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- The wall gives a velocity of its own
+-- The walls give a velocity of their own
 --
--- Whatever velocity the circle comes with, it leaves the right-hand wall with (−2, 0) m/s.
--- That is right for your own start and wrong for every other. The wall turns round what the
--- circle *brings* along the normal and keeps the rest: work the new velocity out from the old
+-- Whatever velocity the circle comes with, it leaves the right-hand wall with (−2, 0) m/s. That is
+-- right for a circle that came with (2, 0) m/s and wrong for every other. A wall turns round what
+-- the circle *brings* along the normal and keeps the rest: work the new velocity out from the old
 -- one.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.

@@ -1,9 +1,9 @@
--- Nothing turns the circle round
+-- No wall turns the circle round
 --
--- At $t = 2.9$ s the rim of your circle passes the wall at $x = 4$ m, and its velocity stays (2,
--- 0) m/s. So either no test of the walls runs, or its condition is not true at that moment.
--- Which sign has $v_x$ when a circle moves *into* the right-hand wall, and which at the
--- left-hand one? Put a `print` into the branch to see whether it is ever taken.
+-- The rim of your circle goes past a wall, whichever it is, and its velocity stays as it was. So
+-- either nothing asks about the walls, or the condition is not true at that moment. Which sign has
+-- $v_x$ when a circle moves *into* the right-hand wall, and which at the left-hand one? If your
+-- program has a branch for that, a `print` in it shows whether it is ever taken.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,9 +1,9 @@
--- The whole velocity turned round
+-- The walls turn the whole velocity round
 --
--- A circle that came to the right-hand wall with (3, 1) m/s would leave it with (−3, −1) m/s and
--- run back along its own path. A smooth wall pushes only straight away from itself, so the part
--- of the velocity along the wall has no reason to change. Look at what you do with the part that
--- the wall cannot touch.
+-- A circle that comes to the right-hand wall with (3, 1) m/s leaves it with (−3, −1) m/s: it runs
+-- back the way it came. A smooth wall pushes only straight away from itself, so the part of the
+-- velocity along the wall has no reason to change. Look at what becomes of the part that the wall
+-- cannot touch.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

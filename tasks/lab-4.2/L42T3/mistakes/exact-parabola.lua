@@ -1,9 +1,9 @@
 -- More exact than Euler
 --
--- After step 1 your circle is at $y = 1.9986375$ m. That lies on the true parabola, with its
--- term $\frac{1}{2} g \, \Delta t^2$, and it is better than what is asked for here. Euler takes
--- the velocity from the beginning for the whole step, and this step wants to see the error that
--- comes of it. Look at what you add to the position.
+-- In every step your circle goes on by $\frac{1}{2} g \, \Delta t^2$ besides $v \, \Delta t$. That
+-- lies on the true parabola and is better than what is asked for here. Euler takes the velocity
+-- from the beginning for the whole step, and this step wants to see the error that comes of it.
+-- Look at everything that changes the position in a step.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

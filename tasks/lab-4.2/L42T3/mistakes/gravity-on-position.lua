@@ -1,8 +1,8 @@
 -- Gravity changes the position, not the velocity
 --
--- In every step your circle sinks by the same 0.1635 m, and $v_y$ stays 0. A falling body gets
--- *faster*: an acceleration changes the velocity, and only the velocity changes the position.
--- Look at which of the two you add $g \, \Delta t$ to.
+-- Gravity moves your circle by the same $g \, \Delta t$ in every step and leaves its velocity as it
+-- was. A falling body gets *faster*: an acceleration changes the velocity, and only the velocity
+-- changes the position. Look at which of the two gravity acts on.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

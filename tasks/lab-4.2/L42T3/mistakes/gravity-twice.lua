@@ -1,8 +1,8 @@
--- Gravity acts twice in every step
+-- Gravity acts twice as strongly as it should
 --
--- In one step $v_y$ changed by −0.327 m/s, twice $g \, \Delta t = -0.1635$ m/s. Your circle
--- falls as it would on a planet with 19.62 m/s². Each step lets the acceleration act once, for
--- the time $\Delta t$: count the lines of a step that change the velocity.
+-- In one step the velocity of your circle changes by twice $g \, \Delta t$: it falls as on a planet
+-- with 19.62 m/s². Each step lets the acceleration act once, for the time $\Delta t$. Look at how
+-- often a step changes the velocity, and with which factors.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,7 @@
--- Your circle falls upward
+-- Gravity points upward
 --
--- After step 1 your circle has $v_y = +0.1635$ m/s and then rises to the ceiling. The weight
--- points to the ground, and $y$ counts upward. Look at the sign of the vector that you assign to
--- `gravity`.
+-- The gravity of your scene is (0, 9.81) m/s². The weight points to the ground, and $y$ counts
+-- upward. Look at the sign in the vector that gravity gets.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

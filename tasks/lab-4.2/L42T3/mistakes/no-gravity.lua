@@ -1,9 +1,8 @@
 -- Gravity does not act
 --
--- After 60 steps $v_y$ is still 0 and your circle flies straight on; gravity would have made it
--- −9.81 m/s. It needs two things: a value in m/s², and a line that lets it change the velocity
--- in every step. Look in `on_load` for the first and in `on_update` for the second. A `local
--- gravity` would be a variable of your own, which nothing else sees.
+-- Whatever gravity is, your circle flies straight on with the velocity that it has. It takes two
+-- things to fall: a value in m/s², and a line that lets it change the velocity in every step. The
+-- value alone does nothing: look for the second in `on_update`.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
--- The new velocity moved the circle
+-- The new velocity moves the circle
 --
--- After step 1 your circle is at $y = 1.997275$ m; by Euler it has not moved down yet. At the
--- start it is at rest vertically, and Euler moves it with that velocity, the one from the
--- *beginning* of the step. Yours moved with the velocity from the end. That is another method,
--- which has its turn in step 5. Look at the order of the two lines.
+-- In every step your circle goes on with the velocity that it has at the *end* of the step: from
+-- rest under gravity it sinks at once, where Euler lets it wait one step. Euler moves it with the
+-- velocity from the beginning. Yours is another method, which has its turn in step 5. Look at which
+-- velocity is there when the position changes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

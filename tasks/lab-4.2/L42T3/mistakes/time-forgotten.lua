@@ -1,7 +1,7 @@
 -- Gravity acts a whole second in every step
 --
--- In one step $v_y$ changed from 0 to −9.81 m/s; it takes gravity a whole second to do that. An
--- acceleration says how much the velocity changes per second, and a step lasts $\frac{1}{60}$ s.
+-- In one step the velocity of your circle changes by as much as gravity takes a whole second for.
+-- An acceleration says how much the velocity changes per second, and a step lasts only $\Delta t$.
 -- Compare the units on both sides of the line that changes the velocity.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².

@@ -1,8 +1,8 @@
--- Gravity is sixty times too weak
+-- Gravity is far too weak
 --
--- In one step $v_y$ changed by only −0.002725 m/s, where $g \, \Delta t$ is −0.1635 m/s. That
--- number is $g \, \Delta t^2$, which is a length in m, no velocity. Count how often the timestep
--- stands in the line that changes the velocity.
+-- In one step the velocity of your circle changes by only $g \, \Delta t^2$, where $g \, \Delta t$
+-- belongs. With 60 steps in a second that is sixty times too little, and its unit is that of a
+-- length. Count how often the timestep comes into the change of the velocity.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

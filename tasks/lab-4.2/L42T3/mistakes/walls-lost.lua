@@ -1,8 +1,8 @@
--- The circle falls through the floor
+-- The circle knows no walls
 --
--- Your circle falls as Euler says, and at $t = 1.1$ s its rim passes the floor at $y = -4$ m and
--- it goes on falling. The walls that held it in step 2 are not asked any more. Look at what
--- `on_update` does after it has moved the circle.
+-- Whichever wall it comes to, your circle goes out through it. Gravity changes how a circle moves;
+-- what a wall does to it is the same as in step 2. Look at what is asked after the circle has
+-- moved, and whether the answer is ever yes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 
