@@ -1,8 +1,8 @@
 -- Circle 1 takes two steps, circle 2 none
 --
--- After step 1 circle 1 has $v_y = -0.327$ m/s, twice what one step of gravity gives, and circle
--- 2 has not moved at all. So the motion of both runs, but both times for the same circle. In
--- `on_update` look for a 1 that stayed when you copied.
+-- In every step circle 1 moves on by two steps and gets twice as much from gravity, while circle 2
+-- stays where it is and gets nothing. So it looks as if circle 1 had taken the step of circle 2 as
+-- well. Look at which circle each move in a step is meant for.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
 -- Circle 2 bounces with the velocity of circle 1
 --
--- At $t = 1.1$ s both circles hit the floor with $v_y = -10.79$ m/s. Circle 1 leaves it upward;
--- circle 2 gets −10.79 m/s again and hangs there. By the time circle 2 has its turn, circle 1
--- has already been turned round, and turning *that* velocity once more points it down. In the
--- lines for circle 2, look for a 1 that stayed when you copied.
+-- Circle 2 does not leave a wall with what it brought there: its new velocity is made of that of
+-- circle 1. Where the two move differently, it gets something that it never had; and where they
+-- have hit the wall together, the velocity of circle 1 may be turned round already. Look at whose
+-- velocity is read when circle 2 turns round.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

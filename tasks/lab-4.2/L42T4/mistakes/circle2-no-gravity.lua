@@ -1,8 +1,8 @@
 -- Circle 2 does not feel gravity
 --
--- Circle 2 flies straight to the right at $y = 2$ m, while circle 1 has fallen to −2.82 m after
--- 1 s. Gravity gives every body the same acceleration, whichever it is. Compare what a step does
--- to the velocity of each circle.
+-- Circle 2 flies straight on with the velocity that it has, while circle 1 falls. Gravity gives
+-- every body the same acceleration, whichever it is. Compare what a step does to the velocity of
+-- each circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 falls through the floor
+-- Circle 2 knows no walls
 --
--- Both circles fall together until $t = 1.1$ s; there circle 1 turns round at the floor, and
--- circle 2 goes on down. A wall acts on every body that meets it, and each has to be asked by
--- itself. Look at the end of `on_update`: whose walls are tested there?
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. A wall acts on
+-- every body that meets it, and each has to be asked by itself. Look at which circles your program
+-- asks about the walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

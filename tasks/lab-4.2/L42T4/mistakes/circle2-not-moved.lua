@@ -1,8 +1,8 @@
--- Circle 2 stays where it starts
+-- Circle 2 stays where it is
 --
--- Circle 2 starts like circle 1, with (2, 0) m/s, but after 60 steps it is still at (−2, 2) m.
--- Since `on_update` exists, it alone moves the circles, and it moves only those that it is told
--- to. Look for the lines that take circle 2 through a step.
+-- Whatever velocity circle 2 has, after a step it is where it was before, and not even gravity
+-- changes its velocity. A step moves only those circles that it is told to, and each needs its
+-- share of every step. Look for what takes circle 2 through a step.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

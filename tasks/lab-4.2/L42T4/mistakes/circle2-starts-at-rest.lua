@@ -1,8 +1,8 @@
 -- Circle 2 starts at rest
 --
--- Both circles start at (−2, 2) m, but circle 2 has no velocity: it falls straight down while
--- circle 1 also moves to the right. Where a body is does not say how it moves; a start is a
--- position *and* a velocity. Compare what `on_load` says about each circle.
+-- Both circles start at (−2, 2) m, but circle 2 with the velocity (0, 0) m/s. Where a body is does
+-- not say how it moves; a start is a position *and* a velocity. Compare what each circle gets at
+-- the start.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

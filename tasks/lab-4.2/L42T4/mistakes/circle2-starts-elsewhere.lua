@@ -1,8 +1,8 @@
 -- Circle 2 starts in another place
 --
--- Circle 2 starts at (2, 2) m, where the scene has put it, 4 m to the right of circle 1. With
--- the same velocity they fall side by side, and the right-hand wall sends circle 2 back earlier.
--- Only the same start gives the same motion: compare what `on_load` says about each circle.
+-- Circle 2 starts at (2, 2) m, its place in the scene of the step, 4 m to the right of circle 1. A
+-- velocity says how a body moves, not from where. Only the same start gives the same motion:
+-- compare what each circle gets at the start.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

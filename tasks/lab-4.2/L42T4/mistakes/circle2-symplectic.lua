@@ -1,9 +1,8 @@
 -- Circle 2 uses its new velocity to move
 --
--- After step 1 circle 1 is still at $y = 2$ m, and circle 2 is at 1.997275 m. Both lines of
--- Euler are there for circle 2, but its position changes after its velocity, and so it falls a
--- little ahead of circle 1. That difference is what the next step is about; here compare the
--- order of the lines for both.
+-- In every step circle 1 goes on with the velocity from its beginning, circle 2 with that from its
+-- end, and so circle 2 falls a little ahead. That difference is what the next step is about; here
+-- both move by Euler. Compare, for each circle, which velocity is there when its position changes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 has been left alone
+-- Circle 2 has no start of its own
 --
--- Circle 2 rests at (2, 2) m, where the scene has put it, and after 60 steps it is still there;
--- not even gravity moves it. It needs what circle 1 has: a start of its own, and its share of
--- every step. Look for `circle2` in `on_load` and in `on_update`.
+-- Circle 2 starts at (2, 2) m with the velocity (0, 0) m/s: that is what stands in the scene of the
+-- step. Two circles that shall move alike need the same start, a position and a velocity each.
+-- Compare what each circle gets at the start.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 
@@ -36,6 +36,9 @@ end
 -- Runs every step.
 function on_update(timestep)
   local old_position1 = circle1.position
+  local old_position2 = circle2.position
   integrate(circle1, timestep)
+  integrate(circle2, timestep)
   bounce_off_walls(circle1, old_position1)
+  bounce_off_walls(circle2, old_position2)
 end

@@ -1,8 +1,8 @@
--- Each circle goes back to the place of the other
+-- At a wall each circle jumps to the other
 --
--- A circle that meets a wall jumps to where the *other* circle was before the step. In your
--- own scene both are always in the same place, so it does not show; when they are apart, it
--- does. Look at which position each of your two old positions remembers.
+-- A circle that meets a wall turns round, but it jumps to the place of the *other* circle. As long
+-- as both are in the same place, nothing is to be seen of it; when they are apart, it is. Look at
+-- which place a hit gives to which circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,9 @@
--- Both circles move by symplectic Euler now
+-- Both circles move by symplectic Euler
 --
--- After step 1 both circles are at $y = 1.997275$ m; circle 1 should still be at 2 m. The two
--- stay together, so nothing can be compared any more. If both go through the same lines, then
--- changing those lines changes both: look at what circle 1 uses.
+-- Circle 1 goes on with the velocity from the end of the step, like circle 2; by Euler it would
+-- take that from the beginning. Two circles with one start and one method stay together, so there
+-- is nothing to compare. If both go through the same lines, then changing those lines changes both:
+-- look at what moves circle 1.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 lost its walls
+-- Circle 2 knows no walls
 --
--- Circle 2 falls as it should, but at $t = 1.08$ s its rim passes the floor and it goes on down.
--- A new way to move needs the old way to bounce: the walls come after the move, for each circle.
--- Look at what was left out when the lines of circle 2 were rewritten.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. However a circle
+-- is moved, the walls come after the move, for each circle. Look at what your program asks about
+-- circle 2 after it has moved it.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
--- Circle 2 moves with the mean of both velocities
+-- Circle 2 follows the exact parabola
 --
--- After step 1 circle 2 is at $y = 1.9986375$ m, midway between Euler, 2 m, and symplectic
--- Euler, 1.997275 m. The mean of the old velocity and the new one gives the exact parabola, and
--- it has its turn in the next step. Symplectic Euler is cruder: look at which velocities enter
--- the position.
+-- In every step circle 2 goes on by $\frac{1}{2} g \, \Delta t^2$ besides $v \, \Delta t$, midway
+-- between Euler, which adds nothing, and symplectic Euler, which adds $g \, \Delta t^2$. That is
+-- the exact parabola, and it has its turn in the next step. Symplectic Euler is cruder: look at
+-- which velocities enter the position.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 moves twice in every step
+-- Circle 2 goes twice as far as it should
 --
--- In step 1 circle 2 went 0.0667 m to the right, although at 2 m/s it covers 0.0333 m. It moved
--- once with the old velocity and once more with the new one. Symplectic Euler moves once in a
--- step: look for a line that stayed behind when you changed the order.
+-- In every step circle 2 gets as far as its old velocity and its new one would take it together. A
+-- circle that flies with 2 m/s comes 4 m far in a second. Symplectic Euler moves once in a step:
+-- look at everything that changes the position of circle 2 in a step.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

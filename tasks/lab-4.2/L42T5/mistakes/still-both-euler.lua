@@ -1,8 +1,8 @@
--- Both circles still move by Euler
+-- Both circles move by Euler
 --
--- After step 1 both circles are at $y = 2$ m; circle 2 should be at 1.997275 m. Both moved with
--- the velocity from the beginning of the step. If you did change something, ask whether it
--- reaches the motion of circle 2: in `on_update`, follow which lines move it.
+-- Circle 2 goes on with the velocity from the beginning of the step, like circle 1; symplectic
+-- Euler takes that from the end. If you did change something, ask whether it reaches the motion of
+-- circle 2. Follow what moves it in a step.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The circles have each other's method
 --
--- After step 1 circle 1 is at $y = 1.997275$ m and circle 2 at 2 m; it should be the other way
--- round. Both methods are right, only the blue circle got the one meant for the red. In
--- `on_update`, look at which circle goes with which method.
+-- Circle 1 moves by symplectic Euler and circle 2 by Euler; it should be the other way round. Both
+-- methods are right, only each is at work on the circle that was meant for the other. Look at which
+-- circle goes with which method.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,9 @@
--- The velocity of circle 2 changes twice in a step
+-- The velocity of circle 2 changes twice as fast
 --
--- In step 1 circle 2 moved rightly, by −0.002725 m, but then it had $v_y = -0.327$ m/s, twice $g
--- \, \Delta t$. So gravity pulls at it before the move and once more after it. A line was added;
--- look for one that should have moved instead of staying behind.
+-- In every step circle 2 moves rightly, with one $g \, \Delta t$ in its velocity, but at the end of
+-- the step that has changed by twice $g \, \Delta t$. It is as if gravity pulled at it before the
+-- move and once more after it. Each step lets gravity act once: look at everything that changes the
+-- velocity of circle 2.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Only circle 2 got the new method
+-- Circle 1 moves by Euler, circle 2 by symplectic Euler
 --
--- After 1 s circle 1 is at $y = -2.82325$ m and circle 2 at −2.98675 m. Circle 2 moves by
--- symplectic Euler, circle 1 still by Euler, and so blue gains energy while red does not. Look
--- at what `on_update` does with circle 1.
+-- With one start the two drift apart under gravity: in flight circle 1 gains energy in every step,
+-- and circle 2 loses as much per kilogram. Either method would do for both, but not one for each.
+-- Look at what moves each of them.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Circle 2 does not feel gravity
 --
--- Circle 2 flies straight to the right at $y = 2$ m, while circle 1 falls. The same method means
--- both of its lines: one changes the velocity, one the position. Compare, line by line, what a
--- step does with each circle.
+-- Circle 2 flies straight on with the velocity that it has, while circle 1 falls. A method says two
+-- things: how the velocity changes, and how the position changes. Compare what a step does with
+-- each circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 lost its walls
+-- Circle 2 knows no walls
 --
--- Both circles fall alike, but at $t = 1.08$ s circle 1 turns round at the floor and circle 2
--- goes through it. The same method for both includes what comes after the move. Look at the end
--- of `on_update`: whose walls are tested there?
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. The same method
+-- for both includes what comes after the move. Look at what your program asks about circle 2 after
+-- it has moved it.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

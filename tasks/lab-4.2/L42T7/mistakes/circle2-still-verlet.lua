@@ -1,8 +1,8 @@
--- Only circle 1 got the new method
+-- Circle 1 moves by symplectic Euler, circle 2 exactly
 --
--- After 1 s circle 1 is at $y = -2.98675$ m and circle 2 at −2.905 m. Circle 1 moves by
--- symplectic Euler, circle 2 still by Verlet or RK4. Either would do for both, but not one for
--- each. Look at what `on_update` does with circle 2.
+-- Circle 1 moves by symplectic Euler, circle 2 by Verlet or RK4, so with one start circle 1 falls
+-- ahead of circle 2. Either would do for both, but not one for each. Look at what moves each of
+-- them.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Gravity is gone
+-- There is no gravity
 --
--- Both circles fly straight to the right at $y = 2$ m, and $v_y$ stays 0. Without gravity all
--- four methods agree, so nobody can see which one you chose. Switching it off is the next step;
--- look at the value of `gravity` in `on_load` and at the lines that use it.
+-- The gravity of your scene is (0, 0) m/s². Without gravity all four methods agree, so nobody can
+-- see which one you chose. Switching it off is the next step; look at the value that gravity gets
+-- at the start.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

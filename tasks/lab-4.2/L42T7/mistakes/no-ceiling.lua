@@ -1,8 +1,8 @@
--- The ceiling is missing
+-- The ceiling lets the circles through
 --
--- A circle that is thrown up hard flies through the ceiling at $y = 4$ m. In your own scene
--- symplectic Euler never lifts a circle that high, so it does not show; Euler would in time.
--- The square has four walls: look at which ones your wall test asks for.
+-- A circle that is thrown up hard goes out through the ceiling; the other three walls turn it
+-- round. Whether a circle ever comes so high by itself depends on its start and on its method, and
+-- a wall must hold all of them. Look at what your program asks about the ceiling.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- The circles still use two methods
+-- Circle 1 moves by Euler, circle 2 exactly
 --
--- After 1 s circle 1 is at $y = -2.82325$ m and circle 2 at −2.905 m: Euler and Verlet, as in
--- the step before. From now on a difference between the circles should come from their collision
--- alone. In `on_update`, look at how each of them is moved.
+-- Circle 1 moves by Euler and circle 2 by Verlet or RK4. That was the comparison of the step
+-- before; from now on a difference between the circles should come from their collision alone. Look
+-- at what moves each of them.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,6 +1,6 @@
--- The circles already bounce off each other
+-- The circles already answer a hit
 --
--- At $t = 1.8$ s circle 1 stops and circle 2 goes on with 2 m/s. Well done, but too early: this
+-- When their rims meet, the circles change each other's velocity. Well done, but too early: this
 -- step sets the stage on which bodies still pass through each other, so that you see what is
 -- missing. How they answer a hit comes in the next steps; look at what compares the two circles
 -- with each other.

@@ -1,8 +1,8 @@
 -- The circles already stop each other
 --
--- At $t = 1.8$ s, when the rims meet, circle 1 stops dead. That is what the *next* step asks
--- for; here nothing shall happen at that moment, and circle 1 goes on with $p_x = 522.8$ kg m/s.
--- Look at what compares the two circles with each other.
+-- When their rims meet, the circle that comes stops dead. That is what the *next* step asks for;
+-- here nothing shall happen at that moment, and it goes on as it came. Look at what compares the
+-- two circles with each other.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Circle 2 cannot move
 --
--- Circle 2 stays where it is, whatever velocity it has. In your own scene it rests, so it does
--- not show; in step 10 it will have to go. Let its velocity of zero keep it in place, not a
--- missing line. Look at which circles `on_update` moves.
+-- Circle 2 stays where it is, whatever velocity it has. While it rests, nothing is to be seen of
+-- it; in step 10 it will have to go. What keeps it in place should be its velocity of zero and
+-- nothing else. Look at which circles a step moves.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

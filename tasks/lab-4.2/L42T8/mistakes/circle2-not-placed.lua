@@ -1,8 +1,7 @@
 -- Circle 2 rests in the wrong place
 --
--- Circle 2 rests at (−2, 2) m, where circle 1 starts, so that circle 1 leaves it at once instead
--- of coming to it. For a collision one body needs a way to the other, here of 4 m. Look at what
--- `on_load` says about the position of circle 2.
+-- Circle 2 rests at (−2, 2) m, where circle 1 starts. For a collision one body needs a way to the
+-- other, here of 4 m. Look at the position that circle 2 gets.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 still starts where circle 1 does
+-- Circle 2 starts where circle 1 does
 --
--- Circle 2 starts at (−2, 2) m with (2, 0) m/s, the start from the control experiment of step 4,
--- and so the two go along together, red on top of blue. For a collision circle 1 needs something
--- that lies in its way. Look at what `on_load` says about circle 2.
+-- Circle 2 starts at (−2, 2) m with (2, 0) m/s, as in the control experiment of step 4, and so does
+-- circle 1. For a collision circle 1 needs something that lies in its way. Look at the start of
+-- circle 2.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 still moves
+-- Circle 2 does not start at rest
 --
--- Circle 2 is in its place, (2, 2) m, but it runs away to the right with 2 m/s, as fast as
--- circle 1. A new position does not change a velocity: the one it had is still there. Look at
--- what `on_load` says about the velocity of circle 2.
+-- Circle 2 is in its place, (2, 2) m, but it starts with (2, 0) m/s, as fast as circle 1. A new
+-- position does not change a velocity: each has to be said. Look at the velocity that circle 2
+-- starts with.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

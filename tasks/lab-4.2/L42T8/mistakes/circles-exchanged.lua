@@ -1,8 +1,8 @@
 -- The circles have changed places
 --
--- Circle 1 rests at (2, 2) m, and circle 2 comes from (−2, 2) m with 2 m/s. The picture is the
--- same with the colours exchanged, but the next steps ask about the moving circle 1. Look at
--- which circle gets which values in `on_load`.
+-- Circle 1 rests at (2, 2) m, and circle 2 starts at (−2, 2) m with (2, 0) m/s. The picture is the
+-- same with the colours exchanged, but the next steps ask for a circle 1 that moves. Look at which
+-- circle gets which values.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Floor and ceiling are gone
+-- Floor and ceiling let the circles through
 --
--- A circle that is thrown up or down leaves the square at $y = ±4$ m. In your own scene both
--- move along $x$ only, so it does not show. Gravity goes in this step; all four walls stay.
--- Look at what your wall test does with $y$.
+-- A circle that is thrown up or down leaves the square; left and right it turns round. Circles that
+-- move along $x$ only never show that. This step takes gravity away, no wall. Look at what your
+-- program asks about $y$.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,8 @@
--- Gravity is still there
+-- There is gravity
 --
--- After step 1 circle 1 has $v_y = -0.1635$ m/s, and both circles fall. Without a force a
--- velocity stays as it is; here $g = (0, -9.81)$ m/s² still acts. Look at the value that
--- `gravity` has after `on_load`, and whether the line that changes the velocity uses that very
--- variable: a `local gravity` would be another one, and so would a number.
+-- The gravity of your scene is (0, −9.81) m/s². Without a force a velocity stays as it is, and here
+-- no force shall act. Look at the value that gravity gets at the start; in a program a
+-- `local gravity` would be another variable.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

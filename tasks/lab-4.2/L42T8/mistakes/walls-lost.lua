@@ -1,8 +1,8 @@
--- The walls are gone
+-- The circles know no walls
 --
--- Circle 1 passes through circle 2, as it should, and then at $t = 2.9$ s through the right-hand
--- wall. Only gravity and the start change in this step; the walls of step 2 stay. Look at what
--- `on_update` does after it has moved the circles.
+-- Whichever wall it comes to, a circle goes out through it. This step takes gravity away and sets
+-- another start; what a wall does is the same as in step 2. Look at what is asked after the circles
+-- have moved, and whether the answer is ever yes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

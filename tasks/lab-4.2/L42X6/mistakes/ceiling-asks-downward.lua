@@ -1,9 +1,8 @@
--- The ceiling turns circles round that come down
+-- The ceiling lets the circles through
 --
--- A circle that flies up to the ceiling goes through it, and when it falls back, the ceiling
--- sends it up again. In your own scene it hardly ever comes so high. It moves into the floor
--- with a negative $v_y$, into the ceiling with a positive one. Look at the comparisons in your
--- wall test.
+-- A circle that flies up to the ceiling goes out through it; the other three walls turn it round.
+-- It moves into the floor with a negative $v_y$: which sign has $v_y$ on the way into the ceiling?
+-- Look at what your program asks about the ceiling.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 1 is no longer moved by Euler
+-- Circle 1 does not move by Euler
 --
--- After step 1 circle 1 is at $y = 1.9986375$ m, like circle 2; by Euler it would still be at 2
--- m. Both circles are exact in flight now, and there is nothing left to compare with. In
--- `on_update`, look at which method circle 1 goes through.
+-- Both circles are exact in flight: circle 1, too, goes on by $\frac{1}{2} g \, \Delta t^2$ besides
+-- $v \, \Delta t$, which Euler leaves out. So there is nothing to compare with. Look at which
+-- method moves circle 1.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
 -- Circle 1 uses symplectic Euler
 --
--- After step 1 circle 1 is at $y = 1.997275$ m; by Euler it would still be at 2 m. Circle 2 is
--- right. To compare with the other Euler is a good experiment, but this step ends with circle 1
--- as it was, so that its error can be seen beside none. Look at which method circle 1 goes
--- through in `on_update`.
+-- Circle 1 goes on with the velocity from the end of the step; Euler takes that from the beginning.
+-- The flight of circle 2 is right. To compare it with the other Euler is a good experiment, but
+-- this step ends with Euler for circle 1, so that its error can be seen beside none. Look at which
+-- method moves circle 1.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- Circle 2 moves by Euler again
+-- Circle 2 moves by Euler
 --
--- After step 1 circle 2 is still at $y = 2$ m, like circle 1; the parabola is at 1.9986375 m. It
--- moved with the velocity from the beginning alone, as if gravity did nothing during the step.
--- Compare the line that changes the position with the formula, term by term.
+-- In every step circle 2 goes on with the velocity from its beginning alone, as if gravity did
+-- nothing during the step. From rest it does not sink at all in the first step; on the parabola it
+-- does. Compare what changes the position of circle 2 with the formula, term by term.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
 -- The velocity of circle 2 grows half as fast
 --
--- After 1 s circle 2 has $v_y = -4.905$ m/s instead of −9.81 m/s. Step 1 took it to the right
--- place, but then it went on with the velocity of the *middle* of that step. Velocity Verlet
--- lets gravity act for the whole $\Delta t$, half with the acceleration from the beginning and
--- half with that from the end. Count the halves.
+-- Each step takes circle 2 as far as its velocity at the beginning asks for, but leaves it with the
+-- velocity of the *middle* of the step: it has changed by half of $g \, \Delta t$. Velocity Verlet
+-- lets gravity act for the whole $\Delta t$, half with the acceleration from the beginning and half
+-- with that from the end. Count the halves.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

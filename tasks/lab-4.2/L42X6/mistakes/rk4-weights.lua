@@ -1,8 +1,8 @@
--- The four slopes are weighted wrongly
+-- The weights of the slopes do not add up to one
 --
--- In step 1 circle 2 went 0.0222 m to the right, although at 2 m/s it covers 0.0333 m: two
--- thirds. Runge–Kutta takes a weighted mean of four slopes, and the weights of a mean add up to
--- one. Yours add up to $\frac{4}{6}$; look at which of the four slopes should count for more.
+-- Circle 2 covers only two thirds of $v \, \Delta t$ in a step. That is what four slopes give that
+-- count one sixth each: together $\frac{4}{6}$. Runge–Kutta takes a weighted mean, and the weights
+-- of a mean add up to one. Look at which of the four slopes should count for more.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

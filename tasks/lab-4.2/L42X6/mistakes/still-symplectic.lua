@@ -1,9 +1,8 @@
--- Circle 2 still moves by symplectic Euler
+-- Circle 2 moves by symplectic Euler
 --
--- After step 1 circle 2 is at $y = 1.997275$ m and loses 3.49 J of energy in every step of
--- flight. It fell by $g \, \Delta t^2$, twice the way of a body that speeds up evenly from rest.
--- Its velocity grows during the step and has its final value only at the end: look at how much
--- of that growth enters the position.
+-- In every step circle 2 goes on by $g \, \Delta t^2$ besides $v \, \Delta t$, twice what a body
+-- gains that speeds up evenly. Its velocity grows during the step and has its final value only at
+-- the end. Look at how much of that growth enters the position.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,8 @@
--- Circle 2 moves twice as far as it should
+-- Circle 2 goes twice as far as it should
 --
--- In step 1 circle 2 went 0.0667 m to the right, although at 2 m/s it covers 0.0333 m. You moved
--- it with the *sum* of the old velocity and the new one, 4 m/s to the right, which is faster
--- than it ever was. A body that speeds up evenly has, on the average, a velocity between the
--- two: look at what turns a sum into that.
+-- In every step circle 2 gets as far as the *sum* of its old velocity and its new one would take
+-- it, which is faster than it ever was. A body that speeds up evenly has, on the average, a
+-- velocity between the two. Look at what turns a sum into that.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The term with gravity has the wrong unit
 --
--- In step 1 circle 2 sank by 0.08175 m; half a step of gravity makes 0.0013625 m. What you added
--- to the position is $\frac{1}{2} g \, \Delta t$, and that is a velocity in m/s, no length.
--- Check the units of every term in the line that moves circle 2.
+-- In every step circle 2 goes on by $\frac{1}{2} g \, \Delta t$ besides $v \, \Delta t$. That is a
+-- velocity in m/s, no length, and with short steps it is far too much. Check the units of every
+-- term that changes the position of circle 2.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
--- The velocity was already the new one
+-- Gravity counts one and a half times in the position
 --
--- After step 1 circle 2 is at $y = 1.9959125$ m; the parabola is at 1.9986375 m. The step of
--- gravity was counted one and a half times: once in the velocity, which had already changed, and
--- half in the term with $\Delta t^2$. The formula means the velocity from the *beginning* of the
--- step; look at what has happened to it by then.
+-- In every step circle 2 goes on by $\frac{3}{2} g \, \Delta t^2$ besides $v \, \Delta t$, where
+-- the parabola has $\frac{1}{2} g \, \Delta t^2$. A whole $g \, \Delta t^2$ more is what comes in
+-- with a velocity that has changed already. The formula means the velocity from the *beginning* of
+-- the step; look at what has happened to it by then.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

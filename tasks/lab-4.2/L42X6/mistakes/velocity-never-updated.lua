@@ -1,9 +1,9 @@
--- The velocity of circle 2 never changes
+-- Gravity does not change the velocity of circle 2
 --
--- In every step circle 2 sinks by the same 0.0013625 m, and $v_y$ stays 0: it glides down a
--- slope instead of falling. The term $\frac{1}{2} g \, \Delta t^2$ is only what gravity adds to
--- the position *within* one step. For the next one the circle must have become faster. Look at
--- what a step does to the velocity of circle 2.
+-- Gravity moves circle 2 by the same $\frac{1}{2} g \, \Delta t^2$ in every step and leaves its
+-- velocity as it is: it sinks evenly instead of falling. That term is only what gravity adds to the
+-- position *within* one step. For the next one the circle must have become faster. Look at what a
+-- step does to the velocity of circle 2.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 
