@@ -1,8 +1,8 @@
 -- The circles answer when they leave
 --
--- The circles run right into each other with 2 m/s and answer only after their centres have
--- passed. While they come nearer, $(u_1 - u_2) \cdot (x_2 - x_1)$ is positive; while they part,
--- it is negative. Look at the sign that lets your swap happen.
+-- While your circles come nearer, nothing happens, and they run right into each other; they are
+-- answered only when they part. While they come nearer, $(u_1 - u_2) \cdot (x_2 - x_1)$ is
+-- positive; while they part, it is negative. Look at the sign that lets your answer happen.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
 -- The hit puts both circles in one place
 --
--- After the hit both circles lie on top of each other, 0.4 m from where one of them was. Each
--- should go back to its *own* place before the step. Look at which old position each circle
--- gets.
+-- After a hit both circles lie on top of each other, as no two bodies can. Each belongs in its
+-- *own* place: if a hit puts it back, then to where it was before the step. Look at which place a
+-- hit gives to which circle.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

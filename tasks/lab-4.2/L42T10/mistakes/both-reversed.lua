@@ -1,8 +1,8 @@
--- Each circle turned back on its own
+-- Each circle turns back on its own
 --
--- Circle 1 leaves the hit with (−2, 0) m/s and circle 2 stays at rest: the momentum went from
--- +522.8 to −522.8 kg m/s. That is what a wall does, which is held from outside; here nobody
--- holds circle 2. Look at which velocity each circle gets, its own or the other’s.
+-- Each circle leaves the hit with its own velocity turned round, so the total momentum changes its
+-- sign. That is what a wall does, which is held from outside; here nobody holds the other circle.
+-- Look at which velocity each circle gets, its own or the other’s.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
 -- Circle 2 does not wait at rest
 --
--- Circle 2 starts with (−2, 0) m/s. The swap is seen best when one circle brings everything and
--- the other nothing: then the whole velocity has one owner before the hit and another after it.
--- Look at the start velocity of circle 2.
+-- Circle 2 starts with (−2, 0) m/s. The swap is seen best when one circle brings everything and the
+-- other nothing: then the whole velocity has one owner before the hit and another after it. Look at
+-- the start velocity of circle 2.
 
 -- Runs once, when the scene is in place.
 function on_load()

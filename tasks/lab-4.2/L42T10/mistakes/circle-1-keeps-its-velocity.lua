@@ -1,8 +1,8 @@
--- Circle 1 gave its velocity away and kept it
+-- Both circles leave with the velocity of circle 1
 --
--- After the hit both circles move with (2, 0) m/s: the momentum has doubled from 522.8 to 1045.5
--- kg m/s. What one body gains in a hit the other loses. Look at what circle 1 gets in exchange,
--- and from which of the two values it is read.
+-- Circle 1 gives its velocity away and keeps it: after the hit both have what was there once, and
+-- what circle 2 brought is lost. What one body gains in a hit the other loses. Look at what circle
+-- 1 gets in exchange, and at what moment that is read.
 
 -- Runs once, when the scene is in place.
 function on_load()

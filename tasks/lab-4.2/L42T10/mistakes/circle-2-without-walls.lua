@@ -1,8 +1,8 @@
 -- Circle 2 knows no walls
 --
--- After the first hit circle 2 goes off with 2 m/s, passes $x = 3.8$ m and never comes back, so
--- the cradle swings only once. Whoever moves must meet the walls, too. Look at which circles the
--- wall test of your `on_update` is called for.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. A cradle swings
+-- only as long as both come back: whoever moves must meet the walls, too. Look at which circles
+-- your program asks about them.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Only the x components changed hands
+-- Only the x components change hands
 --
--- On a level line the cradle works, but from above circle 1 pushes circle 2 and nothing is
--- handed over: $v_y$ stays with its owner. A hit has no favourite axis; a velocity is one vector
--- with two components. Look at which components your swap moves.
+-- In a hit your circles exchange what they have along $x$, and each keeps its own $v_y$. On a level
+-- line that looks right; from above nothing is handed over. A hit has no favourite axis, and a
+-- velocity is one vector with two components: look at which of them change hands.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,9 +1,9 @@
--- Every hit was answered twice
+-- The circles pass through each other
 --
--- The circles overlap and pass through each other, although your swap ran: it ran for circle 1
--- with 2 and again for 2 with 1, and the second swap undid the first. A hit is over once the
--- circles move apart. Look at how often one pair comes to your test in a step, and what tells it
--- that a pair has already been answered.
+-- Wherever they meet, after the step both circles have the velocities that they came with. Either
+-- nothing is answered, or one answer undoes the other in the same step: a swap for circle 1 with 2
+-- and once more for 2 with 1 is none. Look at whether your answer runs, and how often for one pair
+-- in one step.
 
 -- Runs once, when the scene is in place.
 function on_load()

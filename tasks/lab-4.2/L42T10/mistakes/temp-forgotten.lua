@@ -1,8 +1,8 @@
--- Both circles ended with the same velocity
+-- Both circles leave with the velocity of circle 2
 --
--- Circle 1 brought (2, 0) m/s, circle 2 rested, and after the hit both stand still. What
--- circle 1 brought was overwritten before circle 2 had got it, so a momentum of 522.8 kg m/s
--- is gone. Look at the order in which the two velocities are read and written.
+-- After the hit both circles have the velocity that circle 2 came with, and what circle 1 brought
+-- is lost. What one body loses in a hit the other gains. Look at the order in which the two
+-- velocities are read and written.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,7 @@
--- Your test angle is still in place
+-- Circle 1 has the start of a test
 --
--- Circle 1 starts at (−2, −2) m with (2, 2) m/s, left over from the tests of step 9. The cradle
--- runs on one level line: both circles start as in step 8. Look at what `on_load` sets for
--- circle 1.
+-- Circle 1 starts at (−2, −2) m with (2, 2) m/s, as in the tests of step 9. The cradle runs on one
+-- level line: both circles start as in step 8. Look at the start of circle 1.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,9 +1,9 @@
 -- The circles answer when they leave
 --
--- The circles run right into each other and answer only after their centres have passed. With
--- $n$ from circle 1 to circle 2, circles that come nearer have a positive closing speed $(u_1
--- - u_2) \cdot n$; for those that part it is negative. Look at which way your normal points,
--- and at the comparison that sends a pair away unanswered.
+-- While your circles come nearer, nothing happens, and they run right into each other; they are
+-- answered only when they part. With $n$ from circle 1 to circle 2, circles that come nearer have a
+-- positive closing speed $(u_1 - u_2) \cdot n$; for those that part it is negative. Look at which
+-- way your normal points, and at the sign that lets your answer happen.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 1 gave its part away and kept it
+-- Circle 1 gives its part away and keeps it
 --
--- Circle 2 gets its part, about 1.3 m/s along the normal, but circle 1 goes on with (2, 0) m/s:
--- there is more momentum and more energy than before. What one body gains in a hit the other
--- loses. Look at which circles your answer changes.
+-- Circle 2 gets what circle 1 brings along the normal, but circle 1 goes on as it came: there is
+-- more momentum and more energy than before. What one body gains in a hit the other loses. Look at
+-- what your answer takes from circle 1.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 2 gets a velocity and stays
+-- Circle 2 cannot move
 --
--- The hit gives circle 2 the velocity (0.875, −0.992) m/s, and it does not move with it. A
--- velocity moves nothing by itself: every step each circle must go on by its velocity times
--- the timestep. Look at which circles `on_update` moves.
+-- Circle 2 stays where it is, whatever velocity it has or gets in a hit. A velocity moves nothing
+-- by itself: in every step each circle must go on by its velocity times the timestep. Look at which
+-- circles a step moves.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,9 @@
 -- Your normal is not of length 1
 --
--- Circle 2 leaves with about 0.2 m/s instead of 1.3 m/s, in the right direction. Your normal is
--- the distance of the centres, about 0.4 m long, and it enters twice: once in the dot product,
--- once as the factor behind it. Look at where the normal is made.
+-- Your circles are pushed along the line of centres, but far too weakly, as if the normal were as
+-- long as the distance of the centres and came in twice: once in the dot product, once as the
+-- factor behind it. A normal only says a direction. Look at where yours is made, and how long it
+-- is.
 
 -- Runs once, when the scene is in place.
 function on_load()

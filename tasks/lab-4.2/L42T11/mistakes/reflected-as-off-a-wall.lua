@@ -1,8 +1,8 @@
--- Circle 1 bounced as off a wall
+-- Circle 1 bounces as off a wall
 --
 -- Circle 1 turns its part along the normal round, and circle 2 stays at rest. A wall can do that
--- because it is held from outside; circle 2 is free, and the momentum along the normal has
--- changed its sign. Look at what circle 2 gets of the part that circle 1 loses.
+-- because it is held from outside; circle 2 is free, and the momentum along the normal has changed
+-- its sign. Look at what circle 2 gets of the part that circle 1 loses.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 1 still comes head-on
+-- Circle 1 starts for a head-on hit
 --
 -- Circle 1 starts at (−2, 2) m, at the same height as circle 2. In a head-on hit nothing lies
--- across the line of centres, so this scene cannot show what is new. Look at where `on_load`
--- puts circle 1.
+-- across the line of centres, so this scene cannot show what is new. Look at the place where circle
+-- 1 starts.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,9 +1,9 @@
--- First swapped, then reflected as well
+-- Swapped, and reflected as well
 --
--- At the hit circle 1 gets (0, 0) and circle 2 about (0.2, 2) m/s: upward, although it was
--- pushed down. You swapped whole velocities and then reversed the parts along the normal, so
--- circle 2 moves against the push that it got. A hit is one answer, not two: look at how many
--- times your program changes the velocities.
+-- Circle 2 gets the whole velocity of circle 1, but with its part along the normal turned round: it
+-- moves *against* the push that it got, and circle 1 is left with nothing. That is what comes of
+-- exchanging whole velocities and then reversing the parts along the normal. A hit is one answer,
+-- not two: look at everything that it does to the velocities.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- The whole velocity changed hands
+-- The whole velocity changes hands
 --
--- Circle 1 stops and circle 2 leaves with (2, 0) m/s, although it was hit from the upper left.
--- The push acts along the line of centres only, so it cannot take away what circle 1 has across
--- that line. Look at how much of each velocity your answer hands over.
+-- Also in a glancing hit circle 1 stops, and circle 2 leaves with all that circle 1 brought. The
+-- push acts along the line of centres only, so it cannot take away what circle 1 has across that
+-- line. Look at how much of each velocity your answer hands over.
 
 -- Runs once, when the scene is in place.
 function on_load()

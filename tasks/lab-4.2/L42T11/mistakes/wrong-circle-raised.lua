@@ -1,8 +1,8 @@
--- The wrong circle was moved up
+-- The wrong circle is higher
 --
--- Circle 2 rests at (2, 2.3) m, circle 1 comes at the height of 2 m. The hit is glancing, but
--- mirrored: circle 2 would leave upward instead of downward. Look at which circle `on_load`
--- gives the new height.
+-- Circle 2 rests at (2, 2.3) m, and circle 1 starts at a height of 2 m. A hit from there is
+-- glancing, too, but mirrored: the step has circle 1 come in higher. Look at which circle gets the
+-- new height.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,9 @@
--- The wrong part changed hands
+-- The wrong part changes hands
 --
--- Circle 1 keeps what points at circle 2 and goes on into it; circle 2 leaves sideways, at a
--- right angle to the push. A smooth circle can push only along the line of centres. Look at
--- which of the two parts of a velocity your answer hands over, and which one it keeps.
+-- A head-on hit changes nothing: circle 1 keeps what points at circle 2 and goes on into it. Only
+-- where something lies *across* the line of centres does your answer show, and there a smooth
+-- circle cannot push. Look at which of the two parts of a velocity your answer hands over, and
+-- which one it keeps.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 2 moves away from the meeting point
+-- Circle 2 starts away from the meeting point
 --
--- Circle 2 starts at (2, −2) m with (0, −2) m/s, down towards the floor, while circle 1 passes
--- high above. With $y$ pointing up, a circle that comes from below needs a positive $v_y$. Look
--- at the signs in the start velocity of circle 2.
+-- Circle 2 starts at (2, −2) m with (0, −2) m/s, down towards the floor. With $y$ pointing up, a
+-- circle that comes from below needs a positive $v_y$. Look at the signs in the start velocity of
+-- circle 2.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,9 +1,9 @@
--- Circles that already part are hit again
+-- The circles pass through each other
 --
--- The circles overlap for many steps and leave with the velocities that they came with. Your
--- answer ran twice in one step, for circle 1 with 2 and for 2 with 1, and the second one undid
--- the first. Circles that move apart have had their hit. Look at what your test asks besides the
--- distance.
+-- Wherever they meet, after the step both circles have the velocities that they came with. Either
+-- nothing is answered, or one answer undoes the other in the same step: if circle 1 is answered
+-- with 2 and then 2 with 1, the parts along the normal are exchanged back. Look at whether your
+-- answer runs, how often for one pair in one step, and what it asks besides the distance.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- The circles still start as in step 11
+-- The circles start as in step 11
 --
--- Circle 1 starts at (−2, 2.3) m and circle 2 rests at (2, 2) m. With one circle at rest there
--- is only one part along the normal, and nobody sees what your answer does with the other. Look
--- at what `on_load` sets.
+-- Circle 1 starts at (−2, 2.3) m, and circle 2 rests at (2, 2) m. With one circle at rest there is
+-- only one part along the normal, and nobody sees what your answer does with the other. Look at the
+-- start of both circles.
 
 -- Runs once, when the scene is in place.
 function on_load()

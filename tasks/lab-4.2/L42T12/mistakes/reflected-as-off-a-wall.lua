@@ -1,8 +1,8 @@
--- Each circle bounced as off a wall
+-- Each circle bounces as off a wall
 --
--- Your own scene looks right, since the two parts along the normal are equal and opposite there,
--- ±1.414 m/s. In other hits each circle turns its own part round, and the total momentum
--- changes: nobody holds the other circle as a wall is held. Look at whose part each circle gets.
+-- Each circle turns its own part along the normal round. Where the two parts are equal and
+-- opposite, that looks right; in other hits the total momentum changes, for nobody holds the other
+-- circle as a wall is held. Look at whose part each circle gets.
 
 -- Runs once, when the scene is in place.
 function on_load()

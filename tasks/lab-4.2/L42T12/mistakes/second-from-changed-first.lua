@@ -1,8 +1,9 @@
--- The second velocity came from a changed first
+-- Circle 2 keeps its own part along the normal
 --
--- Circle 1 leaves with (0, 2) m/s, as it should, but circle 2 also keeps (0, 2) m/s. When circle
--- 2 asked for the part of circle 1, that was already its own old part, −1.414 m/s. A hit happens
--- to both at once: look at which lines read a velocity after it has been written.
+-- Circle 1 gets the part of circle 2, as it should, but circle 2 leaves as it came. Whoever asks
+-- for the part of circle 1 after that has changed finds that of circle 2 there. A hit happens to
+-- both at once: look at what circle 2 gets, and whether it is read before or after the velocity of
+-- circle 1 is written.
 
 -- Runs once, when the scene is in place.
 function on_load()

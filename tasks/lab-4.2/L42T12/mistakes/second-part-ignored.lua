@@ -1,8 +1,8 @@
--- The part of circle 2 was forgotten
+-- Circle 1 does not get the part of circle 2
 --
--- After the hit both circles run on with (1, 1) m/s, side by side, and the kinetic energy fell
--- from 1045.5 to 522.8 J. Circle 2 also had a part along the normal, −1.414 m/s, and it never
--- reached circle 1. Look at what your answer does with the part of the second circle.
+-- Circle 1 hands its part along the normal to circle 2 and is left with none: what circle 2 brings
+-- never reaches it. The total momentum is kept by that, but the kinetic energy, as a rule, is not.
+-- Look at what your answer does with the part of the second circle.
 
 -- Runs once, when the scene is in place.
 function on_load()

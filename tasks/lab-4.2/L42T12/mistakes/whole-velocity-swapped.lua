@@ -1,8 +1,8 @@
--- The whole velocity changed hands
+-- The whole velocity changes hands
 --
--- Your own scene looks right, since both circles have the same part (1, 1) m/s across the
--- normal. From other angles the parts across change owners too, though the push acts along the
--- line of centres only. Look at how much of each velocity your answer hands over.
+-- In a hit your circles exchange all that they have, also the parts across the normal, though the
+-- push acts along the line of centres only. Where those parts are equal, that looks right; from
+-- other angles it does not. Look at how much of each velocity your answer hands over.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- The wrong part changed hands
+-- The wrong part changes hands
 --
--- Both circles keep their parts along the normal, +1.414 and −1.414 m/s, and run on into each
--- other. What you exchanged is the part across, which a smooth circle cannot push. Look at which
--- of the two parts your answer hands over, and which one it keeps.
+-- Both circles keep their parts along the normal and run on into each other. What they exchange is
+-- the part *across* it, which a smooth circle cannot push. Look at which of the two parts your
+-- answer hands over, and which one it keeps.
 
 -- Runs once, when the scene is in place.
 function on_load()

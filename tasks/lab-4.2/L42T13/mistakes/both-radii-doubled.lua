@@ -1,7 +1,7 @@
--- Both circles have grown
+-- Both circles are large
 --
--- Both radii are 0.4 m. Equal circles cannot show whether your test takes each radius from its
--- own circle, and they have equal masses again. Look at what `on_load` sets for circle 1.
+-- Both radii are 0.4 m. Equal circles cannot show whether your test takes each radius from its own
+-- circle, and they have equal masses. Look at the radius of circle 1.
 
 -- Runs once, when the scene is in place.
 function on_load()

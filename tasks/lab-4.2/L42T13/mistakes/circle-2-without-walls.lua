@@ -1,8 +1,8 @@
 -- Circle 2 knows no walls
 --
--- Circle 2 flies out of the square as soon as it comes to a wall; circle 1 bounces as before.
--- Only its radius changes in this step, and the walls ask for that of the circle that comes to
--- them. Look at which circles the wall test of your `on_update` is called for.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. The walls ask for
+-- the radius of the circle that comes to them, and every circle may come. Look at which circles
+-- your program asks about the walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The difference of the radii counts
 --
--- The circles answer at a distance of 0.2 m, when the small one is inside the large one. At
--- $|r_1 - r_2|$ a circle touches another from *inside*; these two meet from outside. Look at the
--- right-hand side of your comparison.
+-- Your circles answer only at the distance $|r_1 - r_2|$, when the smaller one is inside the
+-- larger, and equal ones not at all. At that distance a circle touches another from *inside*; these
+-- two meet from outside. Look at the length that you compare the distance with.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 2 has shrunk
+-- Circle 2 is too small
 --
--- Circle 2 has the radius 0.1 m: half of 0.2 m, and a fourth of what is asked for. A radius
--- reaches from the centre to the rim; a circle twice as wide has twice the radius. Look at the
--- number that `on_load` gives circle 2.
+-- Circle 2 has the radius 0.1 m: half of 0.2 m, and a fourth of what is asked for. A radius reaches
+-- from the centre to the rim; a circle twice as wide has twice the radius. Look at the radius that
+-- circle 2 gets.
 
 -- Runs once, when the scene is in place.
 function on_load()

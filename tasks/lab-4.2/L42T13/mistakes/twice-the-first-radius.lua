@@ -1,8 +1,8 @@
 -- The radius of circle 1 counts twice
 --
--- With radii of 0.2 and 0.4 m the circles answer at a distance of 0.4 m, when they overlap by
--- 0.2 m already. Twice a radius is the right distance for equal circles only. Look at the
--- right-hand side of your comparison.
+-- Your circles answer at the distance $2 r_1$, however large circle 2 is: too late if it is the
+-- larger one, too early if it is the smaller. Twice a radius is the right distance for equal
+-- circles only. Look at the lengths that you compare the distance with.
 
 -- Runs once, when the scene is in place.
 function on_load()

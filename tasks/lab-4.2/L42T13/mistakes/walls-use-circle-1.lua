@@ -1,8 +1,8 @@
 -- At the walls circle 2 has the radius of circle 1
 --
--- Circle 2 turns round when its centre is 0.2 m from a wall, so half of its radius of 0.4 m is
--- inside. It is the rim that meets the wall, and every circle has its own. Look at which circle
--- the radius in your wall test belongs to.
+-- Circle 2 turns round when its centre is one radius of *circle 1* from a wall. If it is the larger
+-- one, part of it is outside by then. It is the rim that meets the wall, and every circle has its
+-- own: look at which circle the radius in your wall test belongs to.
 
 -- Runs once, when the scene is in place.
 function on_load()

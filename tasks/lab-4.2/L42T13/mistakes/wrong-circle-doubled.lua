@@ -1,8 +1,7 @@
--- The wrong circle has grown
+-- The wrong circle is the larger one
 --
--- Circle 1 has the radius 0.4 m and circle 2 still 0.2 m. Contact at 0.6 m comes out the same,
--- but the heavy ball is now the other one. Compare the numbers in the names in `on_load` with
--- the task.
+-- Circle 1 has the radius 0.4 m and circle 2 0.2 m. The sum of the radii is the same that way, but
+-- the heavy ball is the other one. Compare the numbers of the circles with the task.
 
 -- Runs once, when the scene is in place.
 function on_load()

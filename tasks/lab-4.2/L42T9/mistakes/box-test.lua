@@ -1,9 +1,9 @@
 -- You compare boxes, not circles
 --
--- From the left and from above the circles stop in time, but at 45° they stop with the rims up
--- to 0.17 m apart. Comparing $x$ and $y$ each on its own asks whether two squares overlap, and
--- the corners of squares reach further than circles do. Look at how your test makes one distance
--- out of the two differences.
+-- Side by side or one above the other the circles answer in time, but on a diagonal they do while
+-- there is still room between their rims. Comparing $x$ and $y$ each on its own asks whether two
+-- squares overlap, and the corners of squares reach further than circles do. Look at how the two
+-- differences become one distance.
 
 -- Runs once, when the scene is in place.
 function on_load()

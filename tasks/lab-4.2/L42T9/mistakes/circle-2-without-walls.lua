@@ -1,8 +1,8 @@
 -- Circle 2 knows no walls
 --
--- Circle 2 flies out of the square as soon as it is thrown at a wall; circle 1 bounces as
--- before. In your own scene circle 2 rests, so it does not show. Every circle meets all four
--- walls: look at which circles the wall test of your `on_update` is called for.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. As long as circle
+-- 2 rests, nothing is to be seen of it. Every circle meets all four walls: look at which circles
+-- your program asks about them.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- The circles stop before they touch
+-- The circles answer before they touch
 --
--- When both circles stop, there is still room between their rims. Nothing has touched yet: two
--- circles meet when the distance of their centres is the sum of their radii, and nothing is
--- added to that. Look at the right-hand side of your comparison.
+-- When your circles answer, there is still room between their rims. Nothing has touched yet: two
+-- circles meet when the distance of their centres is the sum of their radii, and nothing is added
+-- to that. Look at the length that you compare the distance with.
 
 -- Runs once, when the scene is in place.
 function on_load()

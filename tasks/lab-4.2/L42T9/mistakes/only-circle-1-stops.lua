@@ -1,8 +1,8 @@
--- Circle 2 still has its velocity
+-- A hit leaves circle 2 as it was
 --
--- Circle 1 stops, but circle 2 goes on as if nothing had happened when it moves, too. In the step's
--- own scene it rests, so nothing is to be seen there; a check throws both. A hit acts on both
--- circles. Look at how many circles your answer to a hit changes.
+-- A hit stops circle 1, but circle 2 goes on with the velocity that it came with. As long as circle
+-- 2 rests, nothing is to be seen of it; a check throws both. A hit acts on both circles: look at
+-- what your answer gives to each of them.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Circle 1 still has its velocity
+-- A hit leaves circle 1 as it was
 --
--- Circle 1 stands before circle 2, but its velocity is still (2, 0) m/s: it runs against circle
--- 2 and is put back in every step. Only circle 2 got the velocity (0, 0), and it rested before.
--- Look at how many circles your answer to a hit changes.
+-- A hit makes the velocity of circle 2 zero, but circle 1 keeps the one that it came with. A circle
+-- 2 that rested has lost nothing by that, and circle 1 has not noticed the hit. A hit acts on both
+-- circles: look at what your answer gives to each of them.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Only one radius counts in your test
+-- The circles answer at half the right distance
 --
--- The circles run 0.2 m into each other before they stop, until the rim of one has reached the
--- centre of the other. At a distance of 0.2 m a circle meets a point; here both are round. Look
--- at which lengths stand on the right-hand side of your comparison.
+-- Your circles run into each other until the rim of one has reached the centre of the other; only
+-- then they answer. At the distance of one radius a circle meets a *point*, but here both are
+-- round. Look at which lengths you compare the distance with.
 
 -- Runs once, when the scene is in place.
 function on_load()

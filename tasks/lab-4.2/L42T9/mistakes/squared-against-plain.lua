@@ -1,8 +1,9 @@
 -- A squared distance is compared with a length
 --
--- The circles stop at a distance of about 0.63 m, with the rims 0.23 m apart, because
--- $0.63^2 = 0.4$. A square is in m², the sum of the radii in m; the two cannot be compared. Look
--- at both sides of your comparison and write their units beside them.
+-- Your circles answer where the *square* of their distance has the value of $r_1 + r_2$; with radii
+-- of 0.2 m that is at 0.63 m, since $0.63^2 = 0.4$. A square is in m², the sum of the radii in m;
+-- the two cannot be compared. Look at both sides of your comparison and write their units beside
+-- them.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
 -- The two circles start in each other’s place
 --
--- Circle 1 rests at (2, 2) m, and circle 2 comes from (−2, 2) m with (2, 0) m/s. The hit is the
--- same, yet the roles are exchanged: the blue circle 1 should be the one that moves. Compare the
--- numbers in the names in `on_load` with the task.
+-- Circle 1 rests at (2, 2) m, and circle 2 starts at (−2, 2) m with (2, 0) m/s. The roles are
+-- exchanged: circle 1 should be the one that moves. Compare the numbers of the circles with the
+-- task.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
--- Your test angle is still in place
+-- Circle 1 has the start of a test
 --
 -- Circle 1 starts at (−2, −2) m with (2, 2) m/s. That is a good test of a diagonal hit, but the
--- first check and the figures of this step count on the start of step 8. Look at what `on_load`
--- sets for circle 1.
+-- first check and the figures of this step count on the start of step 8. Look at the start of
+-- circle 1.
 
 -- Runs once, when the scene is in place.
 function on_load()

@@ -1,8 +1,8 @@
 -- The circles turn back instead of stopping
 --
--- Circle 1 comes with (2, 0) m/s and leaves the hit with (−2, 0) m/s, as if circle 2 were a
--- wall. In this step both shall stop dead, so that the test of contact can be judged alone. Look
--- at the line that gives the new velocities.
+-- Each circle leaves the hit with its own velocity turned round and runs back the way it came. In
+-- this step both shall stop dead, so that the test of contact can be judged alone. Look at what the
+-- new velocities are made of.
 
 -- Runs once, when the scene is in place.
 function on_load()

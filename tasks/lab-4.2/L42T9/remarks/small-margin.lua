@@ -1,9 +1,9 @@
 -- Your circles stop a hair too early
 --
--- Two very slow circles stop while their rims are still 0.00001 m apart. Contact has no margin:
--- it is where the distance is $r_1 + r_2$, and the way of one step is all that may be missing.
--- It passes, since circles of some m/s hardly ever end a step in that gap; a margin only hides
--- what going back already solves. Look at the right-hand side of your comparison.
+-- Two very slow circles stop a hair before their rims meet. Contact has no margin: it is where the
+-- distance is $r_1 + r_2$, and the way of one step is all that may be missing. It passes, since
+-- circles of some m/s hardly ever end a step in so small a gap. Look at the length that you compare
+-- the distance with.
 
 -- Runs once, when the scene is in place.
 function on_load()
