@@ -1,8 +1,8 @@
 -- Circle 2 knows no walls
 --
--- Circle 2 flies out of the square as soon as it comes to a wall; circle 1 bounces as before.
--- The masses matter between the circles only; the walls ask for none. Look at which circles
--- the wall test of your `on_update` is called for.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. The masses matter
+-- between the circles only; a wall asks for none and holds every circle. Look at which circles your
+-- program asks about the walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 

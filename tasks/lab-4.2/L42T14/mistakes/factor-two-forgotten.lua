@@ -1,8 +1,8 @@
 -- The partner’s share is too small
 --
--- Circle 1 leaves with −1 m/s and circle 2 with 0 m/s instead of −1.667 and 0.333 m/s. Put in
--- equal masses as a test: the formula should then exchange the velocities, and yours hands over
--- one half only. Look at the second fraction of both formulas.
+-- Each circle gets only half of what it should get of the other’s part along the normal. Put in
+-- equal masses as a test: they should exchange their parts, and yours hand over one half only. Look
+-- at the share of the partner in what each circle gets.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

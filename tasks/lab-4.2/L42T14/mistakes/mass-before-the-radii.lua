@@ -1,9 +1,9 @@
--- The masses belong to the old radii
+-- The masses belong to other radii
 --
--- The circles leave with −2.556 and −0.556 m/s instead of −1.667 and 0.333 m/s. Such a hit
--- belongs to a mass ratio of 8, that of the radii 0.2 and 0.4 m of step 13. A mass that has been
--- worked out does not follow when its radius changes later. Look at the order of the lines in
--- `on_load`.
+-- In your own scene the circles answer with a mass ratio of 8. That is the ratio for the radii 0.2
+-- and 0.4 m, with which the scene of the step begins; 0.2 and 0.252 m make it 2. A mass that has
+-- been worked out does not follow when its radius changes later. Look at what comes first, the
+-- radii or the masses.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,7 @@
 -- The masses grow with the area
 --
--- Circle 1 leaves with −1.454 m/s instead of −1.667 m/s, which belongs to a mass ratio of 1.588
--- = $(0.252/0.2)^2$. The circles stand for balls: their matter fills a volume, not a disc. Look
--- at the power of the radius in your mass.
+-- Your circles answer as if their masses grew with $r^2$, as the area of a disc does. The circles
+-- stand for balls: their matter fills a volume. Look at the power of the radius in your mass.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

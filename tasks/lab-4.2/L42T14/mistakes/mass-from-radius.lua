@@ -1,8 +1,7 @@
 -- The masses grow with the radius only
 --
--- Circle 1 leaves with −1.230 m/s instead of −1.667 m/s, which belongs to a mass ratio of 1.26 =
--- 0.252/0.2. A ball that is 1.26 times as wide is also 1.26 times as high and as deep. Look at
--- the power of the radius in your mass.
+-- Your circles answer as if their masses were in the ratio of their radii. A ball that is twice as
+-- wide is also twice as high and twice as deep. Look at the power of the radius in your mass.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
 -- Each circle answers with the mass of the other
 --
--- The heavy circle 2 leaves with 1.667 m/s and the light circle 1 with −0.333 m/s: the wrong one
--- is fast. The same impulse changes the lighter circle more. Look at which mass stands where in
--- your two formulas.
+-- In your hits it is the *heavier* circle whose velocity changes more: each answers as if it had
+-- the mass of the other. The same impulse changes the lighter circle more. Look at which mass
+-- stands where in what each circle gets.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
 -- The circles answer as if they were equally heavy
 --
--- The circles leave with −1 and 1 m/s: their parts along the normal still change places as in
--- step 13. The total momentum jumps from −261.5 to +261.5 kg m/s, since circle 2 is twice as
--- heavy. Look at where the masses enter your answer, and `print` them: is one twice the other?
+-- Whatever their radii, your circles exchange their parts along the normal, as equal masses do.
+-- Where one is heavier, the total momentum is not kept by that. Look at whether masses enter your
+-- answer, and how large they are: in the scene of this step one is twice the other.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,7 @@
 -- The radii are exchanged
 --
--- Circle 1 has the radius 0.252 m and circle 2 0.2 m, so circle 1 is the heavy one and leaves
--- with −0.333 m/s. The known values of this step are for a heavy circle 2. Compare the numbers
--- in the names in `on_load` with the task.
+-- Circle 1 has the radius 0.252 m and circle 2 0.2 m, so circle 1 is the heavy one. The known
+-- values of this step are for a heavy circle 2. Compare the numbers of the circles with the task.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

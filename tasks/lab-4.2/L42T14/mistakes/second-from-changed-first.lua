@@ -1,8 +1,8 @@
--- The second velocity came from the first new one
+-- The second velocity comes from the first new one
 --
--- Circle 1 leaves with −1.667 m/s, as it should, but circle 2 with −1.444 instead of 0.333 m/s,
--- and the momentum is not kept. Both formulas need the velocities from *before* the hit. Look at
--- which values your second formula reads.
+-- Circle 1 leaves as it should, but circle 2 leaves as if circle 1 had come with its *new* part
+-- along the normal, and so the momentum is not kept. What both circles get follows from the
+-- velocities *before* the hit. Look at which values the velocity of circle 2 is worked out from.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- The formula took the whole velocities
+-- The formula gets the whole velocities
 --
--- Head-on the known values come out, but in a glancing hit the parts across the line of centres
--- change as well. Momentum and energy are kept even so, yet no smooth circle can push sideways.
--- Look at what you put in for $u_1$ and $u_2$.
+-- Head-on your hits are right, but in a glancing hit the parts across the line of centres change as
+-- well. Momentum and energy are kept even so, yet no smooth circle can push sideways. Look at what
+-- you put in for $u_1$ and $u_2$.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,9 +1,9 @@
 -- Your 4/3 is 1
 --
--- Your masses are 196.0 and 392.1 kg instead of 261.4 and 522.8 kg, three quarters of what steel
--- weighs. In Lua `//` divides and drops the fraction, as `/` does with whole numbers in C#:
--- $4/3$ becomes 1. The factor cancels in every collision, so the velocities are right; momentum
--- and energy in kg m/s and J would not be. Look at the volume in your mass.
+-- A mass in your program is three quarters of what it should be, as if $4/3$ were 1. In Lua `//`
+-- divides and drops the fraction, as `/` does with whole numbers in C#. Where all masses are like
+-- that, the factor cancels in every collision; momentum and energy in kg m/s and J would not be
+-- right. Look at the volume in your mass.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- Both circles got the larger radius
+-- Both circles have the larger radius
 --
--- Both radii are 0.252 m. The volumes are equal, so the velocities come out right, but both
--- masses are twice those of this step, and contact comes at 0.504 m instead of 0.4 m. Look at
--- which of the two radii should have changed.
+-- Both radii are 0.252 m. Equal volumes leave the ratio of the masses as it is, but both masses are
+-- twice those of this step, and the circles touch at 0.504 m instead of 0.4 m. Look at which of the
+-- two radii should have changed.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

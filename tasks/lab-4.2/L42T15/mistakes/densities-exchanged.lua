@@ -1,8 +1,7 @@
 -- The densities are exchanged
 --
--- Circle 1 has the density 2 and circle 2 the density 1, so circle 1 is the heavy one: it leaves
--- with −0.333 m/s instead of −1.667 m/s. Compare the numbers in the names in `on_load` with the
--- task.
+-- Circle 1 has the density 2 and circle 2 the density 1, so circle 1 is the heavy one. To be
+-- compared with step 14 it must be circle 2. Compare the numbers of the circles with the task.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

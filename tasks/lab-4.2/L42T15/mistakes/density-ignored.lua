@@ -1,8 +1,8 @@
 -- The density of a circle is not asked for
 --
--- The circles leave with −1 and 1 m/s, as two equal masses do, although circle 2 is twice as
--- dense. At equal radii only the density can make a difference. Look at which density your mass
--- is worked out with.
+-- Circles of equal radius answer like two equal masses, however dense each of them is. At equal
+-- radii only the density can make a difference. Look at which density your masses are worked out
+-- with.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- Denser circles come out lighter
+-- Denser circles answer as if they were lighter
 --
--- The circles leave with −0.333 and 1.667 m/s: the dense circle 2 is the fast one, so your
--- program takes it for the lighter. Density is mass per volume, in kg/m³; check which
--- combination with m³ leaves kg. Look at the formula of your mass.
+-- Of two circles of equal radius the denser one is changed *more* in your hits: it counts as the
+-- lighter one. Density is mass per volume, in kg/m³; check which combination with m³ leaves kg.
+-- Look at the formula of your mass.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

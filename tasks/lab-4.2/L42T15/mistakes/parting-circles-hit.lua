@@ -1,9 +1,9 @@
 -- Circles that part are hit once more
 --
--- After your hits circles may still overlap for a step, while they already move apart. Your test asks
--- for the distance alone, so it hits them once more, and that pulls them together again. Circles
--- that move apart have had their hit. Look at what your test asks besides the distance, and at where
--- the circles stand after a hit.
+-- Two circles that overlap and move apart already are answered by your program as if they had just
+-- met. Such circles have had their hit; another one can send them into each other again. Whether
+-- you see that depends on where a hit leaves the circles. Look at what your test asks besides the
+-- distance.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 

@@ -1,8 +1,7 @@
--- Circle 2 is still the larger one
+-- Circle 2 is the larger one, too
 --
--- Circle 2 has the radius 0.252 m of step 14 besides its double density, so it is 4 times as
--- heavy and the circles leave with −2.2 and −0.2 m/s. Here the density alone shall double the
--- mass. Look at the radius of circle 2 in `on_load`.
+-- Circle 2 has the radius 0.252 m, as in step 14, besides its double density, so it is 4 times as
+-- heavy as circle 1. Here the density alone shall double the mass. Look at the radius of circle 2.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,9 +1,8 @@
 -- The ratio is right, the densities are not
 --
--- The densities are 7.8 and 15.6, and the circles leave with −1.667 and 0.333 m/s, as only the
--- ratio of the masses matters. But this step asks for 1 and 2 in 1000 kg/m³, and with steel the
--- momentum and the energy are 7.8 times as large as its figures. Look at the densities in
--- `on_load`.
+-- The densities are 7.8 and 15.6. Their ratio is right, and for the velocities only the ratio of
+-- the masses matters. But this step asks for 1 and 2 in 1000 kg/m³, and such masses make momentum
+-- and energy 7.8 times as large as its figures. Look at the densities of both circles.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

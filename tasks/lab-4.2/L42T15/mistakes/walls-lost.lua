@@ -1,8 +1,8 @@
--- The walls are gone
+-- The circles know no walls
 --
--- The hit is not to blame: a circle that comes to a wall flies out of the square, whichever
--- wall it is. Only radii and densities change in this step. Look at what `on_update` does
--- after it has moved the circles.
+-- Whichever wall it comes to, a circle goes out through it. This step changes only radii and
+-- densities; what a wall does is the same as in step 2. Look at what is asked after the circles
+-- have moved, and whether the answer is ever yes.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 

@@ -1,8 +1,7 @@
 -- Circle 2 knows no walls
 --
--- Circle 2 flies out of the square as soon as it comes to a wall; circle 1 bounces as before.
--- Whatever $e$ is, the walls hold every circle. Look at which circles the wall test of your
--- `on_update` is called for.
+-- Circle 1 turns round at the walls; circle 2 goes out through all four of them. Whatever $e$ is,
+-- the walls hold every circle. Look at which circles your program asks about the walls.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 

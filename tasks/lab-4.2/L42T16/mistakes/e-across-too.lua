@@ -1,9 +1,8 @@
--- The motion across was slowed by e, too
+-- The motion across is slowed by e, too
 --
--- Head-on the figures are right, but in a glancing hit the parts across the line of centres
--- shrink to $e$ times as well. That would be friction; smooth circles push along the line of
--- centres only, and what they have across stays. Look at which part of each velocity meets your
--- $e$.
+-- Along the normal your hits are right, but the parts across the line of centres shrink to $e$
+-- times as well. That would be friction; smooth circles push along the line of centres only, and
+-- what they have across stays. Look at which part of each velocity meets your $e$.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
 -- Your answer has a number in place of e
 --
--- Your own scene rebounds with $e = 0.5$, and so does every other scene, whatever its $e$ is. A
--- check that asks for $e = 0$ or $e = 1$ sees circles that do not listen. Look at where the
--- value of $e$ stands in your program, and how many times.
+-- Whatever $e$ a scene has, your circles part half as fast as they met, along the normal. A check
+-- that asks for $e = 0$ or $e = 1$ sees circles that do not listen. Look at where your answer takes
+-- the value of $e$ from.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

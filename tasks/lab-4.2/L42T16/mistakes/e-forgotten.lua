@@ -1,8 +1,7 @@
--- The hit is still elastic
+-- The hit is elastic, whatever e is
 --
--- The circles leave with −1.667 and 0.333 m/s whatever $e$ is, and the kinetic energy stays at
--- 50.27 J. They part as fast as they met, 2 m/s, which is right for $e = 1$ only. Look at where
--- `restitution` is used in your answer to a hit.
+-- Your circles part as fast as they met, whatever $e$ is. That is right for $e = 1$ only. Look at
+-- what becomes of `restitution` in your answer to a hit.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

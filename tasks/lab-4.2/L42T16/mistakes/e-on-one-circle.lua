@@ -1,8 +1,8 @@
--- Only one circle felt e
+-- Only circle 1 feels e
 --
--- With $e = 0.5$ circle 1 leaves with −1 m/s, as it should, but circle 2 with 0.333 m/s, as in
--- an elastic hit. The two impulses of a hit are equal and opposite; yours differ, so the
--- momentum is not kept. Look at what each of the two velocities is changed by.
+-- Circle 1 leaves as $e$ asks, but circle 2 as from an elastic hit. The two impulses of a hit are
+-- equal and opposite; where $e$ is below 1, yours differ, and so the momentum is not kept. Look at
+-- what each of the two velocities is changed by.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- The square of e was used
+-- The square of e is used
 --
--- With $e = 0.5$ the circles part with 0.5 m/s; they met with 2 m/s, and $e$ times that is 1
--- m/s. It is energies and bounce heights that go with $e^2$; speeds go with $e$. Look at how
--- `restitution` enters your answer, and whether it enters twice.
+-- Along the normal your circles part with $e^2$ times the speed with which they met: at $e = 0.5$
+-- with a quarter of it, where a half belongs. It is energies and bounce heights that go with $e^2$;
+-- speeds go with $e$. Look at how `restitution` enters your answer, and whether it enters twice.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,9 +1,9 @@
 -- The push only brakes and does not turn round
 --
--- With $e = 1$ both circles leave the hit with the common velocity −1/3 m/s, which is what
--- $e = 0$ should give; with less they run on into each other. First the approach must be used
--- up, then $e$ decides what comes back on top. Look at the factor before the reduced mass in
--- your impulse.
+-- With $e = 1$ your circles leave a hit with a common velocity along the normal, which is what
+-- $e = 0$ should give; with less they run on into each other. First the approach must be used up,
+-- then $e$ decides what comes back on top. Look at the size of your push: what is it for $e = 0$,
+-- and what should it be?
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

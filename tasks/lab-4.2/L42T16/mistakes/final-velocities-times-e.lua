@@ -1,8 +1,9 @@
--- The final velocities were multiplied by e
+-- The final velocities are multiplied by e
 --
--- With $e = 0.5$ the circles leave with −0.833 and 0.167 m/s, and the momentum falls from −33.51
--- to −16.76 kg m/s. No pair of bodies can lose momentum in a hit, and with $e = 0$ yours would
--- stop dead. $e$ belongs to the *relative* velocity. Look at what your $e$ multiplies.
+-- Along the normal your circles leave with $e$ times what an elastic hit would give each of them,
+-- and so the total momentum along it shrinks to $e$ times as well. No pair of bodies can lose
+-- momentum in a hit, and with $e = 0$ yours would stop dead there. $e$ belongs to the *relative*
+-- velocity: look at what your $e$ multiplies.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,9 @@
 -- At the walls e meets the wrong part
 --
--- A circle comes back from the floor as fast as it fell, but its speed along the floor shrinks
--- to $e$ times. To slow the motion along a wall would be friction; a smooth wall pushes along
--- its normal only, and $e$ belongs to that push. Look at which component your wall multiplies.
+-- At a wall the part of the velocity along the normal comes back in full, and the part along the
+-- wall shrinks to $e$ times. To slow the motion along a wall would be friction; a smooth wall
+-- pushes along its normal only, and $e$ belongs to that push. Look at which component your wall
+-- multiplies.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
 -- At the walls e is applied twice
 --
--- A circle that comes to a wall with 4 m/s and $e = 0.5$ leaves with 1 m/s, a quarter instead of
--- a half. Heights go with $e^2$, speeds with $e$. Look at every line that multiplies by
--- `restitution` on the way through a wall hit.
+-- Along the normal a circle leaves a wall with $e^2$ times the speed that it came with: at
+-- $e = 0.5$ a quarter instead of a half. Heights go with $e^2$, speeds with $e$. Look at everything
+-- that multiplies by `restitution` on the way through a wall hit.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,7 @@
 -- Gravity is a number in your motion
 --
--- Your own scene falls with −9.81 m/s², and so does every other scene, even one whose gravity is
--- (0, 0). A check that looks at hits without gravity sees circles that fall. Look at where the
--- value of gravity stands in your program, and how many times.
+-- Every scene falls with −9.81 m/s², even one whose gravity is (0, 0). A check that looks at hits
+-- without gravity sees circles that fall. Look at where the motion takes the value of gravity from.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,7 @@
--- There is still no gravity
+-- There is no gravity
 --
--- At the first step $v_y$ does not change: the acceleration is 0 instead of −9.81 m/s². Without
--- it nothing falls, and nothing comes to rest on the floor. Look at what `on_load` sets besides
--- the circles.
+-- The gravity of your scene is (0, 0) m/s². Without gravity nothing falls, and nothing comes to
+-- rest on the floor. Look at what the start sets besides the circles.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

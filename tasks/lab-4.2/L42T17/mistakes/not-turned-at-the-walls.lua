@@ -1,8 +1,8 @@
--- The walls slow the circle and do not turn it
+-- The walls slow a circle and do not turn it
 --
--- At the wall the speed becomes $e$ times as large and keeps its sign, so the circle still
--- moves into the wall, slower in every step, and never comes back. What the wall gives back
--- points away from it: $v_n' = -e \, v_n$. Look at the sign of the new speed.
+-- At a wall the speed along the normal becomes $e$ times as large and keeps its sign, so the circle
+-- still moves into the wall. What the wall gives back points away from it: $v_n' = -e \, v_n$. Look
+-- at the sign of the new speed.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s², masses in kg.
 

@@ -1,8 +1,8 @@
 -- Circles sink into the floor
 --
--- A circle beyond the floor has its velocity turned round in every step, up and down again; it
--- never gets out, and gravity pulls it deeper. What already leaves a wall has been hit. Look at
--- what your wall test asks besides the place, and where a circle stands after a hit.
+-- A circle that is beyond the floor and on its way up is turned down again, and so gravity pulls it
+-- deeper and deeper. What already leaves a wall has been hit. Look at what your wall test asks
+-- besides the place, and where a circle stands after a hit.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,9 @@
--- Touching circles stick together
+-- Circles that part are hit once more
 --
--- With $e < 1$ the circles part more slowly than they met, so they still overlap in the next
--- step; they are hit again, and that pulls them back together. Circles that move apart need no
--- push. Look at what your test asks besides the distance.
+-- Two circles that overlap and move apart already are answered by your program as if they had just
+-- met. With $e < 1$ circles part more slowly than they met and may still overlap a step later; an
+-- answer then pulls them back together, and they stick. Circles that move apart need no push: look
+-- at what your test asks besides the distance.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
 -- The wall answers like a free circle
 --
--- With $e = 1$ a circle stops at the wall, and with less it goes on into it: half of its
--- momentum went to a partner of its own mass. The wall is fixed and does not give way, as if its
--- mass were without limit. Look at which mass your wall has in the formula.
+-- With $e = 1$ a circle stops at the wall, and with less it goes on into it: so it would be if the
+-- wall were a free partner of the circle’s own mass. The wall is fixed and does not give way, as if
+-- its mass were without limit. Look at what your answer takes the wall for.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

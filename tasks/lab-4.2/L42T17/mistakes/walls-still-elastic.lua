@@ -1,8 +1,8 @@
--- The walls still give everything back
+-- The walls give everything back
 --
--- The circles lose energy when they hit each other, but a circle that falls from 5.8 m rises to
--- 5.8 m again, for ever. $e$ holds for circle and wall too: a floor with $e = 0.75$ gives back
--- three quarters of the speed. Look at where `restitution` is used at the walls.
+-- Whatever $e$ is, a circle leaves a wall as fast as it came. $e$ holds for circle and wall, too: a
+-- floor with $e = 0.75$ gives back three quarters of the speed. Look at what becomes of
+-- `restitution` at the walls.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,8 +1,8 @@
--- The wall turned the whole velocity round
+-- The walls turn the whole velocity round
 --
--- A circle that slants into the floor goes back the way it came, with $e$ times its speed:
--- $(1 + e)$ took away from the motion along the floor as well. A smooth wall pushes along its
--- normal only. Look at which part of the velocity your wall changes.
+-- A circle that slants into a wall goes back the way it came, with $e$ times its speed: the hit
+-- takes away from the motion along the wall as well. A smooth wall pushes along its normal only.
+-- Look at which part of the velocity your wall changes.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,9 +1,9 @@
--- On the floor your circles are frozen
+-- On the floor a circle is frozen
 --
--- At the end both circles stand still, although $v_x$ is not 0: the velocity says that they
--- slide. Without friction nothing may stop them sideways. Going back to the *whole* old position
--- undoes the motion along the floor in every step, not only the motion into it. Look at what a
--- wall hit does to the coordinate along the wall.
+-- A circle on the floor stands still, although $v_x$ is not 0: the velocity says that it slides.
+-- Without friction nothing may stop it sideways. Who gives a circle its *whole* old position back
+-- undoes the motion along the floor, too, not only the motion into it. Look at what a wall hit does
+-- to the coordinate along the wall.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)
