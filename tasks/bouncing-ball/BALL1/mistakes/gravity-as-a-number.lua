@@ -1,8 +1,8 @@
 -- On the Moon your ball falls as on Earth
 --
--- In your own scene your ball falls as it should. On the Moon, where gravity is 1.62 m/s², it
--- still gains 9.81 m/s in every second. Let `on_update` use the variable `gravity`, and give it
--- its value in `on_load` alone.
+-- Whatever `gravity` is, your ball gains 9.81 m/s in every second, also on the Moon, where 1.62 m/s
+-- would be right. A number knows one place only; the variable knows where the ball is. Look at
+-- where the fall takes its acceleration from.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The ball sinks, it does not fall
 --
--- In every step your ball goes down by the same 0.1635 m, and $v_y$ stays 0. What falls gets
--- *faster*: an acceleration changes the velocity, and only the velocity changes the position.
--- Look at what you add $g \, \Delta t$ to.
+-- In every step your ball goes down by the same $g \, \Delta t$, and its velocity stays as it is.
+-- What falls gets *faster*: an acceleration changes the velocity, and only the velocity changes the
+-- position. Look at which of the two gravity acts on.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

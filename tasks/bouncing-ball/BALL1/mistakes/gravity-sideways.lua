@@ -1,8 +1,7 @@
--- Gravity pulls to the left
+-- Gravity points to the left
 --
--- After step 1 your ball has $v_x = -0.1635$ m/s, while $v_y$ is still 0. Of the two parts of a
--- vector the first counts to the right and the second upward. Look at the order of the numbers
--- that you assign to `gravity`.
+-- The gravity of your scene is (−9.81, 0) m/s². Of the two parts of a vector the first counts to
+-- the right and the second upward. Look at the order of the numbers that gravity gets.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Gravity is subtracted, not added
 --
--- After step 1 your ball has $v_y = +0.1635$ m/s and rises, although `gravity` points down. An
--- acceleration says what is *added* to the velocity in every second; its direction is in the
--- vector already. Look at the sign in front of `gravity` in `on_update`.
+-- In every step the velocity of your ball changes *against* gravity: where `gravity` points down,
+-- it is driven up. An acceleration says what is *added* to the velocity in every second; its
+-- direction is in the vector already. Look at the signs where gravity changes the velocity.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

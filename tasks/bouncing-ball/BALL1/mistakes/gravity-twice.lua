@@ -1,7 +1,7 @@
--- Gravity acts twice in every step
+-- Gravity acts twice as strongly as it should
 --
--- In one step $v_y$ changed by −0.327 m/s, twice $g \, \Delta t = -0.1635$ m/s. Your ball falls
--- as on a planet with 19.62 m/s². Count the lines of a step that change the velocity.
+-- In one step the velocity of your ball changes by twice $g \, \Delta t$: on Earth it falls as on a
+-- planet with 19.62 m/s². Look at how often a step changes the velocity, and with which factors.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

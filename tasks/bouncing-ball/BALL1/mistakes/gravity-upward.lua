@@ -1,7 +1,7 @@
--- Your ball falls upward
+-- Gravity points upward
 --
--- After step 1 your ball has $v_y = +0.1635$ m/s and rises to the ceiling. The weight points to
--- the floor, and $y$ counts upward. Look at the sign of the vector that you assign to `gravity`.
+-- The gravity of your scene is (0, 9.81) m/s². The weight points to the floor, and $y$ counts
+-- upward. Look at the sign in the vector that gravity gets.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

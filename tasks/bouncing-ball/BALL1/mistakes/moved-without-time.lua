@@ -1,8 +1,8 @@
 -- The velocity is taken for a distance
 --
--- After step 1 your ball is 0.1635 m lower, sixty times too far: it moved by the whole velocity.
--- A velocity says how far it goes in a *second*, and a step takes $\frac{1}{60}$ s. Compare the
--- units on both sides of the line that changes the position.
+-- In every step your ball goes as far as it should go in a whole second. A velocity says how far it
+-- gets in a *second*, and a step takes only $\Delta t$. Compare the units on both sides of the line
+-- that changes the position.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

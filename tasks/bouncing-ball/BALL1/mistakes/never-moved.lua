@@ -1,7 +1,8 @@
 -- It gets faster and stays where it is
 --
--- After 1 s your ball has $v_y = -9.81$ m/s and is still at $y = 1.2$ m. Since `on_update`
--- exists, it alone moves the ball. Look for a line that changes the position.
+-- Gravity changes the velocity of your ball, but whatever the velocity is, the ball stays where it
+-- is. A velocity moves nothing by itself: that is the work of `on_update`. Look for what changes
+-- the position in a step.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,8 @@
--- The ball hangs in the air
+-- There is no gravity
 --
--- After 60 steps your ball is still where it was let go. It takes two things to fall: a value in
--- m/s², and a line that lets it change the velocity in every step. Look for the first in
--- `on_load` and for the second in `on_update`. A `local gravity` would be a variable of its own,
--- which nobody else sees.
+-- The gravity of your scene is (0, 0) m/s². It takes two things to fall: a value in m/s², and a
+-- step that lets it change the velocity. Look for the first: what does gravity get at the start? In
+-- a program a `local gravity` would be a variable of its own, which nobody else sees.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

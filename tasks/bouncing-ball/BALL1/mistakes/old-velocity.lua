@@ -1,8 +1,9 @@
--- The old velocity moved the ball
+-- The old velocity moves the ball
 --
--- After step 1 your ball is still at $y = 1.2$ m; by symplectic Euler it has fallen by 2.7 mm.
--- Your ball moves with the velocity from the *beginning* of the step, and only then gets faster.
--- That is Euler's method, whose energy grows in every step. Look at the order of the two lines.
+-- Your ball moves with the velocity from the *beginning* of each step: from rest it does not sink
+-- at all in the first one. That is Euler's method, whose energy grows in every step of a fall.
+-- Symplectic Euler takes the velocity from the end: look at which one is there when the position
+-- changes.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,7 @@
 -- Your ball is thrown, not let go
 --
--- Your ball starts with $v_y = 2$ m/s: it rises by 0.2 m first and comes to the floor 0.22 s
--- later than one that is let go. A body that is let go starts at rest. Look for a line in
--- `on_load` that gives it a velocity.
+-- Your ball starts with the velocity (0, 2) m/s, upward. A body that is let go starts at rest. Look
+-- for what gives it a velocity at the start.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

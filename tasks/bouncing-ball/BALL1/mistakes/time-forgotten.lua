@@ -1,7 +1,7 @@
 -- Gravity acts for a whole second in every step
 --
--- In one step $v_y$ changed from 0 to −9.81 m/s; gravity needs a whole second for that. An
--- acceleration says how much the velocity changes per second, and a step takes $\frac{1}{60}$ s.
+-- In one step the velocity of your ball changes by as much as gravity needs a whole second for. An
+-- acceleration says how much the velocity changes per second, and a step takes only $\Delta t$.
 -- Compare the units on both sides of the line that changes the velocity.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².

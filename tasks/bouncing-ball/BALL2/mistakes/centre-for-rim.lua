@@ -1,7 +1,7 @@
 -- Half of the ball sinks into the floor
 --
--- Your ball turns round when its *centre* is past the floor; then half of it is below. The rim
--- is one radius lower than the centre. Look at what you compare with `square.bottom`.
+-- Your ball turns round only when its *centre* is at the floor; by then half of it is below. The
+-- rim is one radius lower than the centre. Look at what you compare with the floor.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

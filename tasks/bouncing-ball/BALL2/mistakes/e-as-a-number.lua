@@ -1,8 +1,7 @@
--- The number 0.8 stands in the floor
+-- A number stands for e in the floor
 --
--- In your own scene your ball bounces as it should. In a scene with another $e$ it still leaves
--- the floor with 0.8 times its speed. Let the floor use the variable `restitution`, and give it
--- its value in `on_load` alone.
+-- Whatever $e$ a scene has, your ball leaves the floor with the same share of its speed, about 0.8.
+-- That fits one value of $e$ and no other. Look at where the floor takes its $e$ from.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Your ball loses nothing
 --
--- Your ball leaves the floor with 9.97 m/s, as fast as it came, and rises to 5 m again and
--- again. With $e = 0.8$ it should leave with 7.98 m/s. Look at the value of `restitution`: the
--- scene sets it to 1, and `on_load` is the place to change it.
+-- Your ball leaves the floor as fast as it came, as with $e = 1$; this step asks for $e = 0.8$. To
+-- other values of $e$ your floor does listen. Look at the value of `restitution` and at when it is
+-- set: the scene begins with 1.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Your ball loses speed in the air
 --
--- Your ball loses a fifth of its speed in every step, also where nothing touches it, and comes
--- down with no more than 0.65 m/s. Only a hit takes speed. Look at which lines of `on_update`
--- use `restitution`, and whether they ask for the floor first.
+-- With $e = 0.8$ your ball gains less speed in a step than gravity gives it, although nothing
+-- touches it there. Only a hit takes speed. Look at where `restitution` is used, and whether the
+-- floor is asked for first.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

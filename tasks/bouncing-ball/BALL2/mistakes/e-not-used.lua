@@ -1,7 +1,7 @@
 -- The floor gives everything back
 --
--- Your ball leaves the floor with 9.97 m/s, as fast as it came, although `restitution` is 0.8.
--- The value is set, but nothing uses it. Look at what multiplies $v_y$ at the floor.
+-- Whatever $e$ is, your ball leaves the floor about as fast as it came. A value alone does nothing:
+-- something must use it. Look at what multiplies $v_y$ at the floor.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Too much speed is lost
 --
--- Your ball comes to the floor with 9.97 m/s and leaves it with 6.38 m/s: that is $e^2$ times
--- the speed, 0.64. The restitution $e$ compares *speeds*; the square belongs to the heights and
--- the energies. Look at what multiplies $v_y$ at the floor.
+-- Your ball leaves the floor with $e^2$ times the speed that it came with: with $e = 0.8$ that is
+-- 0.64 of it. The restitution $e$ compares *speeds*; the square belongs to the heights and the
+-- energies. Look at what multiplies $v_y$ at the floor.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,7 +1,7 @@
 -- The floor is met in the air
 --
--- In step 1 your ball is still 5 m above the floor and is turned round already. Ask first
--- whether its rim is below `square.bottom`. Look at the condition of your floor.
+-- Your ball is turned round as soon as it moves down, however high it is above the floor. Ask first
+-- whether its rim is below the floor. Look at the condition under which a hit happens.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

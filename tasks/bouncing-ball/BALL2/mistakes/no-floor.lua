@@ -1,8 +1,8 @@
--- The ball falls through the floor
+-- The floor lets the ball through
 --
--- Your ball falls as it should, and at $t = 1.02$ s its rim goes past the floor at $y = -4$ m
--- and it falls on. A step that moves the ball does not know of the floor; it must be asked after
--- the move. Look for what `on_update` does then.
+-- Your ball falls on where the floor is, as if there were none. A step that moves the ball does not
+-- know of the floor; it must be asked after the move. Look at what is asked then, and whether the
+-- answer is ever yes.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,7 @@
 -- The ball hangs at the floor
 --
--- At 1.02 s your ball is put back to where it was and keeps its velocity downward; from then on
--- it hangs there, faster and faster by its velocity. A hit turns the velocity round, too. Look
--- at what your floor changes.
+-- At the floor your ball is put back and keeps its velocity downward, so that it runs into the
+-- floor again and again. A hit turns the velocity round, too. Look at what your floor changes.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,8 @@
 -- The ball is turned round again inside the floor
 --
--- Your ball stays where it went in, turns, is still too low one step later and is turned again:
--- downward. In the end it sinks. Two things prevent that: it goes back to where it was before
--- the step, and only a ball that moves *down* is turned. Look for both where you treat the
--- floor.
+-- Your ball is turned round at the floor, and soon after, when it is on its way up but still too
+-- low, once more: downward. In the end it sinks. Two things are worth a look: the place where a hit
+-- leaves the ball, and whether you ask which way it moves before you turn it.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The sideways motion is turned round, too
 --
--- In your own scene the ball falls straight, so this does not show there: the floor turns the *whole*
--- velocity round. A ball that comes in at a slant flies back the way it came. The floor pushes along
--- its normal, upward; the part along the floor stays. Look at what happens to $v_x$ in your floor.
+-- At the floor the *whole* velocity of your ball turns round. A ball that falls straight does not
+-- show it; one that comes in at a slant flies back the way it came. The floor pushes along its
+-- normal, upward; the part along the floor stays. Look at what happens to $v_x$ in your floor.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

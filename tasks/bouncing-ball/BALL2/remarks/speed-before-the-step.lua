@@ -1,9 +1,8 @@
--- The speed from before the step came back
+-- The speed from before the step comes back
 --
--- Your ball turns round with $e$ times the velocity that it had *before* the step: with 7.85 m/s
--- in place of 7.98 m/s at the first hit. The share of gravity in that step is lost, and after
--- three bounces the ball rises to 1.15 m; the law says 1.31 m. With a shorter timestep the loss
--- gets smaller.
+-- Your ball turns round with $e$ times the velocity that it had *before* the step. The share of
+-- gravity in that step is lost, and so every hit gives back a little too little speed. With a
+-- shorter timestep the loss gets smaller.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- You dropped it from elsewhere
+-- You drop it from elsewhere
 --
--- Your ball starts at another height than 5 m. Then 2.5 m are no longer half of its height, and
--- nothing is said about its $e$. Leave the start as the scene has it; only `restitution` is
--- yours to choose.
+-- Your ball starts at $y = -1.3$ m, only 2.5 m above the floor. From there the height after three
+-- bounces says nothing about the half of 5 m. Leave the start as the scene has it; only
+-- `restitution` is yours to choose.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,7 +1,7 @@
 -- e is not the part of the height
 --
--- With $e = 0.5$ the ball loses half of its *speed* in one bounce, three quarters of its height,
--- and after three bounces a tenth of a metre is left. Say first what one bounce does to the
+-- With $e = 0.5$ the ball loses half of its *speed* in one bounce, so three quarters of its height,
+-- and after three bounces only a 64th of the height is left. Say first what one bounce does to the
 -- height, then what three do.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².

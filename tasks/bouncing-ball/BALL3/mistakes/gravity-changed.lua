@@ -1,8 +1,8 @@
 -- Gravity has no part in it
 --
--- You made gravity weaker. Your ball falls and rises more slowly, and after the third bounce it
--- comes to 1.3 to 1.4 m as before: in $h_n = e^{2n} h_0$ there is no $g$. Leave gravity as it
--- is; only `restitution` is yours to choose.
+-- The gravity of your scene is (0, −5) m/s². A weaker gravity makes a ball fall and rise more
+-- slowly, but to the same heights: in $h_n = e^{2n} h_0$ there is no $g$. Leave gravity as it is;
+-- only `restitution` is yours to choose.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

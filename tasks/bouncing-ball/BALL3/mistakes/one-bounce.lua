@@ -1,7 +1,8 @@
 -- Half the height after the first bounce
 --
--- With your $e = 0.707$ the ball rises to 2.5 m after the *first* bounce, and after the third
--- only to 0.63 m, an eighth. The half is asked for after three bounces. Look at the exponent.
+-- With your $e = 0.707$ the ball comes to half its height after the *first* bounce, and after the
+-- third only to an eighth. The half is asked for after three bounces. Count how often the height is
+-- multiplied by then.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

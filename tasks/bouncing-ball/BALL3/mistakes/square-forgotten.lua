@@ -1,8 +1,8 @@
 -- Speeds, not heights, are halved
 --
--- With your $e = 0.794$ the *speed* is halved after three bounces, and the ball rises to 1.25 to
--- 1.3 m, a quarter. The height goes with the square of the speed, $h = v^2 / 2g$, so every
--- bounce takes the factor $e^2$. Count how often $e$ multiplies the height in three bounces.
+-- With your $e = 0.794$ the *speed* is halved after three bounces, and the height is down to a
+-- quarter. The height goes with the square of the speed, $h = v^2 / 2g$, so every bounce takes the
+-- factor $e^2$. Count how often $e$ multiplies the height in three bounces.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- The start is not a bounce
 --
--- With your $e = 0.917$ the ball still rises to 2.98 m after the third bounce, and to half its
--- height after the *fourth*. Number 0 is the height from which you drop it; after the third
--- bounce it carries the factor $e^6$, not $e^8$. Count the hits on the floor.
+-- With your $e = 0.917$ the ball comes to half its height only after the *fourth* bounce. Number 0
+-- is the height from which you drop it; after the third bounce it carries the factor $e^6$, not
+-- $e^8$. Count the hits on the floor.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 
