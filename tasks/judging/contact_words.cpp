@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace cradle {
 
@@ -73,6 +74,8 @@ std::vector<Test> tests(const Ground::Range &radii)
     add([](double, double b) { return b; }, QStringLiteral("r₂"));
     add([](double a, double b) { return std::max(a, b); }, ContactText::tr("the larger radius"));
     add([](double a, double b) { return std::min(a, b); }, ContactText::tr("the smaller radius"));
+    add([](double a, double b) { return std::abs(a - b); },
+        ContactText::tr("the difference of the radii"));
     add([](double a, double b) { return 2.0 * std::max(a, b); },
         ContactText::tr("twice the larger radius"));
     add([](double a, double b) { return 2.0 * (a + b); },
@@ -93,12 +96,17 @@ public:
 
     [[nodiscard]] std::vector<Deviation> judge()
     {
-        if (!findNever())
-            findDistance();
-        findModes();
+        if (findNever())
+            return std::move(m_found);
+        findDistance();
+        findLeap();
+        // A wrong direction shows here, too; it is the response that is wrong.
+        if (pushesAlongCentres()) {
+            findModes();
+            findPartings();
+        }
         if (answersRightly())
             findOnce();
-        findPartings();
         return std::move(m_found);
     }
 
@@ -125,6 +133,17 @@ private:
                           });
     }
 
+    /// Whether all pushes act along the line of centres.
+    [[nodiscard]] bool pushesAlongCentres() const
+    {
+        return std::all_of(m_own.equals.begin(), m_own.equals.end(), [](const PairHit &h) {
+            const Vec2 t = perpendicular(h.normal);
+            const double all = length(h.push1()) + length(h.push2());
+            return !h.answered
+                   || std::abs(dot(h.push1(), t)) + std::abs(dot(h.push2(), t)) < 0.02 * all;
+        });
+    }
+
     /// Whether this program itself ever leaves two circles overlapping that move apart.
     [[nodiscard]] bool leavesInside() const
     {
@@ -135,7 +154,8 @@ private:
 
     bool findNever()
     {
-        const bool own = answersAny(m_own.contacts) || answersAny(m_own.equals);
+        const bool own = answersAny(m_own.contacts) || answersAny(m_own.equals)
+                         || answersAny(m_own.rebounds);
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
             return !own;
@@ -218,8 +238,16 @@ private:
 
     void findOtherDistance(const PairHit &hit)
     {
+        const auto &all = m_own.contacts;
+        // Who answers some in time and pushes in a wrong direction asks for approach along that.
+        if (!pushesAlongCentres() && std::any_of(all.begin(), all.end(), [](const PairHit &h) {
+                return h.answered && h.fits(h.meeting.sum());
+            }))
+            return;
         const auto fixed = [&](const PairHit &) { return 0.5 * (hit.before + hit.reached); };
-        if (m_ground.pair.radii.isVaried() && fitsAll(fixed)) {
+        const bool answersAll =
+            std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
+        if (m_ground.pair.radii.isVaried() && answersAll && fitsAll(fixed)) {
             add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
                 ContactText::tr("Whatever the radii are, they answer at a distance of about %1 m.")
                         .arg(brief(fixed(hit)))
@@ -236,39 +264,75 @@ private:
             hit);
     }
 
+    /// A hit puts each circle near its own path, not at the place of the other.
+    void findLeap()
+    {
+        const auto leaps = [](const PairHit &h) { return h.answered && h.leaper >= 0; };
+        const auto at = std::find_if(m_own.contacts.begin(), m_own.contacts.end(), leaps);
+        if (at == m_own.contacts.end()
+            || std::any_of(m_right.contacts.begin(), m_right.contacts.end(), leaps))
+            return;
+        m_found.push_back(
+            {Aspect::Contact,
+             ContactText::tr("A hit puts circle %1 somewhere else\n\nWhen they touched it was put "
+                             "to %2 m, far from where it came from. Each circle goes back to its "
+                             "*own* old place: look at which one it gets.")
+                 .arg(at->leaper + 1)
+                 .arg(brief(at->landed)),
+             {at->stage, at->step, {at->leaper}, true}});
+    }
+
+    enum class Coming { One, Two, Both };
+
+    static Coming comingOf(const PairHit &hit)
+    {
+        const PairVelocities &v = hit.meeting.velocities;
+        return v.along1 <= 0.0 ? Coming::Two : v.along2 >= 0.0 ? Coming::One : Coming::Both;
+    }
+
     void findModes()
     {
-        if (!m_found.empty() && !answersAny(m_own.equals))
-            return;
-        for (std::size_t i = 0; i < m_own.modes.size(); ++i) {
-            const PairHit &hit = m_own.modes[i];
-            if (hit.answered || !m_right.modes[i].answered)
+        const PairHit *left = nullptr;
+        std::set<Coming> answered;
+        std::set<Coming> unanswered;
+        for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
+            const PairHit &hit = m_own.equals[i];
+            if (!m_right.equals[i].answered)
                 continue;
-            const PairVelocities &v = hit.meeting.velocities;
-            const bool inverted =
-                std::none_of(m_own.modes.begin(), m_own.modes.end(),
-                             [](const PairHit &h) { return h.answered; });
-            if (inverted)
-                return;
-            add(v.along1 <= 0.0
-                    ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
-                    : (v.along2 >= 0.0 && v.along1 > 0.0
-                           ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
-                           : ContactText::tr("Not every meeting is answered")),
-                ContactText::tr("Along the line of centres circle 1 had %1 m/s and circle 2 %2 "
-                                "m/s, so they came nearer with %3 m/s, and nothing was answered; "
-                                "other meetings are. What counts is the velocity of one relative "
-                                "to the other.")
-                    .arg(brief(v.along1), brief(v.along2), brief(hit.meeting.closing())),
-                hit);
-            return;
+            (hit.answered ? answered : unanswered).insert(comingOf(hit));
+            left = hit.answered || left ? left : &hit;
         }
+        if (!left || answered.empty())
+            return;
+        const bool isOne = unanswered == std::set{Coming::One} && !answered.contains(Coming::One);
+        const bool isTwo = unanswered == std::set{Coming::Two} && !answered.contains(Coming::Two);
+        addUnanswered(isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
+                      : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
+                              : ContactText::tr("Not every meeting is answered"),
+                      *left);
+    }
+
+    void addUnanswered(const QString &headline, const PairHit &hit)
+    {
+        const PairVelocities &v = hit.meeting.velocities;
+        add(headline,
+            ContactText::tr("Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so "
+                            "they came nearer with %3 m/s, and nothing was answered; other "
+                            "meetings are. What counts is the velocity of one relative to the "
+                            "other.")
+                .arg(brief(hit.slowness * v.along1), brief(hit.slowness * v.along2),
+                     brief(hit.slowness * hit.meeting.closing())),
+            hit);
     }
 
     void findOnce()
     {
-        if (!m_found.empty() || m_own.ownContacts != 1 || m_right.ownContacts < 2)
+        if (!m_found.empty() || !m_own.ranThrough || m_right.ownContacts < 2)
             return;
+        if (m_own.returning && !m_own.returning->answered)
+            return addUnanswered(
+                ContactText::tr("Nothing happens when it is circle 2 that comes nearer"),
+                *m_own.returning);
         add(ContactText::tr("Only the first hit is answered"),
             ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
                             "circle 1. What your program remembers of a hit must be forgotten when "
@@ -289,7 +353,8 @@ private:
             ContactText::tr("They overlapped and moved apart with %1 m/s; the next step turned them "
                             "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
                             "whether they come nearer.")
-                .arg(brief(-at->meeting.closing()), brief(at->left1), brief(at->left2)),
+                .arg(brief(-at->slowness * at->meeting.closing()), brief(at->slowness * at->left1),
+                     brief(at->slowness * at->left2)),
             *at);
     }
 

@@ -51,8 +51,14 @@ public:
             if (!said.empty() && !flight(0).isKnown)
                 return said;
         }
-        for (const auto law : {&FlightJudge::fall, &FlightJudge::growth, &FlightJudge::method}) {
+        const bool isWayRight = said.empty();
+        for (const auto law : {&FlightJudge::fall, &FlightJudge::growth}) {
             if (auto fault = (this->*law)())
+                said.push_back(*fault);
+        }
+        // How much of the fall reaches the place can be told only where the rest is right.
+        if (isWayRight && isAlike(flight(0).growth, right().growth, wrong)) {
+            if (auto fault = method(said.empty()))
                 said.push_back(*fault);
         }
         return said;
@@ -64,6 +70,14 @@ private:
     [[nodiscard]] const Flight &flight(std::size_t h) const
     {
         return m_own.at(gravity(), m_ground.timesteps[h], m_i);
+    }
+    /// Of the reference, under the same conditions as flight(0).
+    [[nodiscard]] const Flight &right() const { return m_right.at(gravity(), timestep(), m_i); }
+    /// How far a growth of the velocity that nobody asked for shows in a step, relative.
+    [[nodiscard]] double growthBlur(std::size_t h) const
+    {
+        const Vec2 off = flight(h).growth - m_right.at(gravity(), m_ground.timesteps[h], m_i).growth;
+        return 1.01 * std::max(std::abs(off.x), std::abs(off.y)) * m_ground.timesteps[h];
     }
     [[nodiscard]] Moment moment(bool isPosition, Vec2 g) const
     {
@@ -118,11 +132,26 @@ private:
         return p.kind == Kind::Constant && std::abs(p.value - 1.0) < wrong;
     }
 
+    /// What brakes or drives the velocity shows in \p part of the same step as well.
+    [[nodiscard]] bool isBlurred(Vec2 g, const Part &part) const
+    {
+        for (std::size_t h = 0; h < m_ground.timesteps.size(); ++h) {
+            const double step = m_ground.timesteps[h];
+            const double factor = part(m_own.at(g, step, m_i)) / part(m_right.at(g, step, m_i));
+            if (!(std::abs(factor - 1.0) <= growthBlur(h)))
+                return false;
+        }
+        return growthBlur(0) > 0.0;
+    }
+
     [[nodiscard]] std::optional<Said> way() const
     {
-        const auto x = pattern(gravity(), [](const Flight &f) { return f.way.x; });
-        const auto y = pattern(gravity(), [](const Flight &f) { return f.way.y; });
-        if (isRight(x) && isRight(y))
+        const auto partX = [](const Flight &f) { return f.way.x; };
+        const auto partY = [](const Flight &f) { return f.way.y; };
+        const auto x = pattern(gravity(), partX);
+        const auto y = pattern(gravity(), partY);
+        if ((isRight(x) && isRight(y))
+            || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
             return std::nullopt;
         const Flight &f = flight(0);
         const bool isX = x.kind == Kind::Constant && x.value == 0.0;
@@ -171,7 +200,7 @@ private:
             return {FlightText::tr("The way of %who is subtracted instead of added"),
                     FlightText::tr("Look at the sign in the line that moves it.")};
         if (std::abs(p.value - 2.0) < wrong)
-            return {FlightText::tr("In every step %who is moved twice"),
+            return {FlightText::tr("Every step moves %who twice"),
                     FlightText::tr("Count the lines that change the position in a step without a "
                                    "hit.")};
         return {FlightText::tr("The way of %who in a step is %1 times v Δt").arg(brief(p.value)),
@@ -220,7 +249,8 @@ private:
         if (length(right) < wrong)
             return std::nullopt;
         const Vec2 down = normalized(right);
-        const auto p = pattern(g, [&](const Flight &f) { return dot(f.acceleration, down); });
+        const auto pull = [&](const Flight &f) { return dot(f.acceleration, down); };
+        const auto p = pattern(g, pull);
         const Vec2 sideways = own - dot(own, down) * down;
         if (length(sideways) > wrong * length(right))
             return Said{FlightText::tr("Gravity pulls %who in a wrong direction"),
@@ -229,8 +259,17 @@ private:
                             .arg(brief(g), brief(timestep() * own), briefTimestep(timestep()),
                                  brief(timestep() * right)),
                         moment(false, g)};
-        if (isRight(p))
+        if (isRight(p) || isBlurred(g, pull))
             return std::nullopt;
+        if (isOnPosition(g))
+            return Said{FlightText::tr("Gravity moves %who at once and changes no velocity"),
+                        FlightText::tr("Under gravity %1 m/s² a circle at rest is %2 m away after "
+                                       "a step of %3 s, and its velocity is still 0. Gravity is an "
+                                       "acceleration: it changes the velocity, and that moves the "
+                                       "circle.")
+                            .arg(brief(g), brief(m_own.at(g, timestep(), m_i).drift),
+                                 briefTimestep(timestep())),
+                        moment(true, g)};
         const auto [headline, where] = fallWords(p);
         return Said{headline,
                     FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
@@ -239,6 +278,13 @@ private:
                                  brief(timestep() * right))
                         + QLatin1Char(' ') + where,
                     moment(false, g)};
+    }
+
+    /// Whether gravity changes the place at once, and the velocity not at all.
+    [[nodiscard]] bool isOnPosition(Vec2 g) const
+    {
+        const Flight &f = m_own.at(g, timestep(), m_i);
+        return length(f.acceleration) < wrong && dot(f.drift, g) > 1e-9 * lengthSquared(g);
     }
 
     static std::pair<QString, QString> fallWords(const TimestepPattern &p)
@@ -287,9 +333,13 @@ private:
         if (!own.runs || i >= own.accelerations.size())
             return std::nullopt;
         const Vec2 right = own.scene.gravity;
+        const Vec2 braked = flight(0).growth;
+        const Vec2 v = own.scene.circles[i].body.velocity;
+        const Vec2 fallen = own.accelerations[i] - Vec2{braked.x * v.x, braked.y * v.y};
         const bool isAsked = std::find(m_ground.gravities.begin(), m_ground.gravities.end(), right)
                              != m_ground.gravities.end();
-        if (!isAsked || length(own.accelerations[i] - right) < 1e-6 * (1.0 + length(right))
+        const double blur = 1e-6 + growthBlur(0);
+        if (!isAsked || length(fallen - right) < blur * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
         return Said{FlightText::tr("The fall of %who is not that of the gravity in the scene"),
@@ -313,17 +363,35 @@ private:
                                        "m/s²; %2 is right.")
                             .arg(brief(f.pull), brief(r.pull)),
                         false);
-        const double wrongOne = std::abs(f.growth.x - r.growth.x) > wrong ? f.growth.x : f.growth.y;
-        const double rightOne = std::abs(f.growth.x - r.growth.x) > wrong ? r.growth.x : r.growth.y;
-        return said(FlightText::tr("The velocity of %who acts on itself otherwise than asked"),
+        const bool isX = std::abs(f.growth.x - r.growth.x) > wrong;
+        const double is = isX ? f.growth.x : f.growth.y;
+        const double asked = isX ? r.growth.x : r.growth.y;
+        return said(growthHeadline(is, asked),
                     FlightText::tr("For every m/s of velocity the acceleration is %1 m/s²; %2 is "
                                    "right.")
-                        .arg(brief(wrongOne), brief(rightOne)),
+                        .arg(brief(is), brief(asked)),
                     false);
     }
 
+    static QString growthHeadline(double is, double asked)
+    {
+        if (std::abs(asked) < wrong)
+            return is < 0.0 ? FlightText::tr("Something slows %who down on the way")
+                            : FlightText::tr("Something makes %who faster on the way");
+        if (std::abs(is) < wrong)
+            return asked < 0.0 ? FlightText::tr("Nothing slows %who down on the way")
+                               : FlightText::tr("Nothing makes %who faster on the way");
+        if (is * asked < 0.0)
+            return asked < 0.0 ? FlightText::tr("What should slow %who down makes it faster")
+                               : FlightText::tr("What should make %who faster slows it down");
+        return FlightText::tr("What acts on the velocity of %who is %1 times as strong as it "
+                              "should be")
+            .arg(brief(is / asked));
+    }
+
     /// Which integrator: how much of the acceleration reaches the position of the same step.
-    [[nodiscard]] std::optional<Said> method() const
+    /// \param isFallRight  else only a method that is known and is none of those asked for
+    [[nodiscard]] std::optional<Said> method(bool isFallRight) const
     {
         const auto shares = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
         for (const Vec2 g : m_ground.gravities) {
@@ -331,22 +399,41 @@ private:
             if (!share)
                 continue;
             const auto is = [&](double s) { return std::abs(*share - s) < 1e-3; };
-            if (std::any_of(shares.begin(), shares.end(), is))
+            if (std::any_of(shares.begin(), shares.end(), is)
+                || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
+            const QString asked = shares.size() == 1
+                                      ? FlightText::tr("%1 is asked for.").arg(brief(shares.front()))
+                                      : FlightText::tr("One of these is asked for.");
             return Said{headlineOf(*share, shares),
                         FlightText::tr("From rest under gravity %1 m/s² it goes on by %2 a Δt² in "
-                                       "a step besides v Δt; %3 is asked for. Euler moves with the "
-                                       "old velocity, 0; symplectic Euler with the new one, 1; the "
-                                       "exact methods with ½.")
-                            .arg(brief(g), brief(*share), brief(shares.front())),
+                                       "a step besides v Δt. Euler moves with the old velocity, 0; "
+                                       "symplectic Euler with the new one, 1; the exact methods "
+                                       "with ½.")
+                                .arg(brief(g), brief(*share))
+                            + QLatin1Char(' ') + asked,
                         moment(true, g), true};
         }
         return std::nullopt;
     }
 
+    /// Whether that share is a method of its own, and not the right drift beside a wrong fall.
+    [[nodiscard]] bool isOtherMethod(Vec2 g, double share) const
+    {
+        const Vec2 a = m_right.at(g, timestep(), m_i).acceleration;
+        const Vec2 drift = m_own.at(g, timestep(), m_i).drift;
+        const double asked = dot(drift, a) / (lengthSquared(a) * timestep() * timestep());
+        const auto &shares = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
+        return lengthSquared(a) > 0.0 && (std::abs(share) < 1e-3 || std::abs(share - 1.0) < 1e-3)
+               && std::none_of(shares.begin(), shares.end(),
+                               [&](double s) { return std::abs(asked - s) < 1e-3; });
+    }
+
     static QString headlineOf(double share, const std::vector<double> &wanted)
     {
         const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
+        if (wanted.size() > 1)
+            return FlightText::tr("The motion of %who is no known method");
         const QString asked = shareName(wanted.front());
         if (is(0.0) || is(0.5) || is(1.0))
             return FlightText::tr("The motion of %who is %1, not %2").arg(shareName(share), asked);
@@ -429,7 +516,6 @@ std::vector<Deviation> flightDeviations(const MeasuredFlight &own, const Measure
                                         const Ground &ground)
 {
     std::vector<std::pair<Said, std::vector<int>>> groups;
-    const auto together = methodsTogether(own, ground);
     for (std::size_t i = 0; i < ground.flights.size(); ++i) {
         const int circle = static_cast<int>(i);
         if (!ground.flights[i].asked || ground.timesteps.empty() || ground.gravities.empty())
@@ -444,6 +530,11 @@ std::vector<Deviation> flightDeviations(const MeasuredFlight &own, const Measure
                 same->second.push_back(circle);
         }
     }
+    // Methods can be compared only where the rest is right.
+    const bool onlyMethods = std::all_of(groups.begin(), groups.end(), [](const auto &group) {
+        return group.first.isMethod;
+    });
+    const auto together = onlyMethods ? methodsTogether(own, ground) : std::nullopt;
     std::vector<Deviation> deviations;
     for (auto &[said, circles] : groups) {
         const QString headline = withNames(said.headline, circles, ground.flights.size());

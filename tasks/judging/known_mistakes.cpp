@@ -55,6 +55,9 @@ bool explains(const MistakeQuery &query, const KnownScript &mistake)
     if (query.aspect != Aspect::Start && !looksAlike(query, mistake))
         return false;
     const MeasuredLaws known(&mistake.source, query.ground);
+    // What the mistake does rightly it cannot explain.
+    if (isLike(known, query.right, query.aspect, query.ground))
+        return false;
     if (!isLike(known, query.own, query.aspect, query.ground)
         || (query.aspect == Aspect::Contact && !known.pair().sequelIsLike(query.own.pair())))
         return false;

@@ -30,14 +30,19 @@ public:
     {
     }
 
+    /// Whether both circles go as far as their velocities, one as the other.
     [[nodiscard]] bool isKnown() const
     {
-        const auto moves = [](const Flight &f) {
-            return f.isKnown && f.way.x > 0.1 && f.way.y > 0.1;
-        };
-        const auto &usual = m_flight.at({}, m_h);
-        const auto &fine = m_flight.at({}, shortStep);
-        return moves(usual[0]) && moves(usual[1]) && moves(fine[0]) && moves(fine[1]);
+        for (const double h : {m_h, shortStep}) {
+            const auto &flights = m_flight.at({}, h);
+            for (const Flight &f : {flights[0], flights[1]}) {
+                if (!f.isKnown || f.way.x <= 0.0 || !isAlike(f.way.x, f.way.y)
+                    || !isAlike(f.way.x, flights[0].way.x)
+                    || length(f.drift) > 0.1 * f.way.x * h * slowness(h))
+                    return false;
+            }
+        }
+        return true;
     }
 
     /// Comes from far in steps of the usual length.
@@ -49,7 +54,7 @@ public:
     /// The same in so short steps that the answer can be read exactly.
     [[nodiscard]] PairHit look(const Meeting &meeting) const
     {
-        const double way = std::abs(meeting.closing()) * travelled(shortStep);
+        const double way = std::abs(meeting.closing()) * shortStep;
         const std::array key{meeting.radius1, meeting.radius2, meeting.degrees};
         const auto seen = m_seen.find(key);
         const double guess = seen == m_seen.end() ? meeting.sum() : seen->second;
@@ -110,48 +115,46 @@ public:
         return std::nullopt;
     }
 
-    /// How often they meet when circle 2, pushed, comes back from the wall behind it.
-    [[nodiscard]] int meetAgain() const
+    /// Circle 2, pushed, comes back from the wall behind it: how often they meet, and whether it
+    /// runs through circle 1.
+    void meetAgain(MeasuredPair &pair) const
     {
         Preset preset = m_ground.stage();
         preset.timestep = m_h;
         preset.circles[0].body.position = {2.57, 0.41};
-        preset.circles[0].body.velocity = {2.3, 0.0};
+        preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
         preset.circles[1].body.position = {3.13, 0.41};
         Probe probe(m_program, {preset, true});
         const std::vector<Flight> &flights = m_flight.at({}, m_h);
-        PairHit hit;
-        int count = 0;
+        PairHit hit{.slowness = slowness(m_h)};
         bool was = false;
         for (int k = 1; k * m_h < 1.3; ++k) {
             const std::vector<Circle> before = probe.world().circles;
             if (!probe.step())
                 break;
             hit.answered = false;
-            if (length(before[1].position - before[0].position) < 0.5)
+            const Vec2 d = before[1].position - before[0].position;
+            if (length(d) < 0.5)
                 note(hit, before, probe, flights, k);
             const bool is = hit.answered && length(hit.push1()) > 0.1;
-            count += is && !was ? 1 : 0;
+            pair.ownContacts += is && !was ? 1 : 0;
             was = is;
+            const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
+            pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < 0.2;
         }
-        return count;
+        if (pair.ranThrough)
+            pair.returning = scan({.velocities = {.along2 = -1.2}});
     }
 
 private:
-    /// Way in a step per velocity, s; a program may know but one timestep.
-    [[nodiscard]] double travelled(double h) const
-    {
-        const auto &flights = m_flight.at({}, h);
-        return h * std::max({flights[0].way.x, flights[0].way.y, flights[1].way.x,
-                             flights[1].way.y, 0.1});
-    }
+    /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
+    [[nodiscard]] double slowness(double h) const { return 1.0 / m_flight.at({}, h)[0].way.x; }
 
     /// \param distance  of the centres at the start, m
     /// \param aim       when they are so far apart, they stand along the line that is asked for, m
-    static Stage stageOf(const Ground &ground, const Meeting &m, double distance, double aim,
-                         double h)
+    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h) const
     {
-        Preset preset = ground.stage();
+        Preset preset = m_ground.stage();
         preset.timestep = h;
         preset.restitution = m.restitution;
         const double angle = m.degrees * std::numbers::pi / 180.0;
@@ -162,8 +165,14 @@ private:
         Circle &b = preset.circles[1].body;
         const PairVelocities &v = m.velocities;
         const double time = m.closing() > 0.0 ? (distance - aim) / m.closing() : 0.0;
-        a = {middle - 0.5 * distance * n - time * v.across1 * t, v.along1 * n + v.across1 * t, m.radius1, m.density1};
-        b = {middle + 0.5 * distance * n - time * v.across2 * t, v.along2 * n + v.across2 * t, m.radius2, m.density2};
+        const auto place = [&](double along, double across) {
+            return middle + along * distance * n - time * across * t;
+        };
+        const auto velocity = [&](double along, double across) {
+            return slowness(h) * (along * n + across * t);
+        };
+        a = {place(-0.5, v.across1), velocity(v.along1, v.across1), m.radius1, m.density1};
+        b = {place(0.5, v.across2), velocity(v.along2, v.across2), m.radius2, m.density2};
         for (std::size_t i = 2; i < preset.circles.size(); ++i)
             preset.circles[i].body.position = {-3.1, -3.1 + static_cast<double>(i - 2)};
         return {preset, true};
@@ -172,8 +181,8 @@ private:
     [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
                                int most = 400) const
     {
-        PairHit hit{.meeting = meeting};
-        hit.stage = stageOf(m_ground, meeting, distance, aim, h);
+        PairHit hit{.meeting = meeting, .slowness = slowness(h)};
+        hit.stage = stageOf(meeting, distance, aim, h);
         Probe probe(m_program, hit.stage);
         const std::vector<Flight> &flights = m_flight.at({}, h);
         for (int k = 1; k <= most && probe.runs(); ++k) {
@@ -206,8 +215,8 @@ private:
         const double h = probe.start().timestep;
         const Motion free1 = flights[0].after(before[0], h);
         const Motion free2 = flights[1].after(before[1], h);
-        const auto turned = [](Vec2 made, Vec2 free) {
-            return length(made - free) > kick * (1.0 + length(free));
+        const auto turned = [&](Vec2 made, Vec2 free) {
+            return length(made - free) > kick * (hit.slowness + length(free));
         };
         const Circle &now1 = probe.circle(0);
         const Circle &now2 = probe.circle(1);
@@ -220,18 +229,25 @@ private:
         hit.before = length(d);
         hit.reached = dot(next, d) < 0.0 ? 0.0 : length(next);
         hit.normal = normalized(d);
-        hit.came1 = free1.velocity;
-        hit.came2 = free2.velocity;
-        hit.left1 = now1.velocity;
-        hit.left2 = now2.velocity;
-        const auto leap = [](const Circle &now, const Circle &was, const Motion &free) {
-            return std::min(length(now.position - was.position),
-                            length(now.position - free.position));
-        };
-        hit.leap = std::max(leap(now1, before[0], free1), leap(now2, before[1], free2));
+        hit.came1 = free1.velocity / hit.slowness;
+        hit.came2 = free2.velocity / hit.slowness;
+        hit.left1 = now1.velocity / hit.slowness;
+        hit.left2 = now2.velocity / hit.slowness;
+        noteLeap(hit, 0, before[0].position, free1.position, now1.position);
+        noteLeap(hit, 1, before[1].position, free2.position, now2.position);
         const Vec2 then = now2.position - now1.position;
         hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
                           && dot(then, now2.velocity - now1.velocity) > 0.0;
+    }
+
+    /// Whether a circle was put farther from its path than any way of parting two puts it.
+    static void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, Vec2 now)
+    {
+        const double leap = std::min(length(now - before), length(now - free));
+        if (leap > 0.6 * hit.meeting.sum() + 4.0 * length(free - before)) {
+            hit.leaper = circle;
+            hit.landed = now;
+        }
     }
 
     const QString *m_program;
@@ -277,7 +293,7 @@ bool answersAlike(const std::vector<PairHit> &a, const std::vector<PairHit> &b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const PairHit &p, const PairHit &q) {
-                          return p.answered == q.answered && p.isLeap() == q.isLeap()
+                          return p.answered == q.answered && p.leaper == q.leaper
                                  && (!p.answered || partsAlike(p.leftParts(), q.leftParts()));
                       });
 }
@@ -294,6 +310,12 @@ PairVelocities PairHit::leftParts() const
     return partsOf(left1, left2, normal);
 }
 
+bool PairHit::isAligned() const
+{
+    const double angle = meeting.degrees * std::numbers::pi / 180.0;
+    return length(normal - Vec2{std::cos(angle), std::sin(angle)}) < 0.01;
+}
+
 bool PairHit::fits(double distance) const
 {
     return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
@@ -304,7 +326,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
     const Ground::Pair &asked = ground.pair;
     if (!asked.asked || ground.flights.size() < 2)
         return;
-    PairRange range(program, ground, flight);
+    const PairRange range(program, ground, flight);
     isJudged = range.isKnown();
     if (!isJudged)
         return;
@@ -352,7 +374,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const M
         partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
     }
     own = range.own();
-    ownContacts = range.meetAgain();
+    range.meetAgain(*this);
 }
 
 bool MeasuredPair::contactIsLike(const MeasuredPair &other) const

@@ -42,7 +42,9 @@ struct PairHit {
     Vec2 came2{};
     Vec2 left1{};             ///< and those that it made
     Vec2 left2{};
-    double leap = 0.0;        ///< of a circle, from both its old place and its free way, m
+    double slowness = 1.0;    ///< velocities of the stage are these times so much
+    int leaper = -1;          ///< the circle, from 0, that it put far from its own path
+    Vec2 landed{};            ///< and where, m
     bool partsInside = false; ///< after that they overlap still, and move apart
     qint64 step = 0;          ///< in which it was answered, from 1
     Stage stage{};
@@ -51,13 +53,10 @@ struct PairHit {
     [[nodiscard]] Vec2 push2() const { return left2 - came2; }
     [[nodiscard]] PairVelocities cameParts() const;
     [[nodiscard]] PairVelocities leftParts() const;
-    /// Whether one of them was put further away than two that overlap are pushed apart.
-    [[nodiscard]] bool isLeap() const
-    {
-        return answered && leap > 0.6 * meeting.sum() + 2.0 * std::abs(before - reached);
-    }
     /// Whether they moved apart already when they were answered.
     [[nodiscard]] bool isParting() const { return dot(came1 - came2, normal) < 0.0; }
+    /// Whether they stood along the line that was asked for, so that other programs compare.
+    [[nodiscard]] bool isAligned() const;
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;
 };
@@ -83,6 +82,8 @@ struct MeasuredPair {
     std::vector<PairHit> partings{}; ///< they overlap and move apart: nothing should happen
     std::optional<PairHit> own{};    ///< the first hit of the student's own scene
     int ownContacts = 0;             ///< how often they meet again when a wall sends one back
+    bool ranThrough = false;         ///< and whether it ran through the other then
+    std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };
 
 } // namespace cradle

@@ -13,6 +13,8 @@ namespace {
 constexpr double kick = 1e-6;     ///< of a velocity, relative: what no rounding makes
 constexpr int stepsAfterwards = 6;
 constexpr int stepsOfDrop = 70;
+/// Under gravity steps are so much shorter, so that the fall in the step of a hit hardly shows.
+constexpr double finer = 16.0;
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -28,8 +30,47 @@ public:
         , m_ground(ground)
         , m_flight(flight)
         , m_gravity(ground.walls.gravity)
-        , m_h(ground.timesteps.empty() ? 1.0 / 60.0 : ground.timesteps.front())
+        , m_usual(ground.timesteps.empty() ? 1.0 / 60.0 : ground.timesteps.front())
+        , m_h(m_usual)
     {
+        const auto &circles = ground.walls.circles;
+        m_falls = std::any_of(circles.begin(), circles.end(), [&](int circle) {
+            return length(flightOf(circle).acceleration) > 1.0;
+        });
+        if (!m_falls)
+            return;
+        m_h = m_usual / finer;
+        const bool suits = std::all_of(circles.begin(), circles.end(),
+                                       [&](int circle) { return isKnown(circle); });
+        m_h = suits ? m_h : m_usual;
+    }
+
+    /// Whether shots of that circle can be aimed: it comes to a wall by its velocity.
+    [[nodiscard]] bool isKnown(int circle) const
+    {
+        const Flight &f = flightOf(circle);
+        if (!f.isKnown || f.way.x <= 0.0 || !isAlike(f.way.x, f.way.y))
+            return false;
+        const double speed = speedOf(circle, 1);
+        if (length(f.drift) > 0.3 * speed * f.way.x * m_h)
+            return false;
+        if (!m_falls)
+            return true;
+        const double far = 0.6; // m to the wall
+        return isAlike(f.way.x, 1.0, 0.5) && length(f.acceleration) * far < speed * speed
+               && length(f.drift) < 0.3 * speed * m_h;
+    }
+    /// By how much what falls in the step of a hit blurs ratios of velocities.
+    [[nodiscard]] double blur() const
+    {
+        return !m_falls ? 1e-3 : m_h < m_usual ? 0.01 : 0.05;
+    }
+    [[nodiscard]] bool canDrop(int circle) const
+    {
+        if (fall() == Vec2{})
+            return false;
+        const Flight &f = m_flight.at(fall(), m_usual, circle);
+        return f.isKnown && isAlike(f.way.x, 1.0, 0.1) && isAlike(f.way.y, 1.0, 0.1);
     }
 
     [[nodiscard]] const Flight &flightOf(int circle) const
@@ -44,12 +85,9 @@ public:
         const Ground::Range &radii = m_ground.walls.radii;
         hit.radius = radii.isVaried() ? radii.low + 0.75 * (radii.high - radii.low) : radii.low;
         hit.otherRadius = radii.low;
-        const double speeds[] = {1.0, 0.83, 0.91};
-        const bool falls = length(flightOf(circle).acceleration) > 1.0;
-        const double speed = (falls ? 6.1 : 2.9) * speeds[place % 3];
-        const double shares[] = {0.29, 0.62, 0.93};
-        hit.stage = stageOf(hit, speed, shares[place % 3], corner);
-        watch(hit);
+        const double shares[] = {0.29, 0.62};
+        hit.stage = stageOf(hit, speedOf(circle, place), shares[place], corner);
+        watch(hit, corner);
         return hit;
     }
 
@@ -59,28 +97,34 @@ public:
         Preset preset = m_ground.stage();
         preset.gravity = fall();
         preset.restitution = e;
-        preset.timestep = m_h;
+        preset.timestep = m_usual;
         Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
         c.position = {circle % 2 == 0 ? -1.83 : 1.61, -preset.halfWidth + c.radius + height};
         c.velocity = {0.41, 0.0};
         drop.stage = {preset, true};
-        const Flight &flight = m_flight.at(preset.gravity, m_h, circle);
+        const Flight &flight = m_flight.at(preset.gravity, m_usual, circle);
+        const auto depth = [&](const Circle &now) {
+            return -preset.halfWidth + now.radius - now.position.y;
+        };
         Probe probe(m_program, drop.stage);
+        double halfway = 0.0;
         for (int k = 1; k <= stepsOfDrop; ++k) {
             const Circle before = probe.world().circles[static_cast<std::size_t>(circle)];
             if (!probe.step())
                 break;
             const Circle &after = probe.circle(circle);
-            const double free = flight.after(before, m_h).velocity.y;
+            const double free = flight.after(before, m_usual).velocity.y;
             const bool isLow = before.position.y < -preset.halfWidth + 2.0 * before.radius;
             if (isLow && before.velocity.y > 0.0 && free > 0.0
                 && after.velocity.y < -kick * (1.0 + free)) {
                 ++drop.again;
                 drop.step = drop.step == 0 ? k : drop.step;
             }
+            if (k == stepsOfDrop / 2)
+                halfway = depth(after);
         }
-        const Circle &end = probe.circle(circle);
-        drop.depth = -preset.halfWidth + end.radius - end.position.y;
+        drop.depth = depth(probe.circle(circle));
+        drop.sinks = drop.depth > halfway + 1e-3;
         if (drop.step == 0)
             drop.step = stepsOfDrop;
         return drop;
@@ -94,9 +138,16 @@ public:
             strongest = g.x == 0.0 && g.y < strongest.y ? g : strongest;
         return strongest;
     }
-    [[nodiscard]] double timestep() const { return m_h; }
-
 private:
+    /// One of them slow, so that the place where it turns is known well. Who goes too far in a
+    /// step is thrown more gently: it comes to the wall in as many.
+    [[nodiscard]] double speedOf(int circle, int place) const
+    {
+        const double speeds[] = {2.9, 1.07};
+        const double falling[] = {6.1, 4.7};
+        return (m_falls ? falling[place] : speeds[place]) / flightOf(circle).way.x;
+    }
+
     Stage stageOf(const WallHit &hit, double speed, double share, bool corner) const
     {
         Preset preset = m_ground.stage();
@@ -107,39 +158,62 @@ private:
         const Vec2 t = perpendicular(n);
         const double along = corner ? speed : 0.37 * speed;
         // Far enough away for a program that takes the diameter.
-        const double room = 2.4 * hit.radius + (0.3 + share) * speed * m_h;
+        const double step = speed * flightOf(hit.circle).way.x * m_h;
+        const double room = 2.4 * hit.radius + (0.3 + share) * step;
         for (std::size_t i = 0; i < preset.circles.size(); ++i) {
             Circle &c = preset.circles[i].body;
             if (static_cast<int>(i) == hit.circle) {
                 c.radius = hit.radius;
-                c.position = (preset.halfWidth - room) * n;
-                c.position += corner ? (preset.halfWidth - room) * t : -0.7 * t;
                 c.velocity = speed * n + along * t;
+                c.position = (preset.halfWidth - room) * n - 0.7 * t;
+                if (corner)
+                    aimAtCorner(c, hit.circle, n, preset.halfWidth);
             } else {
                 // The others fly on in the middle; what happens at the wall is not their affair.
                 c.radius = hit.otherRadius;
                 c.position = (0.4 + 0.9 * static_cast<double>(i)) * t - 0.6 * n;
-                c.velocity = {0.31, 0.47};
+                const Flight &flight = flightOf(static_cast<int>(i));
+                c.velocity = Vec2{0.31, 0.47} / std::max(1.0, flight.way.x);
             }
         }
         return {preset, true};
     }
 
-    void watch(WallHit &hit) const
+    /// Moves it along t so that it comes as far past that wall as past the wall of \p n, in the
+    /// same step.
+    void aimAtCorner(Circle &c, int circle, Vec2 n, double halfWidth) const
+    {
+        const Vec2 t = perpendicular(n);
+        Circle flies = c;
+        for (int k = 0; k < 400 && dot(n, flies.position) < halfWidth - c.radius; ++k) {
+            const Motion next = flightOf(circle).after(flies, m_h);
+            flies.position = next.position;
+            flies.velocity = next.velocity;
+        }
+        c.position += dot(flies.position, n - t) * t;
+    }
+
+    /// Whether \p c is so near one of the two walls that \p direction points to that it may be hit.
+    static bool isNearWall(const Circle &c, Vec2 direction, double halfWidth)
+    {
+        return std::abs(dot(c.position, direction)) > halfWidth - 2.5 * c.radius;
+    }
+
+    void watch(WallHit &hit, bool corner) const
     {
         Probe probe(m_program, hit.stage);
         const Preset &preset = hit.stage.preset;
         const Vec2 n = outwardNormal(hit.wall);
         const Flight &flight = flightOf(hit.circle);
-        const double speed = dot(n, probe.circle(hit.circle).velocity);
-        for (int k = 1; k < 200 && probe.runs(); ++k) {
+        const double step = dot(n, probe.circle(hit.circle).velocity) * flight.way.x * m_h;
+        for (int k = 1; k < 400 && probe.runs(); ++k) {
             const std::vector<Circle> before = probe.world().circles;
             const Circle &c = before[static_cast<std::size_t>(hit.circle)];
             const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
-            if (distance < -1.3 * hit.radius - 2.0 * speed * m_h)
+            if (distance < -1.3 * hit.radius - 2.0 * step)
                 return; // all of it is outside
-            if (dot(n, c.velocity) < 0.0) {
-                hit.missed = true; // something else turns it before it is there
+            if (dot(n, c.velocity) < 0.0 || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
+                hit.missed = true; // something else turns it, or may, before it is there
                 return;
             }
             if (!probe.step())
@@ -154,7 +228,7 @@ private:
             note(hit, before, now, free, k);
             hit.turned = turned;
             hit.held = !turned;
-            hit.disturbs = disturbsOthers(hit, before, probe);
+            lookAtOthers(hit, before, probe);
             follow(hit, probe);
             return;
         }
@@ -192,37 +266,42 @@ private:
             const Circle &now = probe.circle(hit.circle);
             const Motion free = flightOf(hit.circle).after(c, m_h);
             const bool leaves = dot(n, c.velocity) < 0.0 && dot(n, free.velocity) < 0.0;
-            if (leaves && dot(n, now.velocity) > 0.0)
+            const double away = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
+            if (leaves && dot(n, now.velocity) > 0.0 && away < hit.radius + hit.travel)
                 ++hit.again;
             c = now;
         }
+        hit.turnsBoth = dot(n, c.velocity) < 0.0
+                        && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
         const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
         hit.stays = distance < hit.after + 0.5 * hit.travel;
     }
 
-    /// Whether another circle did not fly freely in the step of the answer.
-    bool disturbsOthers(const WallHit &hit, const std::vector<Circle> &before,
-                        const Probe &probe) const
+    /// What became of the other circles, if they are away from all walls, in the same step.
+    void lookAtOthers(WallHit &hit, const std::vector<Circle> &before, const Probe &probe) const
     {
+        const double halfWidth = hit.stage.preset.halfWidth;
         for (std::size_t i = 0; i < before.size(); ++i) {
             const int other = static_cast<int>(i);
             const Flight &flight = flightOf(other);
-            if (other == hit.circle || !flight.isKnown)
+            const Circle &was = before[i];
+            if (other == hit.circle || !flight.isKnown || isNearWall(was, {1.0, 0.0}, halfWidth)
+                || isNearWall(was, {0.0, 1.0}, halfWidth))
                 continue;
-            const Motion free = flight.after(before[i], m_h);
+            const Motion free = flight.after(was, m_h);
             const Circle &now = probe.circle(other);
-            if (length(now.position - free.position) > 1e-6
-                || length(now.velocity - free.velocity) > 1e-6)
-                return true;
+            hit.kicks |= length(now.velocity - free.velocity) > 1e-6;
+            hit.disturbs |= hit.kicks || length(now.position - free.position) > 1e-6;
         }
-        return false;
     }
 
     const QString *m_program;
     const Ground &m_ground;
     const MeasuredFlight &m_flight;
     Vec2 m_gravity;
-    double m_h;
+    double m_usual; ///< timestep of the checks, s
+    double m_h;     ///< of the shots, s
+    bool m_falls = false;
 };
 
 /// The one nearest to ½, where e, e² and 1 − e are told apart best but for the last two.
@@ -246,12 +325,10 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const
     std::vector<double> all = ground.walls.restitutions;
     std::sort(all.begin(), all.end());
     for (const int circle : ground.walls.circles) {
-        const Flight &free = range.flightOf(circle);
-        if (!free.isKnown || free.way.x < 0.1 || free.way.y < 0.1)
+        if (!range.isKnown(circle))
             continue;
         judged.push_back(circle);
-        if (length(free.acceleration) > 1.0)
-            blur = 0.05;
+        blur = range.blur();
         for (const Wall wall : allWalls) {
             for (int place = 0; place < 2; ++place)
                 hits.push_back(range.shoot(circle, wall, all.back(), place, false));
@@ -265,12 +342,9 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const
             if (e != middleOf(others))
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
-        // Under gravity the two walls of a corner are hit in different steps.
-        if (ground.walls.gravity == Vec2{}) {
-            for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
-                corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
-        }
-        if (range.fall() == Vec2{} || !flight.at(range.fall(), range.timestep(), circle).isKnown)
+        for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
+            corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
+        if (!range.canDrop(circle))
             continue;
         for (const double height : {0.0113, 0.0247, 0.0391})
             drops.push_back(range.drop(circle, all.back(), height));

@@ -24,11 +24,13 @@ struct WallHit {
     Vec2 came{};          ///< velocity that it came with, m/s
     Vec2 left{};          ///< and left with
     int again = 0;        ///< how often it was turned towards the wall while it left it
+    bool turnsBoth = false; ///< a few steps later both parts point back
     bool stays = false;   ///< it does not come away from the wall
     double after = 0.0;   ///< of the centre from the wall after the answer
     double leap = 0.0;     ///< from both the old place and where it would have got
     Vec2 landed{};         ///< where it was after the answer
     bool disturbs = false; ///< another circle did not fly on freely meanwhile
+    bool kicks = false;    ///< its velocity, too, was changed
     qint64 step = 0;       ///< in which it was answered, from 1
     Stage stage{};
 
@@ -44,6 +46,7 @@ struct Drop {
     double restitution = 1.0;
     int again = 0;       ///< how often it was turned down while it rose
     double depth = 0.0;  ///< how deep its rim is below the floor at the end, m
+    bool sinks = false;  ///< it was less deep before
     qint64 step = 0;     ///< the first such step, or the last of all
     Stage stage{};
 };

@@ -58,7 +58,9 @@ public:
 
     [[nodiscard]] ReboundReading read()
     {
-        if (m_all.empty() || m_elastic.empty())
+        const auto answered = [](const PairHit &hit) { return hit.answered && hit.isAligned(); };
+        if (m_all.empty() || m_elastic.empty()
+            || std::none_of(m_own.rebounds.begin(), m_own.rebounds.end(), answered))
             return {};
         m_shown = static_cast<std::size_t>(
             std::min_element(m_all.begin(), m_all.end(), [](const Rebound &a, const Rebound &b) {
@@ -167,10 +169,15 @@ private:
 
     void findNumbers()
     {
+        const auto kept = [](double) { return 1.0; };
+        const bool across = every(m_all, &Rebound::across1, kept)
+                            && every(m_all, &Rebound::across2, kept)
+                            && every(m_elastic, &Rebound::across1, kept)
+                            && every(m_elastic, &Rebound::across2, kept);
         const double first = m_all.front().first;
         const double second = m_all.front().second;
         const auto fixed = [](double value) { return [value](double) { return value; }; };
-        if (m_all.size() < 2 || !isLaw(fixed(first), fixed(second))) {
+        if (m_all.size() < 2 || !across || !isLaw(fixed(first), fixed(second))) {
             // What is wrong already where e is 1 has been named; it hides what e does.
             if (m_isElastic)
                 add(ReboundText::tr("e does not act on the rebound as it should"));

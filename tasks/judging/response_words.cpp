@@ -31,11 +31,15 @@ public:
     {
         ReboundReading rebound = reboundDeviations(m_own, m_right);
         findLaw(rebound.explainsElastic);
-        findLeap();
-        for (Deviation &mass : massDeviations(m_own, m_right))
-            m_found.push_back(std::move(mass));
-        for (Deviation &deviation : rebound.deviations)
-            m_found.push_back(std::move(deviation));
+        // An answer that never asks for masses or e is one fault, not three.
+        if (!isWhole(m_own.radii, m_right.radii) || !isWhole(m_own.densities, m_right.densities)) {
+            for (Deviation &mass : massDeviations(m_own, m_right))
+                m_found.push_back(std::move(mass));
+        }
+        if (!isWhole(m_own.rebounds, m_right.rebounds)) {
+            for (Deviation &deviation : rebound.deviations)
+                m_found.push_back(std::move(deviation));
+        }
         if (m_found.empty())
             findOwn();
         if (m_found.empty())
@@ -49,19 +53,38 @@ private:
         m_found.push_back(responseDeviation(headline, body, hit));
     }
 
+    /// The hits that two programs had along the same line.
+    static std::vector<EqualHit> comparable(const std::vector<PairHit> &own,
+                                            const std::vector<PairHit> &right)
+    {
+        std::vector<EqualHit> hits;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            if (own[i].answered && right[i].answered && own[i].isAligned()
+                && right[i].isAligned())
+                hits.push_back({own[i], own[i].cameParts(), right[i].leftParts()});
+        }
+        return hits;
+    }
+
+    /// Whether the law that was found explains these hits, too.
+    [[nodiscard]] bool isWhole(const std::vector<PairHit> &own,
+                               const std::vector<PairHit> &right) const
+    {
+        return m_law && (own.empty() || follows(*m_law, comparable(own, right)));
+    }
+
     /// The answers of equal circles, without losses.
     /// \param explained  what e does explains it
     void findLaw(bool explained)
     {
-        std::vector<EqualHit> hits;
+        const std::vector<EqualHit> hits = comparable(m_own.equals, m_right.equals);
         std::optional<std::size_t> worst;
         double most = 0.0;
         for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
             const PairHit &own = m_own.equals[i];
             const PairHit &right = m_right.equals[i];
-            if (!own.answered || !right.answered)
+            if (!own.answered || !right.answered || !own.isAligned() || !right.isAligned())
                 continue;
-            hits.push_back({own, own.cameParts(), right.leftParts()});
             if (isSameAnswer(own.leftParts(), right.leftParts()))
                 continue;
             const PairVelocities a = own.leftParts();
@@ -82,25 +105,10 @@ private:
             if (!follows(law, hits))
                 continue;
             add(law.headline, describeHit(hit, right) + QLatin1Char(' ') + law.body, hit);
+            m_law = law;
             return;
         }
         findParts(hits, hit, right);
-    }
-
-    void findLeap()
-    {
-        const auto leaps = [](const PairHit &hit) { return hit.isLeap(); };
-        const auto at = std::find_if(m_own.equals.begin(), m_own.equals.end(), leaps);
-        if (at == m_own.equals.end()
-            || std::any_of(m_right.equals.begin(), m_right.equals.end(), leaps))
-            return;
-        add(ResponseText::tr("A hit puts a circle somewhere else"),
-            ResponseText::tr("In the step of the hit one of them was put %1 m away from its own "
-                             "way. Each goes back to its *own* place, if at all: look at which old "
-                             "position each circle gets.")
-                .arg(brief(at->leap)),
-            *at);
-        m_found.back().moment.isPosition = true;
     }
 
     /// No law that is known: which of the things that a hit keeps does it not keep?
@@ -141,8 +149,21 @@ private:
                     + ResponseText::tr("The parts across it must stay as they were."),
                 hit);
         else
-            add(ResponseText::tr("The push along the line of centres has the wrong size"),
-                describeHit(hit, right), hit);
+            add(sizeHeadline(hits), describeHit(hit, right), hit);
+    }
+
+    static QString sizeHeadline(const std::vector<EqualHit> &hits)
+    {
+        const auto factorOf = [](const EqualHit &h) {
+            return (h.hit.leftParts().along1 - h.in.along1) / (h.right.along1 - h.in.along1);
+        };
+        const double factor = factorOf(hits.front());
+        const bool same = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+            return isAlike(factorOf(h), factor, 0.01);
+        });
+        return same ? ResponseText::tr("The push is %1 times as large as it should be")
+                          .arg(brief(factor))
+                    : ResponseText::tr("The push along the line of centres has the wrong size");
     }
 
     /// The own scene must answer as all others do: else a mass or e was copied before it was set.
@@ -195,7 +216,7 @@ private:
             for (std::size_t i = 0; i < own->size(); ++i) {
                 const PairHit &hit = (*own)[i];
                 const PairHit &good = (*right)[i];
-                if (!hit.answered || !good.answered
+                if (!hit.answered || !good.answered || !hit.isAligned() || !good.isAligned()
                     || isSameAnswer(hit.leftParts(), good.leftParts()))
                     continue;
                 add(ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
@@ -212,6 +233,7 @@ private:
     const MeasuredPair &m_own;
     const MeasuredPair &m_right;
     std::vector<Deviation> m_found;
+    std::optional<ResponseLaw> m_law{}; ///< that equal circles follow, if it is a wrong one
     bool m_isRight = true; ///< equal circles answer as they should, without losses
 };
 
@@ -228,7 +250,9 @@ QString describeHit(const PairHit &hit, const PairHit &right)
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
     const PairVelocities good = right.leftParts();
-    const auto pair = [](double along, double across) { return brief(Vec2{along, across}); };
+    const auto pair = [&](double along, double across) {
+        return brief(hit.slowness * Vec2{along, across});
+    };
     return ResponseText::tr("Taken apart along the line of centres and across it, circle 1 came with "
                             "%1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and "
                             "%6 m/s are right.")
@@ -240,7 +264,10 @@ QString describeHit(const PairHit &hit, const PairHit &right)
 std::vector<Deviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
                                           const Ground &ground)
 {
-    if (!own.isJudged || !right.isJudged || !ground.pair.asked)
+    const auto answered = [](const PairHit &hit) { return hit.answered; };
+    if (!own.isJudged || !right.isJudged || !ground.pair.asked
+        || (std::none_of(own.equals.begin(), own.equals.end(), answered)
+            && std::none_of(own.rebounds.begin(), own.rebounds.end(), answered)))
         return {};
     return ResponseJudge(own, right).judge();
 }

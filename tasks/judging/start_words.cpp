@@ -60,11 +60,15 @@ std::vector<Deviation> startDeviations(const Task &task, const Submission &submi
                                        const std::vector<CheckOutcome> &checks)
 {
     std::vector<Deviation> deviations;
+    Probe probe(submission.program(), {submission.preset, false});
+    const Preset &start = probe.start();
+    // What was not judged because the program stopped says nothing of the start.
+    const bool isSeen = probe.runs() && probe.step() && probe.step() && probe.step();
     for (const CheckSpec &check : task.checks) {
-        if (check.kind != QLatin1String("start"))
+        if (check.kind != QLatin1String("start") || !isSeen)
             continue;
         for (const CheckOutcome &outcome : checks) {
-            if (outcome.id != check.id || outcome.passed)
+            if (outcome.id != check.id || outcome.passed || outcome.variant.isEmpty())
                 continue;
             deviations.push_back(
                 {Aspect::Start,
@@ -73,10 +77,8 @@ std::vector<Deviation> startDeviations(const Task &task, const Submission &submi
                  {}});
         }
     }
-    const Stage own{submission.preset, false};
-    const Probe probe(submission.program(), own);
-    if (probe.runs()) {
-        if (auto gravity = wrongGravity(task, probe.start(), checks))
+    if (isSeen) {
+        if (auto gravity = wrongGravity(task, start, checks))
             deviations.push_back(*gravity);
     }
     return deviations;

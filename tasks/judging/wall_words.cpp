@@ -39,8 +39,8 @@ public:
     {
         findMissing();
         findReach();
-        findAnswer();
         findLeap();
+        findAnswer();
         findDisturbed();
         findCorners();
         findNoWayBack();
@@ -156,11 +156,11 @@ private:
              WallText::tr("Its radius is %1 m in that scene, and yet it turns when its centre is "
                           "0.2 m from the wall. Take the radius that the circle has.")},
             {[](const WallHit &hit) { return 2.0 * hit.radius; },
-             WallText::tr("The walls turn %who round before it is there"),
+             WallText::tr("The walls turn %who round too early"),
              WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
                           "twice the radius. From the centre to the rim it is one.")},
             {[](const WallHit &hit) { return -hit.radius; },
-             WallText::tr("The walls turn %who round when all of it is outside"),
+             WallText::tr("The walls turn %who round at the far side of the rim"),
              WallText::tr("It turns when its centre is one radius, %1 m, past the wall. Of its two "
                           "ends the near one touches first: look at the sign in front of the "
                           "radius.")}};
@@ -205,7 +205,7 @@ private:
             }
         }
         const bool early = hit.reached > hit.radius;
-        return {early ? WallText::tr("The walls turn %who round before it is there")
+        return {early ? WallText::tr("The walls turn %who round too early")
                       : WallText::tr("The walls turn %who round too late"),
                 WallText::tr("Its radius is %1 m, and at the %2 it turns when its centre is "
                              "between %3 and %4 m from the wall. It should turn when its rim is "
@@ -220,6 +220,9 @@ private:
         for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
             const WallHit &hit = m_own.hits[i];
             const WallHit &right = rightOf(i);
+            // It may have come to another place, and have been hit there.
+            if ((hit.isLeap() && !right.isLeap()) || (hit.kicks && !right.kicks))
+                continue;
             if (hit.held && right.turned)
                 odd.push_back(i);
             else if (hit.turned && right.turned
@@ -249,14 +252,23 @@ private:
         const QString where = walls.size() < wallsLike(hit)
                                   ? WallText::tr("So it is here: %1. ").arg(namesOf(walls))
                                   : QString();
-        add(headline,
-            WallText::tr("With e = %1 it came to the %2 with %3 m/s and left it with %4 m/s; along "
-                         "the normal it should keep %5 of the speed, turned round, and along the "
-                         "wall %6.")
-                    .arg(brief(hit.restitution), motion::wallName(hit.wall), brief(hit.came),
-                         brief(hit.left), brief(right.back), brief(right.along))
-                + QLatin1Char(' ') + where + why,
-            hit, {circles.begin(), circles.end()}, hit.held);
+        add(headline, seenAt(hit, right) + QLatin1Char(' ') + where + why, hit,
+            {circles.begin(), circles.end()}, hit.held);
+    }
+
+    /// e is a word of the steps that ask for it.
+    [[nodiscard]] bool rebounds() const { return m_ground.walls.restitutions.size() > 1; }
+
+    [[nodiscard]] QString seenAt(const WallHit &hit, const WallHit &right) const
+    {
+        const Vec2 n = outwardNormal(hit.wall);
+        const Vec2 t = perpendicular(n);
+        const Vec2 good = -right.back * dot(hit.came, n) * n + right.along * dot(hit.came, t) * t;
+        return (rebounds() ? WallText::tr("With e = %1: ").arg(brief(hit.restitution)) : QString())
+               + WallText::tr("It came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is "
+                              "right.")
+                     .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
+                          brief(good));
     }
 
     /// At how many walls circles were shot under the same conditions as \p hit.
@@ -270,13 +282,17 @@ private:
         return walls.size();
     }
 
-    /// Whether the ratio \p part of all hits at \p odd is \p law of their restitution.
+    /// Whether the ratio \p part is \p law of the restitution in all hits by those circles and at
+    /// those walls of which some are at \p odd.
     template <class Part, class Law>
     bool follows(const std::vector<std::size_t> &odd, Part part, Law law) const
     {
-        return std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
-            const WallHit &hit = m_own.hits[i];
-            return hit.turned && isNear(part(hit), law(hit.restitution), blur());
+        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            const bool isMeant = std::any_of(odd.begin(), odd.end(), [&](std::size_t i) {
+                return m_own.hits[i].circle == hit.circle && m_own.hits[i].wall == hit.wall;
+            });
+            return !isMeant || hit.isLeap() || !(hit.turned || hit.held)
+                   || isNear(part(hit), law(hit.restitution), blur());
         });
     }
 
@@ -290,22 +306,21 @@ private:
         const auto minusOne = [](double) { return -1.0; };
         const auto zero = [](double) { return 0.0; };
         const auto same = [](double e) { return e; };
-        const bool rebounds = m_ground.walls.restitutions.size() > 1;
         const QString normalOnly = WallText::tr("A smooth wall pushes along its normal only.");
         if (hit.held)
-            return {WallText::tr("The walls hold %who and do not turn its velocity"),
+            return {WallText::tr("The walls hold %who and turn no velocity round"),
                     WallText::tr("It is put back in every step and runs into the wall again.")};
         if (follows(odd, back, minusOne) && follows(odd, along, minusOne))
             return {WallText::tr("The walls turn the wrong part of the velocity of %who"),
                     WallText::tr("The normal of the side walls points along x, that of floor and "
                                  "ceiling along y.")};
-        if (follows(odd, along, [&](double e) { return rebounds ? -e : -1.0; })
-            && follows(odd, back, [&](double e) { return rebounds ? e : 1.0; }))
+        if (follows(odd, along, [&](double e) { return rebounds() ? -e : -1.0; })
+            && follows(odd, back, [&](double e) { return rebounds() ? e : 1.0; }))
             return {WallText::tr("The walls turn the whole velocity of %who round"), normalOnly};
-        if (rebounds && follows(odd, along, same) && follows(odd, back, same))
+        if (rebounds() && follows(odd, along, same) && follows(odd, back, same))
             return {WallText::tr("At the walls e also shortens the part of %who along the wall"),
                     normalOnly};
-        if (rebounds && follows(odd, along, same) && follows(odd, back, one))
+        if (rebounds() && follows(odd, along, same) && follows(odd, back, one))
             return {WallText::tr("At the walls e acts on the wrong part of the velocity of %who"),
                     normalOnly};
         if (follows(odd, along, minusOne))
@@ -322,46 +337,78 @@ private:
     [[nodiscard]] std::pair<QString, QString> backWords(const std::vector<std::size_t> &odd,
                                                         const WallHit &hit) const
     {
-        struct Law {
-            double (*back)(double e);
-            QString headline;
-            QString why;
-        };
-        const std::vector<Law> laws{
-            {[](double) { return 1.0; }, WallText::tr("The walls give %who all of the speed back"),
-             WallText::tr("e is not used at these walls.")},
-            {[](double e) { return e * e; }, WallText::tr("At the walls e acts on %who twice"),
-             WallText::tr("Heights go with e², speeds with e.")},
-            {[](double e) { return 1.0 - e; },
-             WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
-             WallText::tr("1 − e is what is lost; e is what is left.")},
-            {[](double e) { return 1.0 + e; },
-             WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
-             WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
-            {[](double) { return 0.0; }, WallText::tr("The walls stop %who"),
-             WallText::tr("Nothing brings it back.")},
-            {[](double e) { return -e; }, WallText::tr("The walls slow %who and do not turn it"),
-             WallText::tr("What comes back points away from the wall: look at the sign.")},
-            {[](double) { return -1.0; }, WallText::tr("The walls do not turn %who round"),
-             WallText::tr("Its velocity still points into the wall: look at the sign.")}};
-        for (const Law &law : laws) {
-            if (follows(odd, [](const WallHit &h) { return h.back; }, law.back))
+        const auto back = [](const WallHit &h) { return h.back; };
+        for (const BackLaw &law : backLaws()) {
+            if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
                 return {law.headline, law.why};
         }
         const auto number = [&](double) { return hit.back; };
-        if (odd.size() > 2 && m_ground.walls.restitutions.size() > 1
-            && follows(odd, [](const WallHit &h) { return h.back; }, number))
+        if (odd.size() > 2 && rebounds() && follows(odd, back, number))
             return {WallText::tr("At the walls a number stands for e, for %who"),
                     WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
-        if (std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
-                return m_own.hits[i].wall != hit.wall
-                       || length(m_own.hits[i].left - hit.left) < 1e-9;
-            }) && odd.size() > 2)
-            return {WallText::tr("The walls give %who a velocity of their own"),
-                    WallText::tr("Whatever it brings, it leaves with the same: work the new "
-                                 "velocity out from the old one.")};
+        if (const auto speed = ownSpeed(odd))
+            return {WallText::tr("The walls give %who a speed of their own"),
+                    WallText::tr("However fast it comes, it leaves the wall with %1 m/s: work the "
+                                 "new velocity out from the old one.")
+                        .arg(brief(*speed))};
+        if (hit.back < 0.0)
+            return {WallText::tr("The walls do not turn %who round"),
+                    WallText::tr("Its velocity still points into the wall: look at the sign.")};
         return {WallText::tr("The walls give %who %1 of the speed back").arg(brief(hit.back)),
                 WallText::tr("Look at the factor in front of the part that you turn round.")};
+    }
+
+    /// What may stand where the speed that comes back does.
+    struct BackLaw {
+        double (*back)(double e);
+        bool hasE; ///< it says something of e
+        QString headline;
+        QString why;
+    };
+
+    static std::vector<BackLaw> backLaws()
+    {
+        const QString look = WallText::tr("Look at the sign: the velocity still points into the "
+                                          "wall.");
+        return {
+            {[](double) { return 1.0; }, true,
+             WallText::tr("The walls give %who all of the speed back"),
+             WallText::tr("e is not used at these walls.")},
+            {[](double e) { return e * e; }, true, WallText::tr("At the walls e acts on %who twice"),
+             WallText::tr("Heights go with e², speeds with e.")},
+            {[](double e) { return std::sqrt(e); }, true,
+             WallText::tr("At the walls the root of e acts on %who"),
+             WallText::tr("Heights go with e², speeds with e.")},
+            {[](double) { return 0.0; }, false, WallText::tr("The walls stop %who"),
+             WallText::tr("Nothing brings it back.")},
+            {[](double e) { return 1.0 - e; }, true,
+             WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
+             WallText::tr("1 − e is what is lost; e is what is left.")},
+            {[](double e) { return 1.0 + e; }, true,
+             WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
+             WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
+            {[](double) { return -1.0; }, false, WallText::tr("The walls do not turn %who round"),
+             look},
+            {[](double e) { return -e; }, true,
+             WallText::tr("The walls slow %who and turn nothing round"), look}};
+    }
+
+    /// The speed that all leave a wall with, though they came with several.
+    [[nodiscard]] std::optional<double> ownSpeed(const std::vector<std::size_t> &odd) const
+    {
+        const auto speedOf = [](Vec2 v, const WallHit &hit) {
+            return std::abs(dot(v, outwardNormal(hit.wall)));
+        };
+        const WallHit &first = m_own.hits[odd.front()];
+        const double left = speedOf(first.left, first);
+        bool several = false;
+        for (const std::size_t i : odd) {
+            const WallHit &hit = m_own.hits[i];
+            if (std::abs(speedOf(hit.left, hit) - left) > 0.02 * left)
+                return std::nullopt;
+            several |= std::abs(speedOf(hit.came, hit) / speedOf(first.came, first) - 1.0) > 0.1;
+        }
+        return several ? std::optional(left) : std::nullopt;
     }
 
     void findLeap()
@@ -384,7 +431,8 @@ private:
     {
         const auto disturbs = [](const WallHit &hit) { return hit.disturbs; };
         const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), disturbs);
-        if (at == m_own.hits.end()
+        const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
+        if (at == m_own.hits.end() || std::any_of(m_own.hits.begin(), m_own.hits.end(), leaps)
             || std::any_of(m_right.hits.begin(), m_right.hits.end(), disturbs))
             return;
         add(WallText::tr("A hit of one circle at a wall also stops the other on its way"),
@@ -403,13 +451,13 @@ private:
         for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
             const WallHit &hit = m_own.corners[i];
             const WallHit &right = m_right.corners[i];
-            if (!right.turned || hit.missed || (hit.turned && isNear(hit.back, right.back, blur())
-                                  && isNear(hit.along, right.along, blur())))
+            if (!right.turnsBoth || hit.missed || !hit.turned || hit.turnsBoth)
                 continue;
             add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
-                WallText::tr("It came with %1 m/s and left with %2 m/s. Both walls are hit in the "
-                             "same step, and the second must go on from what the first has made, "
-                             "not from the velocity before.")
+                WallText::tr("It came with %1 m/s and left with %2 m/s, and the other part did "
+                             "not turn round later. Both walls are hit in the same step, and the "
+                             "second must go on from what the first has made, not from the "
+                             "velocity before.")
                     .arg(brief(hit.came), brief(hit.left)),
                 hit, {hit.circle});
             return;
@@ -433,9 +481,13 @@ private:
                 addAgain(drop.circle, drop.stage, drop.step);
                 return;
             }
+            // A floor that gives all back is not asked to hold what lies on it.
+            if (!rebounds() || drop.restitution == 1.0)
+                continue;
             // Deeper than what a few steps of gravity can hide.
             const double deep = 0.02;
-            if (drop.depth > deep && m_right.drops[i].depth < deep && m_found.empty()) {
+            if (drop.sinks && drop.depth > deep && m_right.drops[i].depth < deep
+                && m_found.empty() && !m_isElsewhere) {
                 m_found.push_back(
                     {Aspect::Course,
                      WallText::tr("The floor does not hold circle %1 up\n\nAfter %2 s near the "
