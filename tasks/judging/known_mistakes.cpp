@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/known_mistakes.h"
 
+#include "tasks/judging/flight_words.h"
 #include "tasks/judging/likeness.h"
+#include "tasks/judging/pair_words.h"
+#include "tasks/judging/wall_words.h"
 
 #include <algorithm>
 
@@ -47,8 +50,30 @@ bool looksAlike(const MistakeQuery &query, const KnownScript &mistake)
                          });
 }
 
-constexpr Aspect inOrder[] = {Aspect::Start, Aspect::Motion, Aspect::Walls, Aspect::Contact,
-                              Aspect::Response};
+/// Whether two programs are the same in all that is told of an aspect.
+bool isSame(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const Ground &ground)
+{
+    return isLike(a, b, aspect, ground)
+           && (aspect != Aspect::Contact || !ground.pair.asked
+               || a.pair().sequelIsLike(b.pair()));
+}
+
+/// Whether something is wrong with \p laws in an aspect that comes before that of the query.
+bool deviatesBefore(const MistakeQuery &query, const MeasuredLaws &laws)
+{
+    const Ground &ground = query.ground;
+    if (query.aspect == Aspect::Start || query.aspect == Aspect::Motion)
+        return false;
+    if (!flightDeviations(laws.flight(), query.right.flight(), ground).empty())
+        return true;
+    if (query.aspect == Aspect::Walls)
+        return false;
+    if (!ground.walls.circles.empty()
+        && !wallDeviations(laws.walls(), query.right.walls(), ground).empty())
+        return true;
+    return query.aspect == Aspect::Response && ground.pair.asked
+           && !contactDeviations(laws.pair(), query.right.pair(), ground).empty();
+}
 
 bool explains(const MistakeQuery &query, const KnownScript &mistake)
 {
@@ -56,20 +81,9 @@ bool explains(const MistakeQuery &query, const KnownScript &mistake)
         return false;
     const MeasuredLaws known(&mistake.source, query.ground);
     // What the mistake does rightly it cannot explain.
-    if (isLike(known, query.right, query.aspect, query.ground))
-        return false;
-    if (!isLike(known, query.own, query.aspect, query.ground)
-        || (query.aspect == Aspect::Contact && !known.pair().sequelIsLike(query.own.pair())))
-        return false;
-    for (const Aspect before : inOrder) {
-        if (before == query.aspect)
-            break;
-        if (before == Aspect::Start)
-            continue;
-        if (!isLike(known, query.right, before, query.ground))
-            return false;
-    }
-    return true;
+    return isSame(known, query.own, query.aspect, query.ground)
+           && !isSame(known, query.right, query.aspect, query.ground)
+           && !deviatesBefore(query, known);
 }
 
 } // namespace

@@ -401,7 +401,10 @@ bool MeasuredPair::sequelIsLike(const MeasuredPair &other) const
     const auto answered = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered;
     };
+    const auto leaps = [](const PairHit &a, const PairHit &b) { return a.leaper == b.leaper; };
     return (ownContacts > 1) == (other.ownContacts > 1)
+           && std::equal(contacts.begin(), contacts.end(), other.contacts.begin(),
+                         other.contacts.end(), leaps)
            && std::equal(partings.begin(), partings.end(), other.partings.begin(),
                          other.partings.end(), answered);
 }

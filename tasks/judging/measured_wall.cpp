@@ -13,6 +13,7 @@ namespace {
 constexpr double kick = 1e-6;     ///< of a velocity, relative: what no rounding makes
 constexpr int stepsAfterwards = 6;
 constexpr int stepsOfDrop = 70;
+constexpr int stepsOfLob = 8;
 /// Under gravity steps are so much shorter, so that the fall in the step of a hit hardly shows.
 constexpr double finer = 16.0;
 
@@ -89,6 +90,40 @@ public:
         hit.stage = stageOf(hit, speedOf(circle, place), shares[place], corner);
         watch(hit, corner);
         return hit;
+    }
+
+    /// A slow throw at the ceiling, in the longest steps: it comes back by less than it overshot.
+    [[nodiscard]] Drop lob(int circle, double e, double speed) const
+    {
+        Drop lob{.circle = circle, .wall = Wall::Top, .restitution = e};
+        Preset preset = m_ground.stage();
+        preset.gravity = fall();
+        preset.restitution = e;
+        preset.timestep = *std::max_element(m_ground.timesteps.begin(), m_ground.timesteps.end());
+        const double h = preset.timestep;
+        const double g = length(preset.gravity);
+        Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
+        // It has this share of g h of its speed left when its rim is at the ceiling.
+        const double last = speed * g * h;
+        c.position = {circle % 2 == 0 ? -1.83 : 1.61, preset.halfWidth - c.radius - last * h};
+        c.velocity = {0.41, last + g * h};
+        lob.stage = {preset, true};
+        const Flight &flight = m_flight.at(preset.gravity, h, circle);
+        Probe probe(m_program, lob.stage);
+        for (int k = 1; k <= stepsOfLob; ++k) {
+            const Circle before = probe.circle(circle);
+            if (!probe.step())
+                break;
+            const double free = flight.after(before, h).velocity.y;
+            if (before.velocity.y < 0.0 && free < 0.0
+                && probe.circle(circle).velocity.y > kick * (1.0 - free)) {
+                ++lob.again;
+                lob.step = lob.step == 0 ? k : lob.step;
+            }
+        }
+        if (lob.step == 0)
+            lob.step = stepsOfLob;
+        return lob;
     }
 
     [[nodiscard]] Drop drop(int circle, double e, double height) const
@@ -348,6 +383,8 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const
             continue;
         for (const double height : {0.0113, 0.0247, 0.0391})
             drops.push_back(range.drop(circle, all.back(), height));
+        for (const double speed : {0.2, 0.5, 0.8, 1.1, 1.4})
+            drops.push_back(range.lob(circle, all.back(), speed));
         if (all.size() > 1)
             drops.push_back(range.drop(circle, *std::min_element(all.begin(), all.end()), 0.0247));
     }

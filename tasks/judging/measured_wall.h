@@ -43,6 +43,7 @@ struct WallHit {
 /// A circle that falls onto the floor from near it, and stays there a while.
 struct Drop {
     int circle = 0;
+    Wall wall = Wall::Bottom; ///< or the ceiling, to which it is thrown slowly
     double restitution = 1.0;
     int again = 0;       ///< how often it was turned down while it rose
     double depth = 0.0;  ///< how deep its rim is below the floor at the end, m

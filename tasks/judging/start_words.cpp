@@ -127,8 +127,13 @@ std::optional<Deviation> restitutionDeviation(const Task &task, const Submission
     if (!submission.script || !own.runs() || !right.runs()
         || own.start().restitution == right.start().restitution)
         return std::nullopt;
-    const QString mended = withRestitution(*submission.script, right.start().restitution);
-    if (mended.isEmpty() || !passesOwnScenes(task, submission.preset, mended, checks))
+    // Where the program sets none, it is that of the scene.
+    const double e = right.start().restitution;
+    const QString changed = withRestitution(*submission.script, e);
+    Preset scene = submission.preset;
+    if (changed.isEmpty())
+        scene.restitution = e;
+    if (!passesOwnScenes(task, scene, changed.isEmpty() ? *submission.script : changed, checks))
         return std::nullopt;
     return Deviation{Aspect::Start,
                      StartText::tr("e = %1 is not the value that is asked for\n\nThe laws of your "
