@@ -247,12 +247,12 @@ private:
     void comment(CheckReport &report)
     {
         // A program that ran for a while before it stopped has laws that may say why.
-        const bool ran = !report.error
-                         || (report.error->kind == ProgramError::Kind::Runtime
-                             && report.error->step > 1);
+        const bool ran =
+            !report.error
+            || (report.error->kind == ProgramError::Kind::Runtime && report.error->step > 1);
         if (!report.passed && ran && !m_wrongMover)
-            report.findings = findingsOf(m_lab, m_task, m_submission, report.checks,
-                                         m_hooks.provesLines);
+            report.findings =
+                findingsOf(m_lab, m_task, m_submission, report.checks, m_hooks.provesLines);
         if (report.passed)
             report.remarks = remarksOn(m_task, m_submission, m_seed);
     }

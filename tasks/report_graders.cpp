@@ -68,7 +68,8 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
             {QStringLiteral("status"),
              check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
             {QStringLiteral("output"),
-             check.passed ? QString() : observationsOf(report, check, file).join(QLatin1Char('\n'))},
+             check.passed ? QString()
+                          : observationsOf(report, check, file).join(QLatin1Char('\n'))},
             {QStringLiteral("output_format"), QStringLiteral("text")}});
     QJsonObject extra{{QStringLiteral("lab"), report.labId},
                       {QStringLiteral("lab_hash"), report.labHash},

@@ -76,14 +76,14 @@ QJsonArray jsonOf(const std::vector<Finding> &findings)
         QJsonArray calls;
         for (const int line : finding.calls)
             calls.append(line);
-        array.append(QJsonObject{
-            {QStringLiteral("aspect"), nameOf(finding.aspect)},
-            {QStringLiteral("mistake"), mistakeOf(finding)},
-            {QStringLiteral("message"), finding.message},
-            {QStringLiteral("check"), finding.check},
-            {QStringLiteral("line"),
-             finding.line > 0 ? QJsonValue(finding.line) : QJsonValue(QJsonValue::Null)},
-            {QStringLiteral("calls"), calls}});
+        array.append(
+            QJsonObject{{QStringLiteral("aspect"), nameOf(finding.aspect)},
+                        {QStringLiteral("mistake"), mistakeOf(finding)},
+                        {QStringLiteral("message"), finding.message},
+                        {QStringLiteral("check"), finding.check},
+                        {QStringLiteral("line"), finding.line > 0 ? QJsonValue(finding.line)
+                                                                  : QJsonValue(QJsonValue::Null)},
+                        {QStringLiteral("calls"), calls}});
     }
     return array;
 }

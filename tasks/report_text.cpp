@@ -145,7 +145,8 @@ bool wasStopped(const CheckReport &report, const CheckOutcome &check)
     return report.error && !check.passed && (check.variant.isEmpty() || tellsError(report, check));
 }
 
-QStringList observationsOf(const CheckReport &report, const CheckOutcome &check, const QString &program)
+QStringList observationsOf(const CheckReport &report, const CheckOutcome &check,
+                           const QString &program)
 {
     QStringList findings{printable(tellsError(report, check) ? placedMessage(*report.error, program)
                                                              : check.message)};

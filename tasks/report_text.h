@@ -26,7 +26,7 @@ inline constexpr int terminalColumns = 80;
 /// What a failed check found, where: its message (where the program stopped, with its place), the
 /// scene if it is not the student's own, and the line of the program. One text for each.
 [[nodiscard]] QStringList observationsOf(const CheckReport &report, const CheckOutcome &check,
-                                     const QString &program);
+                                         const QString &program);
 
 /// The names of the known mistakes that the report names.
 [[nodiscard]] QStringList mistakesOf(const CheckReport &report);

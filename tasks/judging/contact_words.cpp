@@ -31,16 +31,20 @@ Vec2 direction(const PairHit &hit)
 
 std::vector<Test> tests(const Ground::Range &radii)
 {
-    const QString one = ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.");
+    const QString one =
+        ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.");
     // Equal radii cannot tell these two apart.
     const QString half =
-        radii.isVaried() ? ContactText::tr("Only half of r₁ + r₂ counts in the test of contact")
-                         : ContactText::tr("Only one radius, or half of r₁ + r₂, counts in the test "
-                                           "of contact");
+        radii.isVaried()
+            ? ContactText::tr("Only half of r₁ + r₂ counts in the test of contact")
+            : ContactText::tr("Only one radius, or half of r₁ + r₂, counts in the test "
+                              "of contact");
     std::vector<Test> all{
         {[](const PairHit &) { return 0.0; },
          ContactText::tr("The circles answer only when their centres have met"), one},
-        {[](const PairHit &h) { return h.meeting.sum() / std::max(direction(h).x, direction(h).y); },
+        {[](const PairHit &h) {
+             return h.meeting.sum() / std::max(direction(h).x, direction(h).y);
+         },
          ContactText::tr("Boxes are compared, not circles"),
          ContactText::tr("Side by side they answer in time, but on a diagonal when their centres "
                          "are still %2 m apart: x and y each on its own ask for squares. Make one "
@@ -54,8 +58,7 @@ std::vector<Test> tests(const Ground::Range &radii)
          ContactText::tr("A squared distance is compared with a length"),
          ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "
                          "length in m.")},
-        {[](const PairHit &h) { return 0.5 * h.meeting.sum(); },
-         half, one}};
+        {[](const PairHit &h) { return 0.5 * h.meeting.sum(); }, half, one}};
     if (!radii.isVaried()) {
         all.push_back({[](const PairHit &h) { return 2.0 * h.meeting.sum(); },
                        ContactText::tr("Diameters are added in the test of contact, not radii"),
@@ -94,7 +97,7 @@ public:
     {
     }
 
-    [[nodiscard]] std::vector<Deviation> judge()
+    [[nodiscard]] std::vector<LawDeviation> judge()
     {
         if (findNever())
             return std::move(m_found);
@@ -113,7 +116,8 @@ public:
 private:
     void add(const QString &headline, const QString &body, const PairHit &hit)
     {
-        m_found.push_back({Aspect::Contact, headline + QStringLiteral("\n\n") + body,
+        m_found.push_back({Aspect::Contact,
+                           headline + QStringLiteral("\n\n") + body,
                            {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}});
     }
 
@@ -128,8 +132,7 @@ private:
         return std::equal(m_own.equals.begin(), m_own.equals.end(), m_right.equals.begin(),
                           m_right.equals.end(), [](const PairHit &a, const PairHit &b) {
                               return a.answered == b.answered
-                                     && (!a.answered
-                                         || isSameAnswer(a.leftParts(), b.leftParts()));
+                                     && (!a.answered || isSameAnswer(a.leftParts(), b.leftParts()));
                           });
     }
 
@@ -154,8 +157,8 @@ private:
 
     bool findNever()
     {
-        const bool own = answersAny(m_own.contacts) || answersAny(m_own.equals)
-                         || answersAny(m_own.rebounds);
+        const bool own =
+            answersAny(m_own.contacts) || answersAny(m_own.equals) || answersAny(m_own.rebounds);
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
             return !own;
@@ -186,9 +189,9 @@ private:
         if (fitsAll(sum))
             return;
         const PairHit &hit = farthestOff();
-        const bool late = std::all_of(
-            m_own.contacts.begin(), m_own.contacts.end(),
-            [](const PairHit &h) { return !h.answered || h.isParting(); });
+        const bool late =
+            std::all_of(m_own.contacts.begin(), m_own.contacts.end(),
+                        [](const PairHit &h) { return !h.answered || h.isParting(); });
         if (late) {
             add(ContactText::tr("The circles answer when they part, not when they meet"),
                 ContactText::tr("They ran into each other until their centres were %1 m apart, and "
@@ -216,15 +219,13 @@ private:
     /// The contact whose answer is farthest from the right place.
     [[nodiscard]] const PairHit &farthestOff() const
     {
-        return *std::max_element(m_own.contacts.begin(), m_own.contacts.end(),
-                                 [](const PairHit &a, const PairHit &b) {
-                                     const auto off = [](const PairHit &h) {
-                                         return h.answered
-                                                    ? std::abs(h.before - h.meeting.sum())
-                                                    : -1.0;
-                                     };
-                                     return off(a) < off(b);
-                                 });
+        return *std::max_element(
+            m_own.contacts.begin(), m_own.contacts.end(), [](const PairHit &a, const PairHit &b) {
+                const auto off = [](const PairHit &h) {
+                    return h.answered ? std::abs(h.before - h.meeting.sum()) : -1.0;
+                };
+                return off(a) < off(b);
+            });
     }
 
     static QString seen(const PairHit &hit)
@@ -306,10 +307,11 @@ private:
             return;
         const bool isOne = unanswered == std::set{Coming::One} && !answered.contains(Coming::One);
         const bool isTwo = unanswered == std::set{Coming::Two} && !answered.contains(Coming::Two);
-        addUnanswered(isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
-                      : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
-                              : ContactText::tr("Not every meeting is answered"),
-                      *left);
+        addUnanswered(
+            isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
+            : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
+                    : ContactText::tr("Not every meeting is answered"),
+            *left);
     }
 
     void addUnanswered(const QString &headline, const PairHit &hit)
@@ -350,9 +352,10 @@ private:
         const bool never = !answersAny(m_own.equals);
         add(never ? ContactText::tr("The circles answer when they part, not when they meet")
                   : ContactText::tr("Circles that already part are hit again"),
-            ContactText::tr("They overlapped and moved apart with %1 m/s; the next step turned them "
-                            "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
-                            "whether they come nearer.")
+            ContactText::tr(
+                "They overlapped and moved apart with %1 m/s; the next step turned them "
+                "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
+                "whether they come nearer.")
                 .arg(brief(-at->slowness * at->meeting.closing()), brief(at->slowness * at->left1),
                      brief(at->slowness * at->left2)),
             *at);
@@ -361,13 +364,13 @@ private:
     const MeasuredPair &m_own;
     const MeasuredPair &m_right;
     const Ground &m_ground;
-    std::vector<Deviation> m_found;
+    std::vector<LawDeviation> m_found;
 };
 
 } // namespace
 
-std::vector<Deviation> contactDeviations(const MeasuredPair &own, const MeasuredPair &right,
-                                         const Ground &ground)
+std::vector<LawDeviation> contactDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                            const Ground &ground)
 {
     if (!own.isJudged || !right.isJudged)
         return {};

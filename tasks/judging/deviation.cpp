@@ -40,9 +40,8 @@ QString brief(Vec2 value)
 QString briefTimestep(double seconds)
 {
     const double parts = 1.0 / seconds;
-    return std::abs(parts - std::round(parts)) < 1e-6
-               ? QStringLiteral("1/%1").arg(qRound(parts))
-               : brief(seconds);
+    return std::abs(parts - std::round(parts)) < 1e-6 ? QStringLiteral("1/%1").arg(qRound(parts))
+                                                      : brief(seconds);
 }
 
 QString circleNames(const std::vector<int> &circles, std::size_t all)

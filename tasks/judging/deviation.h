@@ -10,13 +10,13 @@ namespace cradle {
 /// Where a law shows: a step of a stage, and what was assigned in it.
 struct Moment {
     Stage stage{};
-    qint64 step = 1;             ///< from 1
-    std::vector<int> circles{};  ///< that show it, from 0
-    bool isPosition = false;     ///< the place is wrong, not the velocity
+    qint64 step = 1;            ///< from 1
+    std::vector<int> circles{}; ///< that show it, from 0
+    bool isPosition = false;    ///< the place is wrong, not the velocity
 };
 
 /// One thing in which a program's law is not the one that is asked for.
-struct Deviation {
+struct LawDeviation {
     Aspect aspect = Aspect::Motion;
     QString message{}; ///< a headline, an empty line, what was measured; CommonMark
     Moment moment{};

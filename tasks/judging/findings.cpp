@@ -64,8 +64,8 @@ public:
         if (m_ground.timesteps.empty() || m_ground.gravities.empty())
             return {};
         take(Aspect::Start, deviationsOf(m_own, Aspect::Start));
-        for (const Aspect aspect : {Aspect::Motion, Aspect::Walls, Aspect::Contact,
-                                    Aspect::Response}) {
+        for (const Aspect aspect :
+             {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
             if (isAsked(aspect))
                 take(aspect, deviationsOf(m_own, aspect));
         }
@@ -97,7 +97,8 @@ private:
     }
 
     /// In what a program goes wrong in one aspect.
-    [[nodiscard]] std::vector<Deviation> deviationsOf(const MeasuredLaws &laws, Aspect aspect) const
+    [[nodiscard]] std::vector<LawDeviation> deviationsOf(const MeasuredLaws &laws,
+                                                         Aspect aspect) const
     {
         switch (aspect) {
         case Aspect::Start:
@@ -115,7 +116,7 @@ private:
         return responseDeviations(laws.pair(), m_right.pair(), m_ground);
     }
 
-    void take(Aspect aspect, const std::vector<Deviation> &deviations)
+    void take(Aspect aspect, const std::vector<LawDeviation> &deviations)
     {
         if (deviations.empty() || !isAsked(aspect))
             return;
@@ -129,11 +130,11 @@ private:
             add(deviations.front(), mistake->name, mistake->message);
             return;
         }
-        for (const Deviation &deviation : deviations)
+        for (const LawDeviation &deviation : deviations)
             add(deviation, {}, deviation.message);
     }
 
-    void add(const Deviation &deviation, const QString &mistake, const QString &message)
+    void add(const LawDeviation &deviation, const QString &mistake, const QString &message)
     {
         const CheckOutcome *failed = failedOf(deviation.aspect);
         Finding finding{.aspect = deviation.aspect,
@@ -159,9 +160,10 @@ private:
             moment.isPosition ? Assignment::Field::Position : Assignment::Field::Velocity;
         bool changed = false;
         for (const Assignment &assignment : probe.trace()) {
-            const bool isIt = assignment.field == field
-                              && std::find(moment.circles.begin(), moment.circles.end(),
-                                           assignment.circle) != moment.circles.end();
+            const bool isIt =
+                assignment.field == field
+                && std::find(moment.circles.begin(), moment.circles.end(), assignment.circle)
+                       != moment.circles.end();
             if (!isIt || (changed && !assignment.changed))
                 continue;
             changed = changed || assignment.changed;
@@ -171,7 +173,7 @@ private:
     }
 
     /// A line in which a small change mends this very fault is better than the last that ran.
-    void prove(Finding &finding, const Deviation &deviation) const
+    void prove(Finding &finding, const LawDeviation &deviation) const
     {
         if (!m_provesLines || !m_submission.script || deviation.moment.circles.empty()
             || m_findings.size() >= mostProven)
@@ -180,11 +182,11 @@ private:
         const int line = lineAtFault(
             {*m_submission.script, m_task.solution, deviation.moment, [&](const QString &program) {
                  const MeasuredLaws laws(&program, m_ground);
-                 const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls
-                                                                          : deviation.aspect;
-                 const std::vector<Deviation> left = deviationsOf(laws, aspect);
+                 const Aspect aspect =
+                     deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
+                 const std::vector<LawDeviation> left = deviationsOf(laws, aspect);
                  return seesAsMuch(laws, aspect)
-                        && std::none_of(left.begin(), left.end(), [&](const Deviation &d) {
+                        && std::none_of(left.begin(), left.end(), [&](const LawDeviation &d) {
                                return headlineOf(d) == headline;
                            });
              }});
@@ -197,7 +199,8 @@ private:
     /// Whether as much can be told of a changed program: what cannot be measured is not mended.
     [[nodiscard]] bool seesAsMuch(const MeasuredLaws &laws, Aspect aspect) const
     {
-        for (const Deviation &flight : flightDeviations(laws.flight(), m_right.flight(), m_ground)) {
+        for (const LawDeviation &flight :
+             flightDeviations(laws.flight(), m_right.flight(), m_ground)) {
             const auto same = [&](const Finding &f) { return f.message == flight.message; };
             if (aspect != Aspect::Motion
                 && std::none_of(m_findings.begin(), m_findings.end(), same))
@@ -208,7 +211,7 @@ private:
         return aspect == Aspect::Motion || laws.pair().isJudged;
     }
 
-    static QString headlineOf(const Deviation &deviation)
+    static QString headlineOf(const LawDeviation &deviation)
     {
         return deviation.message.section(QLatin1Char('\n'), 0, 0);
     }

@@ -33,7 +33,8 @@ struct Said {
 class FlightJudge
 {
 public:
-    FlightJudge(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground, int circle)
+    FlightJudge(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground,
+                int circle)
         : m_own(own)
         , m_right(right)
         , m_ground(ground)
@@ -76,7 +77,8 @@ private:
     /// How far a growth of the velocity that nobody asked for shows in a step, relative.
     [[nodiscard]] double growthBlur(std::size_t h) const
     {
-        const Vec2 off = flight(h).growth - m_right.at(gravity(), m_ground.timesteps[h], m_i).growth;
+        const Vec2 off =
+            flight(h).growth - m_right.at(gravity(), m_ground.timesteps[h], m_i).growth;
         return 1.01 * std::max(std::abs(off.x), std::abs(off.y)) * m_ground.timesteps[h];
     }
     [[nodiscard]] Moment moment(bool isPosition, Vec2 g) const
@@ -158,8 +160,8 @@ private:
         const bool isY = y.kind == Kind::Constant && y.value == 0.0;
         const auto seen = FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
                                          "a step; v Δt is %4 m.")
-                              .arg(brief(f.turnedInto), briefTimestep(timestep()),
-                                   brief(f.wayMade), brief(timestep() * f.turnedInto));
+                              .arg(brief(f.turnedInto), briefTimestep(timestep()), brief(f.wayMade),
+                                   brief(timestep() * f.turnedInto));
         if (isX != isY)
             return said(isX ? FlightText::tr("The x of %who never changes")
                             : FlightText::tr("The y of %who never changes"),
@@ -224,8 +226,8 @@ private:
         for (const Vec2 g : m_ground.gravities) {
             const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
             const Vec2 right = m_right.at(g, timestep(), m_i).acceleration;
-            const bool same = std::all_of(
-                m_ground.gravities.begin(), m_ground.gravities.end(), [&](Vec2 other) {
+            const bool same =
+                std::all_of(m_ground.gravities.begin(), m_ground.gravities.end(), [&](Vec2 other) {
                     return isAlike(m_own.at(other, timestep(), m_i).acceleration, own, wrong);
                 });
             if (!same || (m_ground.gravities.size() < 2 && g != Vec2{}) || length(own) < wrong
@@ -358,11 +360,12 @@ private:
         if (isAlike(f.growth, r.growth, wrong) && isAlike(f.pull, r.pull, wrong))
             return std::nullopt;
         if (!isAlike(f.pull, r.pull, wrong))
-            return said(FlightText::tr("The place of %who acts on its velocity otherwise than asked"),
-                        FlightText::tr("For every metre further out the acceleration changes by %1 "
-                                       "m/s²; %2 is right.")
-                            .arg(brief(f.pull), brief(r.pull)),
-                        false);
+            return said(
+                FlightText::tr("The place of %who acts on its velocity otherwise than asked"),
+                FlightText::tr("For every metre further out the acceleration changes by %1 "
+                               "m/s²; %2 is right.")
+                    .arg(brief(f.pull), brief(r.pull)),
+                false);
         const bool isX = std::abs(f.growth.x - r.growth.x) > wrong;
         const double is = isX ? f.growth.x : f.growth.y;
         const double asked = isX ? r.growth.x : r.growth.y;
@@ -402,9 +405,9 @@ private:
             if (std::any_of(shares.begin(), shares.end(), is)
                 || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
-            const QString asked = shares.size() == 1
-                                      ? FlightText::tr("%1 is asked for.").arg(brief(shares.front()))
-                                      : FlightText::tr("One of these is asked for.");
+            const QString asked =
+                shares.size() == 1 ? FlightText::tr("%1 is asked for.").arg(brief(shares.front()))
+                                   : FlightText::tr("One of these is asked for.");
             return Said{headlineOf(*share, shares),
                         FlightText::tr("From rest under gravity %1 m/s² it goes on by %2 a Δt² in "
                                        "a step besides v Δt. Euler moves with the old velocity, 0; "
@@ -456,7 +459,7 @@ private:
 };
 
 /// What is wrong with the methods of all circles together.
-std::optional<Deviation> methodsTogether(const MeasuredFlight &own, const Ground &ground)
+std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Ground &ground)
 {
     const double h = ground.timesteps.front();
     std::vector<double> shares;
@@ -478,11 +481,10 @@ std::optional<Deviation> methodsTogether(const MeasuredFlight &own, const Ground
         return std::any_of(all.begin(), all.end(),
                            [&](double s) { return std::abs(s - share) < 1e-3; });
     };
-    Deviation deviation{Aspect::Motion,
-                        {},
-                        {flightStage(ground, ground.gravities.front(), h), 2, circles, true}};
-    const bool exchanged = asks(0, shares[1]) && asks(1, shares[0]) && !asks(0, shares[0])
-                           && !asks(1, shares[1]);
+    LawDeviation deviation{
+        Aspect::Motion, {}, {flightStage(ground, ground.gravities.front(), h), 2, circles, true}};
+    const bool exchanged =
+        asks(0, shares[1]) && asks(1, shares[0]) && !asks(0, shares[0]) && !asks(1, shares[1]);
     if (exchanged) {
         deviation.message =
             FlightText::tr("The circles have each other's method\n\nUnder gravity circle 1 goes on "
@@ -512,8 +514,8 @@ QString withNames(QString text, const std::vector<int> &circles, std::size_t all
 
 } // namespace
 
-std::vector<Deviation> flightDeviations(const MeasuredFlight &own, const MeasuredFlight &right,
-                                        const Ground &ground)
+std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const MeasuredFlight &right,
+                                           const Ground &ground)
 {
     std::vector<std::pair<Said, std::vector<int>>> groups;
     for (std::size_t i = 0; i < ground.flights.size(); ++i) {
@@ -531,11 +533,10 @@ std::vector<Deviation> flightDeviations(const MeasuredFlight &own, const Measure
         }
     }
     // Methods can be compared only where the rest is right.
-    const bool onlyMethods = std::all_of(groups.begin(), groups.end(), [](const auto &group) {
-        return group.first.isMethod;
-    });
+    const bool onlyMethods = std::all_of(groups.begin(), groups.end(),
+                                         [](const auto &group) { return group.first.isMethod; });
     const auto together = onlyMethods ? methodsTogether(own, ground) : std::nullopt;
-    std::vector<Deviation> deviations;
+    std::vector<LawDeviation> deviations;
     for (auto &[said, circles] : groups) {
         const QString headline = withNames(said.headline, circles, ground.flights.size());
         if (together && said.isMethod)

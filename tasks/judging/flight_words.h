@@ -8,7 +8,7 @@
 namespace cradle {
 
 /// In what the free motion of \p own is not that of \p right, as far as \p ground asks for it.
-[[nodiscard]] std::vector<Deviation> flightDeviations(const MeasuredFlight &own, const MeasuredFlight &right,
-                                                      const Ground &ground);
+[[nodiscard]] std::vector<LawDeviation>
+flightDeviations(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground);
 
 } // namespace cradle

@@ -48,8 +48,7 @@ std::vector<double> sharesOf(const CheckSpec &check)
     if (check.kind == QLatin1String("closed_form"))
         return {0.5};
     std::vector<double> shares;
-    for (const QJsonValue &name :
-         check.parameters.value(QStringLiteral("integrators")).toArray()) {
+    for (const QJsonValue &name : check.parameters.value(QStringLiteral("integrators")).toArray()) {
         if (const auto integrator = integratorFromName(name.toString()))
             addOnce(shares, pathCurvature(*integrator));
     }

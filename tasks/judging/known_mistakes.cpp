@@ -19,10 +19,9 @@ constexpr double firstLook = 0.05;
 bool sameStart(const Preset &a, const Preset &b)
 {
     return a.gravity == b.gravity && a.restitution == b.restitution
-           && std::equal(a.circles.begin(), a.circles.end(), b.circles.begin(), b.circles.end(),
-                         [](const PresetCircle &p, const PresetCircle &q) {
-                             return p.body == q.body;
-                         });
+           && std::equal(
+               a.circles.begin(), a.circles.end(), b.circles.begin(), b.circles.end(),
+               [](const PresetCircle &p, const PresetCircle &q) { return p.body == q.body; });
 }
 
 /// The circles after the step in which the deviation shows.
@@ -54,8 +53,7 @@ bool looksAlike(const MistakeQuery &query, const KnownScript &mistake)
 bool isSame(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const Ground &ground)
 {
     return isLike(a, b, aspect, ground)
-           && (aspect != Aspect::Contact || !ground.pair.asked
-               || a.pair().sequelIsLike(b.pair()));
+           && (aspect != Aspect::Contact || !ground.pair.asked || a.pair().sequelIsLike(b.pair()));
 }
 
 /// Whether something is wrong with \p laws in an aspect that comes before that of the query.

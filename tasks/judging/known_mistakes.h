@@ -17,7 +17,7 @@ struct MistakeQuery {
     const MeasuredLaws &own;
     const MeasuredLaws &right;
     Aspect aspect;
-    const std::vector<Deviation> &deviations; ///< of that aspect
+    const std::vector<LawDeviation> &deviations; ///< of that aspect
 };
 
 /// Whether two programs follow the same law in \p aspect, where \p ground asks for it.

@@ -106,9 +106,8 @@ int lineAtFault(const FaultQuery &query)
         if (mended[repair.line]++ == 0)
             order.push_back(repair.line);
     }
-    const auto most = std::max_element(order.begin(), order.end(), [&](int a, int b) {
-        return mended[a] < mended[b];
-    });
+    const auto most = std::max_element(order.begin(), order.end(),
+                                       [&](int a, int b) { return mended[a] < mended[b]; });
     return most == order.end() ? 0 : *most;
 }
 

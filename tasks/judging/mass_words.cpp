@@ -45,16 +45,18 @@ double rounded(double p)
     return std::round(p * 50.0) / 50.0;
 }
 
-Deviation say(const QString &headline, const QString &why, const std::vector<PairHit> &hits,
-              const std::vector<PairHit> &right)
+LawDeviation say(const QString &headline, const QString &why, const std::vector<PairHit> &hits,
+                 const std::vector<PairHit> &right)
 {
     const PairHit &hit = hits.front();
     const Meeting &m = hit.meeting;
     const QString what =
-        MassText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity "
-                     "of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.")
+        MassText::tr(
+            "With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity "
+            "of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.")
             .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
-                 brief(massRatio(hit).value_or(0.0)), brief(massRatio(right.front()).value_or(0.0)));
+                 brief(massRatio(hit).value_or(0.0)),
+                 brief(massRatio(right.front()).value_or(0.0)));
     return responseDeviation(headline, what + QLatin1Char(' ') + why, hit);
 }
 
@@ -94,7 +96,7 @@ std::optional<double> fixedMassRatio(const MeasuredPair &pair)
     return ratio && std::abs(*ratio - 1.0) > 3.0 * ratioBlur ? ratio : std::nullopt;
 }
 
-std::vector<Deviation> massDeviations(const MeasuredPair &own, const MeasuredPair &right)
+std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const MeasuredPair &right)
 {
     if (own.radii.empty() && own.densities.empty())
         return {};
@@ -115,9 +117,9 @@ std::vector<Deviation> massDeviations(const MeasuredPair &own, const MeasuredPai
         return {say(MassText::tr("The circles answer as if they were equally heavy"),
                     MassText::tr("Look at where the masses of both enter your answer."), own.radii,
                     right.radii)};
-    std::vector<Deviation> found;
-    const bool exchanged = p.radius && *p.radius < -ratioBlur
-                           && (!p.density || *p.density < ratioBlur);
+    std::vector<LawDeviation> found;
+    const bool exchanged =
+        p.radius && *p.radius < -ratioBlur && (!p.density || *p.density < ratioBlur);
     if (exchanged && good.radius) {
         found.push_back(say(MassText::tr("Each circle answers with the mass of the other"),
                             MassText::tr("The heavier one is pushed away faster. Look at which "
@@ -128,13 +130,13 @@ std::vector<Deviation> massDeviations(const MeasuredPair &own, const MeasuredPai
             p.density = -*p.density;
     }
     if (isOff(p.radius, good.radius))
-        found.push_back(
-            say(is(p.radius, 0.0) ? MassText::tr("The radius is left out of the mass")
-                                  : MassText::tr("The mass grows with r to the power of %1, not %2")
-                                        .arg(brief(rounded(*p.radius)), brief(rounded(*good.radius))),
-                MassText::tr("A ball that is twice as wide is also twice as high and as deep: its "
-                             "mass grows with r³."),
-                own.radii, right.radii));
+        found.push_back(say(
+            is(p.radius, 0.0) ? MassText::tr("The radius is left out of the mass")
+                              : MassText::tr("The mass grows with r to the power of %1, not %2")
+                                    .arg(brief(rounded(*p.radius)), brief(rounded(*good.radius))),
+            MassText::tr("A ball that is twice as wide is also twice as high and as deep: its "
+                         "mass grows with r³."),
+            own.radii, right.radii));
     if (isOff(p.density, good.density))
         found.push_back(
             say(is(p.density, 0.0)

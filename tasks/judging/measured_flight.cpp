@@ -103,8 +103,7 @@ public:
         if (flight.resets)
             flight.way = flight.growth = {};
         const Vec2 v0 = m_rest.before[m_i].velocity;
-        flight.drift =
-            way(m_rest) - m_h * Vec2{flight.way.x * v0.x, flight.way.y * v0.y};
+        flight.drift = way(m_rest) - m_h * Vec2{flight.way.x * v0.x, flight.way.y * v0.y};
         flight.acceleration =
             flight.acceleration - Vec2{flight.growth.x * v0.x, flight.growth.y * v0.y};
         const Vec2 pulled = turn(m_shifted) - turn(m_rest);
@@ -251,8 +250,8 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
             }
         }
     }
-    for (std::size_t i = 0; i < std::min(m_own.accelerations.size(),
-                                         other.m_own.accelerations.size()); ++i) {
+    for (std::size_t i = 0;
+         i < std::min(m_own.accelerations.size(), other.m_own.accelerations.size()); ++i) {
         if (!isAlike(m_own.accelerations[i], other.m_own.accelerations[i]))
             return false;
     }

@@ -14,18 +14,18 @@ namespace cradle {
 /// with ∘ for the product part by part. Measured from the second step of a few short flights, so
 /// that what a program keeps from one step to the next has settled.
 struct Flight {
-    Vec2 way{1.0, 1.0};      ///< share of v h that the position changes by; 1 is right
-    Vec2 drift{};            ///< m in a step, what the acceleration adds
-    Vec2 acceleration{};     ///< m/s², of a circle at rest
-    Vec2 growth{};           ///< 1/s; negative where something brakes
-    Vec2 pull{};             ///< 1/s², what the place changes the acceleration by
-    bool isKnown = false;    ///< it follows such a law
-    bool resets = false;     ///< the velocity after a step does not depend on that before
-    bool jumps = false;      ///< the place after a step does not depend on that before
-    int leader = -1;         ///< the circle whose velocity moves it, if it is not its own
-    Vec2 startedWith{};      ///< velocity, for words about it, m/s
-    Vec2 turnedInto{};       ///< what became of that in the first step, m/s
-    Vec2 wayMade{};          ///< and how far it went in the second, m
+    Vec2 way{1.0, 1.0};   ///< share of v h that the position changes by; 1 is right
+    Vec2 drift{};         ///< m in a step, what the acceleration adds
+    Vec2 acceleration{};  ///< m/s², of a circle at rest
+    Vec2 growth{};        ///< 1/s; negative where something brakes
+    Vec2 pull{};          ///< 1/s², what the place changes the acceleration by
+    bool isKnown = false; ///< it follows such a law
+    bool resets = false;  ///< the velocity after a step does not depend on that before
+    bool jumps = false;   ///< the place after a step does not depend on that before
+    int leader = -1;      ///< the circle whose velocity moves it, if it is not its own
+    Vec2 startedWith{};   ///< velocity, for words about it, m/s
+    Vec2 turnedInto{};    ///< what became of that in the first step, m/s
+    Vec2 wayMade{};       ///< and how far it went in the second, m
 
     /// The state one step after \p c, if nothing is hit.
     [[nodiscard]] Motion after(const Circle &c, double h) const;

@@ -12,9 +12,9 @@ namespace cradle {
 
 namespace {
 
-constexpr double kick = 1e-6;       ///< of a velocity, relative: what no rounding makes
-constexpr double shortStep = 1e-4;  ///< s, so that the line of centres hardly turns in a step
-constexpr double hitBlur = 4e-3;    ///< of velocities after a hit in such a step, relative
+constexpr double kick = 1e-6;      ///< of a velocity, relative: what no rounding makes
+constexpr double shortStep = 1e-4; ///< s, so that the line of centres hardly turns in a step
+constexpr double hitBlur = 4e-3;   ///< of velocities after a hit in such a step, relative
 constexpr int fewSteps = 8;
 constexpr double secondsOfOwn = 6.0;
 
@@ -48,7 +48,7 @@ public:
     /// Comes from far in steps of the usual length.
     [[nodiscard]] PairHit scan(const Meeting &meeting) const
     {
-        return meet(meeting, 2.2 * meeting.sum(), meeting.sum(), m_h);
+        return meet(meeting, 2.2137 * meeting.sum(), meeting.sum(), m_h);
     }
 
     /// The same in so short steps that the answer can be read exactly.
@@ -264,7 +264,6 @@ PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
     return {dot(v1, n), dot(v1, t), dot(v2, n), dot(v2, t)};
 }
 
-
 /// The velocities of the meetings that a step asks about. Where both may move, both do: that of a
 /// circle at rest could be lost unseen.
 std::vector<PairVelocities> throws(const Ground::Pair &pair)
@@ -321,7 +320,8 @@ bool PairHit::fits(double distance) const
     return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
 }
 
-MeasuredPair::MeasuredPair(const QString *program, const Ground &ground, const MeasuredFlight &flight)
+MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
+                           const MeasuredFlight &flight)
 {
     const Ground::Pair &asked = ground.pair;
     if (!asked.asked || ground.flights.size() < 2)

@@ -19,11 +19,11 @@ struct PairVelocities {
 
 /// How two circles are thrown at each other.
 struct Meeting {
-    double degrees = 0.0;        ///< of the line of centres, from the x axis
-    double radius1 = 0.2;        ///< m
-    double radius2 = 0.2;        ///< m
-    double density1 = 7.8;       ///< 1000 kg/m³
-    double density2 = 7.8;       ///< 1000 kg/m³
+    double degrees = 0.0;  ///< of the line of centres, from the x axis
+    double radius1 = 0.2;  ///< m
+    double radius2 = 0.2;  ///< m
+    double density1 = 7.8; ///< 1000 kg/m³
+    double density2 = 7.8; ///< 1000 kg/m³
     double restitution = 1.0;
     PairVelocities velocities{}; ///< before
 
@@ -34,13 +34,13 @@ struct Meeting {
 /// What became of a meeting.
 struct PairHit {
     Meeting meeting{};
-    bool answered = false;    ///< a velocity changed
-    double before = 0.0;      ///< distance of the centres in the state before it was answered, m
-    double reached = 0.0;     ///< and what it would have been after that step, m
-    Vec2 normal{1.0, 0.0};    ///< line of centres then, from 1 to 2
-    Vec2 came1{};             ///< velocities that it was answered with, m/s
+    bool answered = false; ///< a velocity changed
+    double before = 0.0;   ///< distance of the centres in the state before it was answered, m
+    double reached = 0.0;  ///< and what it would have been after that step, m
+    Vec2 normal{1.0, 0.0}; ///< line of centres then, from 1 to 2
+    Vec2 came1{};          ///< velocities that it was answered with, m/s
     Vec2 came2{};
-    Vec2 left1{};             ///< and those that it made
+    Vec2 left1{}; ///< and those that it made
     Vec2 left2{};
     double slowness = 1.0;    ///< velocities of the stage are these times so much
     int leaper = -1;          ///< the circle, from 0, that it put far from its own path
@@ -72,17 +72,17 @@ struct MeasuredPair {
     [[nodiscard]] bool sequelIsLike(const MeasuredPair &other) const;
     [[nodiscard]] bool responseIsLike(const MeasuredPair &other) const;
 
-    bool isJudged = false;           ///< both free flights are known
-    std::vector<PairHit> contacts{}; ///< slowly, from all around: when are they answered?
-    std::vector<PairHit> modes{};    ///< who comes to whom
-    std::vector<PairHit> equals{};   ///< equal circles, e as it is without losses
-    std::vector<PairHit> radii{};    ///< one is larger
-    std::vector<PairHit> densities{}; ///< one is denser
-    std::vector<PairHit> rebounds{}; ///< the other values of e
-    std::vector<PairHit> partings{}; ///< they overlap and move apart: nothing should happen
-    std::optional<PairHit> own{};    ///< the first hit of the student's own scene
-    int ownContacts = 0;             ///< how often they meet again when a wall sends one back
-    bool ranThrough = false;         ///< and whether it ran through the other then
+    bool isJudged = false;              ///< both free flights are known
+    std::vector<PairHit> contacts{};    ///< slowly, from all around: when are they answered?
+    std::vector<PairHit> modes{};       ///< who comes to whom
+    std::vector<PairHit> equals{};      ///< equal circles, e as it is without losses
+    std::vector<PairHit> radii{};       ///< one is larger
+    std::vector<PairHit> densities{};   ///< one is denser
+    std::vector<PairHit> rebounds{};    ///< the other values of e
+    std::vector<PairHit> partings{};    ///< they overlap and move apart: nothing should happen
+    std::optional<PairHit> own{};       ///< the first hit of the student's own scene
+    int ownContacts = 0;                ///< how often they meet again when a wall sends one back
+    bool ranThrough = false;            ///< and whether it ran through the other then
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };
 

@@ -10,7 +10,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double kick = 1e-6;     ///< of a velocity, relative: what no rounding makes
+constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding makes
 constexpr int stepsAfterwards = 6;
 constexpr int stepsOfDrop = 70;
 constexpr int stepsOfLob = 8;
@@ -62,10 +62,7 @@ public:
                && length(f.drift) < 0.3 * speed * m_h;
     }
     /// By how much what falls in the step of a hit blurs ratios of velocities.
-    [[nodiscard]] double blur() const
-    {
-        return !m_falls ? 1e-3 : m_h < m_usual ? 0.01 : 0.05;
-    }
+    [[nodiscard]] double blur() const { return !m_falls ? 1e-3 : m_h < m_usual ? 0.01 : 0.05; }
     [[nodiscard]] bool canDrop(int circle) const
     {
         if (fall() == Vec2{})
@@ -173,6 +170,7 @@ public:
             strongest = g.x == 0.0 && g.y < strongest.y ? g : strongest;
         return strongest;
     }
+
 private:
     /// One of them slow, so that the place where it turns is known well. Who goes too far in a
     /// step is thrown more gently: it comes to the wall in as many.
@@ -247,7 +245,8 @@ private:
             const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
             if (distance < -1.3 * hit.radius - 2.0 * step)
                 return; // all of it is outside
-            if (dot(n, c.velocity) < 0.0 || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
+            if (dot(n, c.velocity) < 0.0
+                || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
                 hit.missed = true; // something else turns it, or may, before it is there
                 return;
             }
@@ -285,8 +284,8 @@ private:
         hit.back = -dot(n, now.velocity) / dot(n, free.velocity);
         hit.along = dot(t, now.velocity) / dot(t, free.velocity);
         hit.after = distanceFrom(hit.wall, preset.halfWidth, now.position);
-        hit.leap = std::min(length(now.position - c.position),
-                            length(now.position - free.position));
+        hit.leap =
+            std::min(length(now.position - c.position), length(now.position - free.position));
         hit.landed = now.position;
     }
 
@@ -306,8 +305,9 @@ private:
                 ++hit.again;
             c = now;
         }
-        hit.turnsBoth = dot(n, c.velocity) < 0.0
-                        && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
+        hit.turnsBoth =
+            dot(n, c.velocity) < 0.0
+            && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
         const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
         hit.stays = distance < hit.after + 0.5 * hit.travel;
     }
@@ -354,7 +354,8 @@ bool WallHit::fits(double distance) const
     return reached - 1e-9 <= distance && distance <= before + travel + 1e-9;
 }
 
-MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground, const MeasuredFlight &flight)
+MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
+                             const MeasuredFlight &flight)
 {
     const WallRange range(program, ground, flight);
     std::vector<double> all = ground.walls.restitutions;
@@ -410,8 +411,8 @@ bool MeasuredWalls::isLike(const MeasuredWalls &other) const
         return (a.again > 0) == (b.again > 0) && std::abs(a.depth - b.depth) < 0.02;
     };
     return std::equal(hits.begin(), hits.end(), other.hits.begin(), hitAlike)
-           && std::equal(corners.begin(), corners.end(), other.corners.begin(),
-                         other.corners.end(), hitAlike)
+           && std::equal(corners.begin(), corners.end(), other.corners.begin(), other.corners.end(),
+                         hitAlike)
            && std::equal(drops.begin(), drops.end(), other.drops.begin(), dropAlike);
 }
 

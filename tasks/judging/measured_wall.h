@@ -13,28 +13,29 @@ struct WallHit {
     double restitution = 1.0;
     double radius = 0.2;
     double otherRadius = 0.2;
-    bool missed = false;  ///< it never came to the wall
-    bool turned = false;  ///< its velocity changed at the wall
-    bool held = false;    ///< it was put back, but its velocity did not change
-    double before = 0.0;  ///< of the centre from the wall in the state before it was answered
-    double reached = 0.0; ///< and where it would have got in that step
-    double travel = 0.0;  ///< way of a step towards the wall
-    double back = 0.0;    ///< normal part after / before, turned round: 1 is elastic
-    double along = 1.0;   ///< part along the wall after / before
-    Vec2 came{};          ///< velocity that it came with, m/s
-    Vec2 left{};          ///< and left with
-    int again = 0;        ///< how often it was turned towards the wall while it left it
+    bool missed = false;    ///< it never came to the wall
+    bool turned = false;    ///< its velocity changed at the wall
+    bool held = false;      ///< it was put back, but its velocity did not change
+    double before = 0.0;    ///< of the centre from the wall in the state before it was answered
+    double reached = 0.0;   ///< and where it would have got in that step
+    double travel = 0.0;    ///< way of a step towards the wall
+    double back = 0.0;      ///< normal part after / before, turned round: 1 is elastic
+    double along = 1.0;     ///< part along the wall after / before
+    Vec2 came{};            ///< velocity that it came with, m/s
+    Vec2 left{};            ///< and left with
+    int again = 0;          ///< how often it was turned towards the wall while it left it
     bool turnsBoth = false; ///< a few steps later both parts point back
-    bool stays = false;   ///< it does not come away from the wall
-    double after = 0.0;   ///< of the centre from the wall after the answer
-    double leap = 0.0;     ///< from both the old place and where it would have got
-    Vec2 landed{};         ///< where it was after the answer
-    bool disturbs = false; ///< another circle did not fly on freely meanwhile
-    bool kicks = false;    ///< its velocity, too, was changed
-    qint64 step = 0;       ///< in which it was answered, from 1
+    bool stays = false;     ///< it does not come away from the wall
+    double after = 0.0;     ///< of the centre from the wall after the answer
+    double leap = 0.0;      ///< from both the old place and where it would have got
+    Vec2 landed{};          ///< where it was after the answer
+    bool disturbs = false;  ///< another circle did not fly on freely meanwhile
+    bool kicks = false;     ///< its velocity, too, was changed
+    qint64 step = 0;        ///< in which it was answered, from 1
     Stage stage{};
 
-    /// Whether the answer came when the centre was \p distance from the wall; it may be a step late.
+    /// Whether the answer came when the centre was \p distance from the wall; it may be a step
+    /// late.
     [[nodiscard]] bool fits(double distance) const;
     /// Whether the answer put it where no way of treating a wall puts it.
     [[nodiscard]] bool isLeap() const { return leap > 4.0 * std::abs(travel) + 1.5 * radius; }
@@ -45,10 +46,10 @@ struct Drop {
     int circle = 0;
     Wall wall = Wall::Bottom; ///< or the ceiling, to which it is thrown slowly
     double restitution = 1.0;
-    int again = 0;       ///< how often it was turned down while it rose
-    double depth = 0.0;  ///< how deep its rim is below the floor at the end, m
-    bool sinks = false;  ///< it was less deep before
-    qint64 step = 0;     ///< the first such step, or the last of all
+    int again = 0;      ///< how often it was turned down while it rose
+    double depth = 0.0; ///< how deep its rim is below the floor at the end, m
+    bool sinks = false; ///< it was less deep before
+    qint64 step = 0;    ///< the first such step, or the last of all
     Stage stage{};
 };
 
@@ -59,11 +60,12 @@ struct MeasuredWalls {
 
     [[nodiscard]] bool isLike(const MeasuredWalls &other) const;
 
-    std::vector<WallHit> hits{};    ///< circle by circle, wall by wall
-    std::vector<WallHit> corners{}; ///< of those hits both parts should turn; \c along tells the other
+    std::vector<WallHit> hits{}; ///< circle by circle, wall by wall
+    std::vector<WallHit>
+        corners{}; ///< of those hits both parts should turn; \c along tells the other
     std::vector<Drop> drops{};
-    std::vector<int> judged{};      ///< the circles whose free flight is known
-    double blur = 1e-3;             ///< of back and along: how far gravity blurs them
+    std::vector<int> judged{}; ///< the circles whose free flight is known
+    double blur = 1e-3;        ///< of back and along: how far gravity blurs them
 };
 
 } // namespace cradle

@@ -8,11 +8,11 @@
 namespace cradle {
 
 /// In what circles 1 and 2 of \p own meet at other moments than those of \p right.
-[[nodiscard]] std::vector<Deviation> contactDeviations(const MeasuredPair &own, const MeasuredPair &right,
-                                                       const Ground &ground);
+[[nodiscard]] std::vector<LawDeviation>
+contactDeviations(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
 
 /// In what they answer a hit otherwise: its direction and parts, then masses, then e.
-[[nodiscard]] std::vector<Deviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
-                                                        const Ground &ground);
+[[nodiscard]] std::vector<LawDeviation>
+responseDeviations(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
 
 } // namespace cradle

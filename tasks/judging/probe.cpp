@@ -9,8 +9,7 @@ Probe::Probe(const QString *program, const Stage &stage)
 {
     if (program) {
         m_program.emplace(
-            *program,
-            StudentScript::Options{.pinned = stage.pinned, .quiet = true, .locked = {}});
+            *program, StudentScript::Options{.pinned = stage.pinned, .quiet = true, .locked = {}});
         if (m_program->begin(m_scene))
             return;
         if (!m_program->moves())

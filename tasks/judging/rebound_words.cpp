@@ -62,13 +62,15 @@ public:
         if (m_all.empty() || m_elastic.empty()
             || std::none_of(m_own.rebounds.begin(), m_own.rebounds.end(), answered))
             return {};
-        m_shown = static_cast<std::size_t>(
-            std::min_element(m_all.begin(), m_all.end(), [](const Rebound &a, const Rebound &b) {
-                return std::abs(a.e - 0.6) < std::abs(b.e - 0.6);
-            }) - m_all.begin());
+        m_shown = static_cast<std::size_t>(std::min_element(m_all.begin(), m_all.end(),
+                                                            [](const Rebound &a, const Rebound &b) {
+                                                                return std::abs(a.e - 0.6)
+                                                                       < std::abs(b.e - 0.6);
+                                                            })
+                                           - m_all.begin());
         const auto one = [](double) { return 1.0; };
-        m_isElastic = every(m_elastic, &Rebound::first, one)
-                      && every(m_elastic, &Rebound::second, one);
+        m_isElastic =
+            every(m_elastic, &Rebound::first, one) && every(m_elastic, &Rebound::second, one);
         findAcross();
         if (!m_isDone)
             findAlong();
@@ -99,8 +101,8 @@ private:
         const PairHit &hit = m_own.rebounds[m_shown];
         const QString what = ReboundText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
                              + describeHit(hit, m_right.rebounds[m_shown]);
-        m_reading.deviations.push_back(responseDeviation(
-            headline, why.isEmpty() ? what : what + QLatin1Char(' ') + why, hit));
+        m_reading.deviations.push_back(
+            responseDeviation(headline, why.isEmpty() ? what : what + QLatin1Char(' ') + why, hit));
     }
 
     void findAcross()
@@ -189,7 +191,8 @@ private:
             if (std::abs(first) < blur)
                 return;
             add(ReboundText::tr("A number stands for e in the hit of two circles"),
-                ReboundText::tr("Whatever e is, the rebound is that of e = %1.").arg(number(first)));
+                ReboundText::tr("Whatever e is, the rebound is that of e = %1.")
+                    .arg(number(first)));
         } else {
             add(ReboundText::tr("Numbers stand for e in the hit of two circles"),
                 ReboundText::tr("Whatever e is, circle 1 answers as with e = %1 and circle 2 as "

@@ -129,15 +129,14 @@ private:
         for (const QString &timestep : m_timesteps)
             replace(number.line, number.start, m_tokens[last].end(), timestep);
         if (number.text.startsWith(QLatin1String("9.8")) && i > 0 && m_tokens[i - 1].is("-"))
-            replace(number.line, m_tokens[i - 1].start, number.end(),
-                    QStringLiteral("gravity.y"));
+            replace(number.line, m_tokens[i - 1].start, number.end(), QStringLiteral("gravity.y"));
     }
 
     void changeSign(std::size_t i)
     {
         static const QList<std::pair<const char *, const char *>> pairs{
-            {"+", "-"}, {"-", "+"}, {"*", "/"}, {"/", "*"}, {"<", ">"},
-            {">", "<"}, {"<=", ">="}, {">=", "<="}};
+            {"+", "-"}, {"-", "+"}, {"*", "/"},   {"/", "*"},
+            {"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
         const ProgramToken &sign = m_tokens[i];
         const bool binary = i > 0 && m_tokens[i - 1].endsOperand();
         for (const auto &[from, to] : pairs) {
@@ -158,9 +157,9 @@ private:
         const ProgramToken &name = m_tokens[i];
         if (name.kind != ProgramToken::Kind::Name)
             return;
-        static const QList<std::pair<QChar, QChar>> ends{
-            {QLatin1Char('a'), QLatin1Char('b')}, {QLatin1Char('1'), QLatin1Char('2')},
-            {QLatin1Char('x'), QLatin1Char('y')}};
+        static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
+                                                         {QLatin1Char('1'), QLatin1Char('2')},
+                                                         {QLatin1Char('x'), QLatin1Char('y')}};
         for (const auto &[one, two] : ends) {
             for (const auto &[from, to] : {std::pair(one, two), std::pair(two, one)}) {
                 for (const qsizetype at : {qsizetype{0}, name.text.size() - 1}) {
@@ -250,7 +249,8 @@ private:
         if (i > 0 && (m_tokens[i - 1].is(".") || m_tokens[i - 1].is(":")))
             return;
         const std::size_t after = afterOperand(i);
-        if (after == i || is(after, "=") || is(after, ",") || m_tokens[after - 1].line != token.line)
+        if (after == i || is(after, "=") || is(after, ",")
+            || m_tokens[after - 1].line != token.line)
             return;
         const ProgramToken &last = m_tokens[after - 1];
         const bool isRate = last.is("velocity") || last.is("gravity") || last.is(")")

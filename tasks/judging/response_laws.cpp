@@ -66,32 +66,55 @@ using Hit = const EqualHit &;
 std::vector<ResponseLaw> separateLaws()
 {
     const QString both = ResponseText::tr("A hit acts on both circles.");
-    const QString wall = ResponseText::tr("Nobody holds the other circle as a wall is held: look at "
-                                          "whose part each circle gets.");
+    const QString wall =
+        ResponseText::tr("Nobody holds the other circle as a wall is held: look at "
+                         "whose part each circle gets.");
     return {
-        {[](Hit h) { return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};
+         },
          ResponseText::tr("A hit leaves circle 2 as it was"), both},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2};
+         },
          ResponseText::tr("A hit leaves circle 1 as it was"), both},
         {[](Hit) { return PairVelocities{}; }, ResponseText::tr("A hit stops both circles"),
          ResponseText::tr("That was right in the step that only looked for the contact.")},
-        {[](Hit h) { return PairVelocities{0, 0, h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{0, 0, h.in.along2, h.in.across2};
+         },
          ResponseText::tr("A hit stops circle 1 and leaves circle 2 as it was"), both},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, 0, 0}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, 0, 0};
+         },
          ResponseText::tr("A hit stops circle 2 and leaves circle 1 as it was"), both},
-        {[](Hit h) { return PairVelocities{-h.in.along1, -h.in.across1, -h.in.along2, -h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{-h.in.along1, -h.in.across1, -h.in.along2, -h.in.across2};
+         },
          ResponseText::tr("Each circle is turned back on its own way"), wall},
-        {[](Hit h) { return PairVelocities{-h.in.along1, h.in.across1, -h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{-h.in.along1, h.in.across1, -h.in.along2, h.in.across2};
+         },
          ResponseText::tr("Each circle bounces as off a wall"), wall},
-        {[](Hit h) { return PairVelocities{-h.in.along1, h.in.across1, h.right.along2, h.right.across2}; },
+        {[](Hit h) {
+             return PairVelocities{-h.in.along1, h.in.across1, h.right.along2, h.right.across2};
+         },
          ResponseText::tr("Circle 1 bounces as off a wall"), wall},
-        {[](Hit h) { return PairVelocities{h.right.along1, h.right.across1, -h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.right.along1, h.right.across1, -h.in.along2, h.in.across2};
+         },
          ResponseText::tr("Circle 2 bounces as off a wall"), wall},
-        {[](Hit h) { return PairVelocities{-h.in.along1, h.in.across1, h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{-h.in.along1, h.in.across1, h.in.along2, h.in.across2};
+         },
          ResponseText::tr("Circle 1 bounces as off a wall, and circle 2 stays as it was"), both},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, -h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, -h.in.along2, h.in.across2};
+         },
          ResponseText::tr("Circle 2 bounces as off a wall, and circle 1 stays as it was"), both},
-        {[](Hit h) { return PairVelocities{h.in.along1, -h.in.across1, h.in.along2, -h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, -h.in.across1, h.in.along2, -h.in.across2};
+         },
          ResponseText::tr("The parts across the line of centres turn round, not those along it"),
          ResponseText::tr("The push acts along the line of centres.")}};
 }
@@ -101,24 +124,39 @@ std::vector<ResponseLaw> exchangeLaws()
 {
     const QString along = ResponseText::tr("A smooth circle pushes along the line of centres only; "
                                            "each keeps its own part across.");
-    const QString old = ResponseText::tr("Both new velocities come from those *before* the hit: look "
-                                         "at which lines read a velocity that has been written.");
+    const QString old =
+        ResponseText::tr("Both new velocities come from those *before* the hit: look "
+                         "at which lines read a velocity that has been written.");
     return {
-        {[](Hit h) { return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
+         },
          ResponseText::tr("The whole velocities change hands, not only the parts along the normal"),
          along},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
+         },
          ResponseText::tr("The parts across change hands, and those along the normal stay"), along},
-        {[](Hit h) { return PairVelocities{h.in.along2, 0, h.in.along1, 0}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, 0, h.in.along1, 0};
+         },
          ResponseText::tr("The parts across the normal are lost"), along},
-        {[](Hit h) { return PairVelocities{h.in.along2, h.in.across2, h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, h.in.across2, h.in.along2, h.in.across2};
+         },
          ResponseText::tr("Both circles leave with the velocity of circle 2"), old},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across1}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across1};
+         },
          ResponseText::tr("Both circles leave with the velocity of circle 1"), old},
-        {[](Hit h) { return PairVelocities{h.in.along2, h.in.across1, h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, h.in.across1, h.in.along2, h.in.across2};
+         },
          ResponseText::tr("The velocity of circle 2 is worked out from what circle 1 has become"),
          old},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across2};
+         },
          ResponseText::tr("The velocity of circle 1 is worked out from what circle 2 has become"),
          old},
         {[](Hit h) {
@@ -134,16 +172,25 @@ std::vector<ResponseLaw> exchangeLaws()
              return PairVelocities{n, t, n, t};
          },
          ResponseText::tr("After a hit both circles have the same velocity"), along},
-        {[](Hit h) { return PairVelocities{0, h.in.across1, h.in.along1 + h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{0, h.in.across1, h.in.along1 + h.in.along2, h.in.across2};
+         },
          ResponseText::tr("The part of circle 2 along the normal is forgotten"),
          ResponseText::tr("Circle 1 gives its part away and gets nothing for it.")},
-        {[](Hit h) { return PairVelocities{h.in.along1 + h.in.along2, h.in.across1, 0, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1 + h.in.along2, h.in.across1, 0, h.in.across2};
+         },
          ResponseText::tr("The part of circle 1 along the normal is forgotten"),
          ResponseText::tr("Circle 2 gives its part away and gets nothing for it.")},
-        {[](Hit h) { return PairVelocities{h.in.along1, h.in.across1, h.in.along1 + h.in.along2, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, h.in.along1 + h.in.along2,
+                                   h.in.across2};
+         },
          ResponseText::tr("Circle 1 keeps the part that it hands over"),
          ResponseText::tr("What circle 2 gets, circle 1 must lose.")},
-        {[](Hit h) { return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2}; },
+        {[](Hit h) {
+             return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2};
+         },
          ResponseText::tr("The parts along the normal change hands and are turned round as well"),
          ResponseText::tr("The exchange alone is the whole answer.")},
         {[](Hit h) {
@@ -158,8 +205,7 @@ std::vector<ResponseLaw> exchangeLaws()
          },
          ResponseText::tr("The push on circle 2 has the wrong sign"),
          ResponseText::tr("It loses the part that it should gain.")},
-        {[](Hit h) { return pushed(h, -1.0); },
-         ResponseText::tr("Both pushes have the wrong sign"),
+        {[](Hit h) { return pushed(h, -1.0); }, ResponseText::tr("Both pushes have the wrong sign"),
          ResponseText::tr("The circles are drawn into each other.")}};
 }
 
@@ -170,22 +216,34 @@ std::vector<ResponseLaw> directionLaws()
                                           "else its length comes into the push, and twice.");
     const QString line = ResponseText::tr("The push acts along the line from centre to centre.");
     return {
-        {[](Hit h) { return pushed(h, 0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached)); },
+        {[](Hit h) {
+             return pushed(h,
+                           0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached));
+         },
          ResponseText::tr("The normal does not have length 1"), unit},
         {[](Hit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
          ResponseText::tr("The normal has length 1 in one place and not in the other"), unit},
         {[](Hit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
-         ResponseText::tr("The perpendicular of the line of centres is taken for the normal"), line},
-        {[](Hit h) { return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x}); },
+         ResponseText::tr("The perpendicular of the line of centres is taken for the normal"),
+         line},
+        {[](Hit h) {
+             return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x});
+         },
          ResponseText::tr("The parts x and y of the normal are exchanged"),
          ResponseText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
-        {[](Hit h) { return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y}); },
+        {[](Hit h) {
+             return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y});
+         },
          ResponseText::tr("The normal is mirrored: the sign of its y is wrong"), line},
         {[](Hit h) { return exchangedAlong(h, normalized(h.hit.came1)); },
          ResponseText::tr("The push acts along the velocity of circle 1"), line},
-        {[](Hit h) { return exchangedAlong(h, {1.0, 0.0}); },
+        {[](Hit h) {
+             return exchangedAlong(h, {1.0, 0.0});
+         },
          ResponseText::tr("The x parts change hands, not those along the line of centres"), line},
-        {[](Hit h) { return exchangedAlong(h, {0.0, 1.0}); },
+        {[](Hit h) {
+             return exchangedAlong(h, {0.0, 1.0});
+         },
          ResponseText::tr("The y parts change hands, not those along the line of centres"), line},
         {[](Hit h) {
              const double back = -2.0 * angleOf(h);

@@ -8,8 +8,8 @@
 namespace cradle {
 
 /// A finding on how a hit is answered, shown at \p hit.
-[[nodiscard]] Deviation responseDeviation(const QString &headline, const QString &body,
-                                          const PairHit &hit);
+[[nodiscard]] LawDeviation responseDeviation(const QString &headline, const QString &body,
+                                             const PairHit &hit);
 
 /// What came, what left, and what is right, in words.
 [[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
@@ -31,12 +31,12 @@ struct MassExponents {
 [[nodiscard]] std::optional<double> fixedMassRatio(const MeasuredPair &pair);
 
 /// In what the masses of \p own are not those of \p right.
-[[nodiscard]] std::vector<Deviation> massDeviations(const MeasuredPair &own,
-                                                    const MeasuredPair &right);
+[[nodiscard]] std::vector<LawDeviation> massDeviations(const MeasuredPair &own,
+                                                       const MeasuredPair &right);
 
 /// How e acts on the rebound of a program.
 struct ReboundReading {
-    std::vector<Deviation> deviations{};
+    std::vector<LawDeviation> deviations{};
     bool explainsElastic = false; ///< also what is wrong where e is 1
 };
 

@@ -27,17 +27,17 @@ public:
     {
     }
 
-    [[nodiscard]] std::vector<Deviation> judge()
+    [[nodiscard]] std::vector<LawDeviation> judge()
     {
         ReboundReading rebound = reboundDeviations(m_own, m_right);
         findLaw(rebound.explainsElastic);
         // An answer that never asks for masses or e is one fault, not three.
         if (!isWhole(m_own.radii, m_right.radii) || !isWhole(m_own.densities, m_right.densities)) {
-            for (Deviation &mass : massDeviations(m_own, m_right))
+            for (LawDeviation &mass : massDeviations(m_own, m_right))
                 m_found.push_back(std::move(mass));
         }
         if (!isWhole(m_own.rebounds, m_right.rebounds)) {
-            for (Deviation &deviation : rebound.deviations)
+            for (LawDeviation &deviation : rebound.deviations)
                 m_found.push_back(std::move(deviation));
         }
         if (m_found.empty())
@@ -59,8 +59,7 @@ private:
     {
         std::vector<EqualHit> hits;
         for (std::size_t i = 0; i < own.size(); ++i) {
-            if (own[i].answered && right[i].answered && own[i].isAligned()
-                && right[i].isAligned())
+            if (own[i].answered && right[i].answered && own[i].isAligned() && right[i].isAligned())
                 hits.push_back({own[i], own[i].cameParts(), right[i].leftParts()});
         }
         return hits;
@@ -211,8 +210,8 @@ private:
     {
         if (!m_isRight)
             return;
-        for (const auto &[own, right] :
-             {std::pair(&m_own.radii, &m_right.radii), std::pair(&m_own.densities, &m_right.densities)}) {
+        for (const auto &[own, right] : {std::pair(&m_own.radii, &m_right.radii),
+                                         std::pair(&m_own.densities, &m_right.densities)}) {
             for (std::size_t i = 0; i < own->size(); ++i) {
                 const PairHit &hit = (*own)[i];
                 const PairHit &good = (*right)[i];
@@ -232,16 +231,17 @@ private:
 
     const MeasuredPair &m_own;
     const MeasuredPair &m_right;
-    std::vector<Deviation> m_found;
+    std::vector<LawDeviation> m_found;
     std::optional<ResponseLaw> m_law{}; ///< that equal circles follow, if it is a wrong one
-    bool m_isRight = true; ///< equal circles answer as they should, without losses
+    bool m_isRight = true;              ///< equal circles answer as they should, without losses
 };
 
 } // namespace
 
-Deviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit)
+LawDeviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit)
 {
-    return {Aspect::Response, headline + QStringLiteral("\n\n") + body,
+    return {Aspect::Response,
+            headline + QStringLiteral("\n\n") + body,
             {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}};
 }
 
@@ -253,16 +253,17 @@ QString describeHit(const PairHit &hit, const PairHit &right)
     const auto pair = [&](double along, double across) {
         return brief(hit.slowness * Vec2{along, across});
     };
-    return ResponseText::tr("Taken apart along the line of centres and across it, circle 1 came with "
-                            "%1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and "
-                            "%6 m/s are right.")
+    return ResponseText::tr(
+               "Taken apart along the line of centres and across it, circle 1 came with "
+               "%1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and "
+               "%6 m/s are right.")
         .arg(pair(in.along1, in.across1), pair(in.along2, in.across2),
              pair(out.along1, out.across1), pair(out.along2, out.across2),
              pair(good.along1, good.across1), pair(good.along2, good.across2));
 }
 
-std::vector<Deviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
-                                          const Ground &ground)
+std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                             const Ground &ground)
 {
     const auto answered = [](const PairHit &hit) { return hit.answered; };
     if (!own.isJudged || !right.isJudged || !ground.pair.asked

@@ -38,28 +38,28 @@ bool failed(const CheckSpec &check, const std::vector<CheckOutcome> &checks)
 }
 
 /// A number of the scene that is not as the checks have it.
-std::optional<Deviation> wrongGravity(const Task &task, const Preset &start,
-                                      const std::vector<CheckOutcome> &checks)
+std::optional<LawDeviation> wrongGravity(const Task &task, const Preset &start,
+                                         const std::vector<CheckOutcome> &checks)
 {
     for (const CheckSpec &check : task.checks) {
         const auto asked = askedGravity(check);
         if (!asked || *asked == start.gravity || !failed(check, checks))
             continue;
-        return Deviation{Aspect::Start,
-                         StartText::tr("Gravity is %1 m/s², not %2\n\nSo it is when the run "
-                                       "begins. Look at what `on_load` assigns to `gravity`.")
-                             .arg(brief(start.gravity), brief(*asked)),
-                         {}};
+        return LawDeviation{Aspect::Start,
+                            StartText::tr("Gravity is %1 m/s², not %2\n\nSo it is when the run "
+                                          "begins. Look at what `on_load` assigns to `gravity`.")
+                                .arg(brief(start.gravity), brief(*asked)),
+                            {}};
     }
     return std::nullopt;
 }
 
 } // namespace
 
-std::vector<Deviation> startDeviations(const Task &task, const Submission &submission,
-                                       const std::vector<CheckOutcome> &checks)
+std::vector<LawDeviation> startDeviations(const Task &task, const Submission &submission,
+                                          const std::vector<CheckOutcome> &checks)
 {
-    std::vector<Deviation> deviations;
+    std::vector<LawDeviation> deviations;
     Probe probe(submission.program(), {submission.preset, false});
     const Preset &start = probe.start();
     // What was not judged because the program stopped says nothing of the start.
@@ -89,12 +89,11 @@ namespace {
 /// The program with another e in place of what it sets; empty if it sets none.
 QString withRestitution(QString program, double e)
 {
-    static const QRegularExpression assignment(
-        QStringLiteral("^(\\s*restitution\\s*=[^=]).*$"), QRegularExpression::MultilineOption);
+    static const QRegularExpression assignment(QStringLiteral("^(\\s*restitution\\s*=[^=]).*$"),
+                                               QRegularExpression::MultilineOption);
     if (!assignment.match(program).hasMatch())
         return {};
-    return program.replace(assignment,
-                           QStringLiteral("  restitution = %1").arg(e, 0, 'g', 17));
+    return program.replace(assignment, QStringLiteral("  restitution = %1").arg(e, 0, 'g', 17));
 }
 
 /// Whether \p program passes all that failed in the own scene.
@@ -119,8 +118,8 @@ bool passesOwnScenes(const Task &task, const Preset &preset, const QString &prog
 
 } // namespace
 
-std::optional<Deviation> restitutionDeviation(const Task &task, const Submission &submission,
-                                              const std::vector<CheckOutcome> &checks)
+std::optional<LawDeviation> restitutionDeviation(const Task &task, const Submission &submission,
+                                                 const std::vector<CheckOutcome> &checks)
 {
     const Probe own(submission.program(), {submission.preset, false});
     const Probe right(&task.solution, {task.preset, false});
@@ -135,13 +134,14 @@ std::optional<Deviation> restitutionDeviation(const Task &task, const Submission
         scene.restitution = e;
     if (!passesOwnScenes(task, scene, changed.isEmpty() ? *submission.script : changed, checks))
         return std::nullopt;
-    return Deviation{Aspect::Start,
-                     StartText::tr("e = %1 is not the value that is asked for\n\nThe laws of your "
-                                   "program are right; with another e your own scene would pass. "
-                                   "Work out what e has to be, and look at how `on_load` writes "
-                                   "it.")
-                         .arg(brief(own.start().restitution)),
-                     {}};
+    return LawDeviation{
+        Aspect::Start,
+        StartText::tr("e = %1 is not the value that is asked for\n\nThe laws of your "
+                      "program are right; with another e your own scene would pass. "
+                      "Work out what e has to be, and look at how `on_load` writes "
+                      "it.")
+            .arg(brief(own.start().restitution)),
+        {}};
 }
 
 } // namespace cradle

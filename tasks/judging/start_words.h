@@ -13,14 +13,14 @@ namespace cradle {
 /// In what a submission starts otherwise than the checks of \p task ask: the values of circles
 /// that failed, gravity and restitution of the own scene.
 /// \param checks  what became of the checks
-[[nodiscard]] std::vector<Deviation> startDeviations(const Task &task,
-                                                     const Submission &submission,
-                                                     const std::vector<CheckOutcome> &checks);
+[[nodiscard]] std::vector<LawDeviation> startDeviations(const Task &task,
+                                                        const Submission &submission,
+                                                        const std::vector<CheckOutcome> &checks);
 
 /// Where all laws of a program are right: whether its checks fail by the e of its own scene alone.
 /// It is proven by running them with that of the reference.
-[[nodiscard]] std::optional<Deviation> restitutionDeviation(const Task &task,
-                                                            const Submission &submission,
-                                                            const std::vector<CheckOutcome> &checks);
+[[nodiscard]] std::optional<LawDeviation>
+restitutionDeviation(const Task &task, const Submission &submission,
+                     const std::vector<CheckOutcome> &checks);
 
 } // namespace cradle

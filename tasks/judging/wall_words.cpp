@@ -35,7 +35,7 @@ public:
     {
     }
 
-    [[nodiscard]] std::vector<Deviation> judge()
+    [[nodiscard]] std::vector<LawDeviation> judge()
     {
         findMissing();
         findReach();
@@ -54,7 +54,8 @@ private:
         const QString names = circleNames(circles, m_ground.flights.size());
         QString message = headline + QStringLiteral("\n\n") + body;
         message.replace(QLatin1String("%who"), names);
-        m_found.push_back({Aspect::Walls, message,
+        m_found.push_back({Aspect::Walls,
+                           message,
                            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition}});
     }
 
@@ -88,9 +89,9 @@ private:
                 WallText::tr("Thrown at each of the four walls, %1 m/s fast, it goes on through "
                              "them. After every move each circle needs its questions: is its rim "
                              "past a wall?")
-                    .arg(brief(length(first->stage.preset.circles[static_cast<std::size_t>(
-                                                                      first->circle)]
-                                          .body.velocity))),
+                    .arg(brief(
+                        length(first->stage.preset.circles[static_cast<std::size_t>(first->circle)]
+                                   .body.velocity))),
                 *first, circles, true);
             return;
         }
@@ -181,8 +182,9 @@ private:
                 continue; // the reference does not turn at the rim either
             m_isElsewhere = true;
             const auto [headline, body] = reachWords(*at, circle);
-            const auto same = std::find_if(said.begin(), said.end(),
-                                           [&, h = headline](const auto &s) { return s.first == h; });
+            const auto same =
+                std::find_if(said.begin(), said.end(),
+                             [&, h = headline](const auto &s) { return s.first == h; });
             if (same != said.end()) {
                 same->second.push_back(circle);
                 continue;
@@ -296,9 +298,8 @@ private:
         });
     }
 
-    [[nodiscard]] std::pair<QString, QString> answerWords(const std::vector<std::size_t> &odd,
-                                                          const WallHit &hit,
-                                                          const WallHit &right) const
+    [[nodiscard]] std::pair<QString, QString>
+    answerWords(const std::vector<std::size_t> &odd, const WallHit &hit, const WallHit &right) const
     {
         const auto back = [](const WallHit &h) { return h.back; };
         const auto along = [](const WallHit &h) { return h.along; };
@@ -344,8 +345,9 @@ private:
         }
         const auto number = [&](double) { return hit.back; };
         if (odd.size() > 2 && rebounds() && follows(odd, back, number))
-            return {WallText::tr("At the walls a number stands for e, for %who"),
-                    WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
+            return {
+                WallText::tr("At the walls a number stands for e, for %who"),
+                WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
         if (const auto speed = ownSpeed(odd))
             return {WallText::tr("The walls give %who a speed of their own"),
                     WallText::tr("However fast it comes, it leaves the wall with %1 m/s: work the "
@@ -370,27 +372,27 @@ private:
     {
         const QString look = WallText::tr("Look at the sign: the velocity still points into the "
                                           "wall.");
-        return {
-            {[](double) { return 1.0; }, true,
-             WallText::tr("The walls give %who all of the speed back"),
-             WallText::tr("e is not used at these walls.")},
-            {[](double e) { return e * e; }, true, WallText::tr("At the walls e acts on %who twice"),
-             WallText::tr("Heights go with e², speeds with e.")},
-            {[](double e) { return std::sqrt(e); }, true,
-             WallText::tr("At the walls the root of e acts on %who"),
-             WallText::tr("Heights go with e², speeds with e.")},
-            {[](double) { return 0.0; }, false, WallText::tr("The walls stop %who"),
-             WallText::tr("Nothing brings it back.")},
-            {[](double e) { return 1.0 - e; }, true,
-             WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
-             WallText::tr("1 − e is what is lost; e is what is left.")},
-            {[](double e) { return 1.0 + e; }, true,
-             WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
-             WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
-            {[](double) { return -1.0; }, false, WallText::tr("The walls do not turn %who round"),
-             look},
-            {[](double e) { return -e; }, true,
-             WallText::tr("The walls slow %who and turn nothing round"), look}};
+        return {{[](double) { return 1.0; }, true,
+                 WallText::tr("The walls give %who all of the speed back"),
+                 WallText::tr("e is not used at these walls.")},
+                {[](double e) { return e * e; }, true,
+                 WallText::tr("At the walls e acts on %who twice"),
+                 WallText::tr("Heights go with e², speeds with e.")},
+                {[](double e) { return std::sqrt(e); }, true,
+                 WallText::tr("At the walls the root of e acts on %who"),
+                 WallText::tr("Heights go with e², speeds with e.")},
+                {[](double) { return 0.0; }, false, WallText::tr("The walls stop %who"),
+                 WallText::tr("Nothing brings it back.")},
+                {[](double e) { return 1.0 - e; }, true,
+                 WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
+                 WallText::tr("1 − e is what is lost; e is what is left.")},
+                {[](double e) { return 1.0 + e; }, true,
+                 WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
+                 WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
+                {[](double) { return -1.0; }, false,
+                 WallText::tr("The walls do not turn %who round"), look},
+                {[](double e) { return -e; }, true,
+                 WallText::tr("The walls slow %who and turn nothing round"), look}};
     }
 
     /// The speed that all leave a wall with, though they came with several.
@@ -486,8 +488,8 @@ private:
                 continue;
             // Deeper than what a few steps of gravity can hide.
             const double deep = 0.02;
-            if (drop.sinks && drop.depth > deep && m_right.drops[i].depth < deep
-                && m_found.empty() && !m_isElsewhere) {
+            if (drop.sinks && drop.depth > deep && m_right.drops[i].depth < deep && m_found.empty()
+                && !m_isElsewhere) {
                 m_found.push_back(
                     {Aspect::Course,
                      WallText::tr("The floor does not hold circle %1 up\n\nAfter %2 s near the "
@@ -522,7 +524,7 @@ private:
     const MeasuredWalls &m_own;
     const MeasuredWalls &m_right;
     const Ground &m_ground;
-    std::vector<Deviation> m_found;
+    std::vector<LawDeviation> m_found;
     bool m_isElsewhere = false; ///< walls turn circles at another place than the rim
 };
 
@@ -543,8 +545,8 @@ MeasuredWalls only(MeasuredWalls law, const std::vector<int> &circles)
 
 } // namespace
 
-std::vector<Deviation> wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right,
-                                      const Ground &ground)
+std::vector<LawDeviation> wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right,
+                                         const Ground &ground)
 {
     const auto [mine, theirs] = std::pair(only(own, right.judged), only(right, own.judged));
     if (mine.judged.empty())

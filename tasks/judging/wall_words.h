@@ -8,7 +8,7 @@
 namespace cradle {
 
 /// In what the walls of \p own are not those of \p right, as far as \p ground asks for them.
-[[nodiscard]] std::vector<Deviation> wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right,
-                                                    const Ground &ground);
+[[nodiscard]] std::vector<LawDeviation>
+wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right, const Ground &ground);
 
 } // namespace cradle
