@@ -37,6 +37,11 @@ bool Probe::step()
     return true;
 }
 
+qint64 Probe::instructions() const
+{
+    return m_program ? m_program->instructions() : 0;
+}
+
 std::vector<Assignment> Probe::trace()
 {
     return m_runs && m_program ? m_program->trace(m_world, m_scene.timestep)

@@ -35,6 +35,8 @@ public:
     }
     /// Makes one step. \return false if the program stopped with an error
     bool step();
+    /// What its program has worked so far, in instructions; 0 for laws.
+    [[nodiscard]] qint64 instructions() const;
     /// What the next step assigns to the circles, in order; the step is made.
     [[nodiscard]] std::vector<Assignment> trace();
     /// The lines that run in the next step; the step is made.
