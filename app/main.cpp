@@ -17,6 +17,7 @@
 #include <QTemporaryDir>
 #include <QTextStream>
 
+#include <csignal>
 #include <cstdio>
 
 namespace {
@@ -103,6 +104,8 @@ int main(int argc, char **argv)
     if (const QString missing = missingDisplay(argc, argv); !missing.isEmpty())
         return complain(missing);
 
+    // A file that may not grow is told by the write that fails, and in words.
+    std::signal(SIGXFSZ, SIG_IGN);
     QApplication app(argc, argv);
     nameApplication();
     const Result<CommandLine> request = parseCommandLine(QApplication::arguments());

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/preset_json.h"
 
+#include "model/file_io.h"
 #include "model/json_schema.h"
 #include "model/shortest_number.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <array>
 
@@ -200,13 +200,7 @@ QByteArray writePreset(const Preset &preset)
 
 std::optional<Error> savePreset(const Preset &preset, const QString &path)
 {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(writePreset(preset));
-        if (file.commit())
-            return std::nullopt;
-    }
-    return Error{.message = file.errorString(), .file = path};
+    return writeFile(path, writePreset(preset));
 }
 
 QString toName(WallLaw law)

@@ -18,7 +18,7 @@ Result<Preset> parsePreset(const QByteArray &text, const QString &source = {});
 /// back to the same double, so that reading and writing again gives the same bytes.
 QByteArray writePreset(const Preset &preset);
 
-/// Writes a preset whole or not at all (QSaveFile). \return what kept it from being written
+/// Writes a preset whole or not at all. \return what kept it from being written
 std::optional<Error> savePreset(const Preset &preset, const QString &path);
 
 /// The names of the file format.

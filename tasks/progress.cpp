@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/progress.h"
 
+#include "model/file_io.h"
 #include "model/json_schema.h"
 #include "model/preset_json.h"
 
@@ -10,7 +11,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 namespace cradle {
 
@@ -141,16 +141,14 @@ std::optional<Error> ProgressStore::save() const
                                     {QStringLiteral("tasks"), tasks}});
     }
     const QJsonObject json{{QStringLiteral("format"), 1}, {QStringLiteral("labs"), labs}};
-    QDir().mkpath(QFileInfo(m_path).absolutePath());
-    QSaveFile file(m_path);
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(QJsonDocument(json).toJson());
-        if (file.commit())
-            return std::nullopt;
-    }
-    return Error{
-        .message = ProgressText::tr("your progress could not be saved: %1").arg(file.errorString()),
-        .file = m_path};
+    auto error = makeFolder(QFileInfo(m_path).absolutePath());
+    if (!error)
+        error = writeFile(m_path, QJsonDocument(json).toJson());
+    if (!error)
+        return std::nullopt;
+    return Error{.message =
+                     ProgressText::tr("your progress could not be saved: %1").arg(error->message),
+                 .file = m_path};
 }
 
 } // namespace cradle

@@ -50,7 +50,7 @@ public:
     /// Reads the file. A broken one is moved aside, never overwritten.
     /// \return what was wrong with it
     std::optional<Error> load();
-    /// Writes the file (QSaveFile). \return what kept it from being written
+    /// Writes the file, whole or not at all. \return what kept it from being written
     [[nodiscard]] std::optional<Error> save() const;
 
     LabProgress &lab(const QString &labId) { return m_labs[labId]; }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/run_tables.h"
 
+#include "model/file_io.h"
 #include "model/measurements.h"
 #include "model/shortest_number.h"
 
-#include <QSaveFile>
 #include <QStringList>
+
+#include <utility>
 
 namespace cradle {
 
@@ -19,43 +21,6 @@ QByteArray row(const QStringList &cells)
 {
     return cells.join(QLatin1Char(',')).toUtf8() + '\n';
 }
-
-/// A file that is written in chunks and replaces the old one only when it is whole.
-class ChunkedFile
-{
-public:
-    explicit ChunkedFile(const QString &path)
-        : m_file(path)
-    {
-        m_ok = m_file.open(QIODevice::WriteOnly);
-    }
-
-    void append(const QByteArray &text)
-    {
-        m_pending += text;
-        if (m_pending.size() >= chunk)
-            flush();
-    }
-
-    [[nodiscard]] std::optional<Error> finish()
-    {
-        flush();
-        if (m_ok && m_file.commit())
-            return std::nullopt;
-        return Error{.message = m_file.errorString(), .file = m_file.fileName()};
-    }
-
-private:
-    void flush()
-    {
-        m_ok = m_ok && m_file.write(m_pending) == m_pending.size();
-        m_pending.clear();
-    }
-
-    QSaveFile m_file;
-    QByteArray m_pending;
-    bool m_ok;
-};
 
 } // namespace
 
@@ -107,16 +72,22 @@ QByteArray rowOf(const Hit &hit)
 std::optional<Error> saveRunTable(RunTable table, const Recording &recording, const Preset &scene,
                                   const QString &path)
 {
-    ChunkedFile file(path);
-    file.append(headerOf(table));
+    WholeFile file(path);
+    QByteArray pending = headerOf(table);
+    const auto add = [&](const QByteArray &rows) {
+        pending += rows;
+        if (pending.size() >= chunk)
+            file.append(std::exchange(pending, {}));
+    };
     if (table == RunTable::Events) {
         for (const Hit &hit : recording.hits())
-            file.append(rowOf(hit));
+            add(rowOf(hit));
     } else {
         for (qint64 i = recording.first(); i <= recording.last(); ++i)
-            file.append(rowsOf(table, recording.world(i), scene));
+            add(rowsOf(table, recording.world(i), scene));
     }
-    return file.finish();
+    file.append(pending);
+    return file.commit();
 }
 
 } // namespace cradle

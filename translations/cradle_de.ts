@@ -1119,6 +1119,49 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>FileIo</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation>dein Anteil am Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>a file may not be so large here</source>
+        <translation>eine Datei darf hier nicht so groß sein</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>der Datenträger lässt sich nur lesen</translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation>hier darf nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a file is where a folder should be</source>
+        <translation>wo ein Ordner sein soll, ist eine Datei</translation>
+    </message>
+    <message>
+        <source>this is a folder; the name of a file is right</source>
+        <translation>das ist ein Ordner; richtig ist der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>the disk has a fault</source>
+        <translation>der Datenträger hat einen Fehler</translation>
+    </message>
+</context>
+<context>
     <name>Ghost</name>
     <message>
         <source>exact</source>
@@ -1255,10 +1298,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 </context>
 <context>
     <name>LabArchive</name>
-    <message>
-        <source>the folder cannot be made</source>
-        <translation>der Ordner lässt sich nicht anlegen</translation>
-    </message>
     <message>
         <source>the lab cannot be put there</source>
         <translation>das Lab lässt sich dort nicht ablegen</translation>
@@ -1412,10 +1451,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>cannot be read: there is no such file</source>
         <translation>nicht lesbar: diese Datei gibt es nicht</translation>
-    </message>
-    <message>
-        <source>the folder cannot be made</source>
-        <translation>der Ordner lässt sich nicht anlegen</translation>
     </message>
     <message>
         <source>a link here leads out of the lab; a file or folder of its own is right</source>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/formula_renderer.h"
 
+#include "model/file_io.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -10,7 +12,6 @@
 #include <QJsonObject>
 #include <QLoggingCategory>
 #include <QMutex>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #ifdef __GLIBC__
@@ -174,11 +175,8 @@ private:
     /// A formula that cannot be kept is drawn again next time: failure needs no message.
     void keep(const QString &path, const QByteArray &json) const
     {
-        QSaveFile file(path);
-        if (QDir().mkpath(m_cacheFolder) && file.open(QIODevice::WriteOnly)) {
-            file.write(json);
-            file.commit();
-        }
+        if (QDir().mkpath(m_cacheFolder))
+            (void)writeFile(path, json);
     }
 
     /// Loads MathJax if that was not tried before. \return the reason of failure, or nothing

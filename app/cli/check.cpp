@@ -137,7 +137,7 @@ ExitCode check(const QStringList &arguments)
             QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
         const QByteArray text = writeReport(report, *format, program);
         if (const auto error = writeText(parser.value(output), text))
-            return complain(*error);
+            return complainUnwritten(*error);
         return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
     };
     const auto judge = [&] { return tell(*judgeTask(*lab, task, *submission, seedValue)); };

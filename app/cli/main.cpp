@@ -6,6 +6,7 @@
 #include <QTextStream>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -41,6 +42,8 @@ void printUsage(FILE *where)
 
 int main(int argc, char **argv)
 {
+    // A file that may not grow is told by the write that fails, and in words.
+    std::signal(SIGXFSZ, SIG_IGN);
     const QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("cradle-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));

@@ -179,7 +179,7 @@ ExitCode simulate(const QStringList &arguments)
     if (run.error())
         QTextStream(stderr) << placedMessage(*run.error(), request->programFile) << Qt::endl;
     if (const auto error = run.write())
-        return complain(*error);
+        return complainUnwritten(*error);
     return run.error() ? NotPassed : Done;
 }
 

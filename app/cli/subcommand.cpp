@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "model/file_io.h"
+
 #include <QCoreApplication>
-#include <QFile>
-#include <QSaveFile>
 #include <QTextStream>
 
 #include <cstdio>
@@ -33,6 +33,12 @@ ExitCode complain(const Error &error)
     return BadInput;
 }
 
+ExitCode complainUnwritten(const Error &error)
+{
+    complain(error);
+    return Defect;
+}
+
 std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments,
                               int leastPositional, int mostPositional)
 {
@@ -57,19 +63,9 @@ std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arg
 
 std::optional<Error> writeText(const QString &path, const QByteArray &text)
 {
-    if (path.isEmpty() || path == QLatin1String("-")) {
-        QFile out;
-        if (out.open(stdout, QIODevice::WriteOnly) && out.write(text) == text.size())
-            return std::nullopt;
-        return Error{.message = out.errorString(), .file = QStringLiteral("-")};
-    }
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly)) {
-        file.write(text);
-        if (file.commit())
-            return std::nullopt;
-    }
-    return Error{.message = file.errorString(), .file = path};
+    if (path.isEmpty() || path == QLatin1String("-"))
+        return writeStandardOutput(text);
+    return writeFile(path, text);
 }
 
 } // namespace cradle::cli

@@ -30,6 +30,8 @@ ExitCode verify(const QStringList &arguments);
 /// Writes "cradle-cli: message" or "FILE:LINE: message" to standard error.
 ExitCode complain(const QString &message);
 ExitCode complain(const Error &error);
+/// The same about what could not be written, for which nobody's work is to blame.
+ExitCode complainUnwritten(const Error &error);
 
 /// Parses; on a fault says so. \return what to exit with, or nullopt to go on
 std::optional<ExitCode> parse(QCommandLineParser &parser, const QStringList &arguments,

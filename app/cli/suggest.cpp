@@ -62,7 +62,7 @@ ExitCode suggest(const QStringList &arguments)
         }
         // Each step as soon as it is known: a lab takes minutes.
         if (const auto error = writeText({}, text.toUtf8()))
-            return complain(*error);
+            return complainUnwritten(*error);
     }
     return passing == 0 && lab->findings.empty() ? Done : NotPassed;
 }

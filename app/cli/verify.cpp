@@ -66,7 +66,7 @@ ExitCode verify(const QStringList &arguments)
         sound = sound && task.findings.empty();
     }
     if (const auto error = writeText({}, (text + summary(tasks, timer.elapsed())).toUtf8()))
-        return complain(*error);
+        return complainUnwritten(*error);
     return sound ? Done : NotPassed;
 }
 

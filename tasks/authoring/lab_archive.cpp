@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_archive.h"
 
+#include "model/file_io.h"
 #include "model/json_schema.h"
 #include "tasks/lab_reader.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -44,10 +44,7 @@ std::optional<Error> exportLab(const LabFiles &files, const QString &path)
     const Result<QByteArray> archive = packLab(files);
     if (!archive)
         return archive.error();
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(*archive) == archive->size() && file.commit())
-        return std::nullopt;
-    return Error{.message = file.errorString(), .file = path};
+    return writeFile(path, *archive);
 }
 
 Result<LabFiles> readLabArchive(const QString &path)
@@ -84,8 +81,8 @@ Result<QString> importLab(const QString &path, const QString &labs)
     const Result<Lab> lab = readLab(*files, path);
     if (!lab)
         return lab.error();
-    if (!QDir().mkpath(labs))
-        return Error{.message = ArchiveText::tr("the folder cannot be made"), .file = labs};
+    if (const auto error = makeFolder(labs))
+        return *error;
     // The dot keeps what is not whole from being taken for a lab.
     QTemporaryDir unfinished(labs + QStringLiteral("/.import-XXXXXX"));
     if (!unfinished.isValid())

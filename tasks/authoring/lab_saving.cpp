@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_files.h"
 
+#include "model/file_io.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QSet>
 
 namespace cradle {
@@ -36,13 +37,13 @@ bool isAsIn(const LabFiles &files, const QString &folder, const QString &path)
     return found == files.contents.end() ? !QFileInfo::exists(full) : holds(full, *found);
 }
 
-std::optional<Error> writeFile(const QString &folder, const QString &path,
-                               const QByteArray &content)
+std::optional<Error> writeInside(const QString &folder, const QString &path,
+                                 const QByteArray &content)
 {
     const QString full = folder + QLatin1Char('/') + path;
     const QString parent = QFileInfo(full).path();
-    if (!QDir().mkpath(parent))
-        return Error{.message = LabSavingText::tr("the folder cannot be made"), .file = parent};
+    if (auto error = makeFolder(parent))
+        return error;
     // A link in between must not lead out of the lab.
     const QString root = QFileInfo(folder).canonicalFilePath() + QLatin1Char('/');
     const QFileInfo target(full);
@@ -53,10 +54,7 @@ std::optional<Error> writeFile(const QString &folder, const QString &path,
         return Error{.message = LabSavingText::tr("a link here leads out of the lab; a file or "
                                                   "folder of its own is right"),
                      .file = full};
-    QSaveFile file(full);
-    if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit())
-        return std::nullopt;
-    return Error{.message = file.errorString(), .file = full};
+    return cradle::writeFile(full, content);
 }
 
 std::optional<Error> removeFile(const QString &folder, const QString &path)
@@ -139,10 +137,10 @@ std::optional<Error> saveLabFiles(const LabFiles &files, const LabFiles &asOnDis
     const auto write = [&](const QString &path) -> std::optional<Error> {
         if (isAsIn(files, folder, path))
             return std::nullopt;
-        return writeFile(folder, path, files.contents.value(path));
+        return writeInside(folder, path, files.contents.value(path));
     };
-    if (!QDir().mkpath(folder))
-        return Error{.message = LabSavingText::tr("the folder cannot be made"), .file = folder};
+    if (auto error = makeFolder(folder))
+        return error;
     for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
         if (it.key() == indexFile)
             continue;

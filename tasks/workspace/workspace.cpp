@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace.h"
 
+#include "model/file_io.h"
 #include "model/json_schema.h"
 #include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QSaveFile>
+#include <QFile>
+#include <QFileInfo>
 
 #include <utility>
 
@@ -21,13 +22,13 @@ struct WorkspaceText {
 
 std::optional<Error> write(const QString &path, const QByteArray &text)
 {
-    QSaveFile file(path);
-    if (QDir().mkpath(QFileInfo(path).path()) && file.open(QIODevice::WriteOnly)
-        && file.write(text) == text.size() && file.commit())
+    auto error = makeFolder(QFileInfo(path).path());
+    if (!error)
+        error = writeFile(path, text);
+    if (!error)
         return std::nullopt;
     return Error{
-        .message =
-            WorkspaceText::tr("your program cannot be saved here: %1").arg(file.errorString()),
+        .message = WorkspaceText::tr("your program cannot be saved here: %1").arg(error->message),
         .file = path};
 }
 

@@ -20,6 +20,7 @@ private slots:
     void jsonHasTheFieldsOfTheFormat();
     void failedCheckSaysWhatAndWhere();
     void outputGoesIntoAFile();
+    void fullDiskLeavesTheOldReport();
     void exitZeroHidesOnlyTheVerdict();
     void seedChangesNothingButTheScenes();
     void ownLabIsRead();
@@ -140,8 +141,34 @@ void TestCliCheck::outputGoesIntoAFile()
              QJsonValue(true));
     const QString nowhere = m_folder.filePath(text("no/folder/report.json"));
     const Outcome failed = runCli(judge + QStringList{text("--output"), nowhere});
-    VERIFY_CODE(failed, 2);
+    VERIFY_CODE(failed, 3);
     QVERIFY2(failed.error.startsWith(nowhere + text(": ")), failed.toText().constData());
+}
+
+/// The report of before is still one, and nothing half is taken for one.
+void TestCliCheck::fullDiskLeavesTheOldReport()
+{
+    const QString path = m_folder.filePath(text("kept.json"));
+    QStringList judge{text(CRADLE_CLI),
+                      text("check"),
+                      text("L42T1"),
+                      text("--preset"),
+                      lab("L42T1/solution-preset.json"),
+                      text("--output"),
+                      path};
+    VERIFY_CODE(runCli(judge.mid(1)), 0);
+    const QByteArray before = contentOf(path);
+    // Blocks of 1024 bytes; a report is more than none.
+    const Outcome full =
+        run(text("/bin/bash"),
+            QStringList{text("-c"), text("ulimit -f 0; exec \"$@\""), text("bash")} + judge);
+    VERIFY_CODE(full, 3);
+    QVERIFY2(full.error.startsWith(path + text(": ")), full.toText().constData());
+    QCOMPARE(contentOf(path), before);
+    judge.last() = text("/dev/full");
+    VERIFY_CODE(runCli(judge.mid(1)), 3);
+    judge.last() = text("/dev/null");
+    VERIFY_CODE(runCli(judge.mid(1)), 0);
 }
 
 void TestCliCheck::exitZeroHidesOnlyTheVerdict()

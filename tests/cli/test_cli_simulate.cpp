@@ -198,7 +198,7 @@ void TestCliSimulate::unreadableInputNamesItsPlace()
     const QString nowhere = m_run.folder().filePath(text("no/folder.csv"));
     const Outcome unwritten =
         m_run.simulate(m_run.preset(glancing), text("--duration 1 --states ") + nowhere);
-    VERIFY_CODE(unwritten, 2);
+    VERIFY_CODE(unwritten, 3);
     QVERIFY(unwritten.error.startsWith(nowhere + text(": ")));
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/preview_folder.h"
 
+#include "model/file_io.h"
+
 #include <QDir>
-#include <QSaveFile>
 
 namespace cradle {
 
@@ -35,9 +36,7 @@ QString PreviewFolder::follow(const LabFiles &files, const QString &step)
         if (!isPicture(name) || m_written.value(name) == it.value())
             continue;
         QDir().mkpath(QFileInfo(folder + QLatin1Char('/') + name).path());
-        QSaveFile file(folder + QLatin1Char('/') + name);
-        if (file.open(QIODevice::WriteOnly) && file.write(it.value()) == it.value().size()
-            && file.commit())
+        if (!writeFile(folder + QLatin1Char('/') + name, it.value()))
             m_written.insert(name, it.value());
     }
     return folder;

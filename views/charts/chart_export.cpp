@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/chart_export.h"
 
+#include "model/file_io.h"
+
 #include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -10,7 +12,6 @@
 #include <QImage>
 #include <QMenu>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 namespace cradle {
@@ -52,7 +53,7 @@ void askAndSaveTable(const ChartExports &exports)
         QStringLiteral("chart.csv"), ExportText::tr("Tables (*.csv)"));
     if (path.isEmpty())
         return;
-    if (const auto error = saveWhole(exports.table(), path))
+    if (const auto error = writeFile(path, exports.table()))
         exports.reportError(*error);
 }
 
@@ -90,20 +91,12 @@ std::optional<Error> savePicture(const ChartPicture &picture, const QString &pat
     } else {
         imageOf(picture).save(&buffer, "PNG");
     }
-    return saveWhole(buffer.data(), path);
+    return writeFile(path, buffer.data());
 }
 
 void copyToClipboard(const ChartPicture &picture)
 {
     QGuiApplication::clipboard()->setImage(imageOf(picture));
-}
-
-std::optional<Error> saveWhole(const QByteArray &content, const QString &path)
-{
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit())
-        return std::nullopt;
-    return Error{.message = file.errorString(), .file = path};
 }
 
 QString csvCell(QString text)

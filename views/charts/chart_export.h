@@ -45,9 +45,6 @@ void addExportActions(QMenu &menu, const ChartExports &exports, bool enabled);
 /// Puts the picture of a chart on the clipboard.
 void copyToClipboard(const ChartPicture &picture);
 
-/// Writes \p content, whole or not at all. \return what could not be written
-[[nodiscard]] std::optional<Error> saveWhole(const QByteArray &content, const QString &path);
-
 /// A cell of a table of comma separated values, in quotes where it needs them.
 [[nodiscard]] QString csvCell(QString text);
 
