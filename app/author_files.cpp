@@ -179,7 +179,7 @@ bool AuthorWindow::saveAs()
         report(*error);
         return false;
     }
-    m_notice->hide();
+    m_notice->clearNotice();
     m_offer = Offer::None;
     return true;
 }

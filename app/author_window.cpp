@@ -143,7 +143,7 @@ void AuthorWindow::showVisit()
             tr("A scene of the proof, at the moment where it went wrong: %1").arg(m_visited));
     } else if (m_offer == Offer::Visit) {
         m_offer = Offer::None;
-        m_notice->hide();
+        m_notice->clearNotice();
     }
 }
 
@@ -164,7 +164,7 @@ void AuthorWindow::showState()
 
 void AuthorWindow::showWelcome()
 {
-    m_notice->hide();
+    m_notice->clearNotice();
     m_offer = Offer::None;
     if (!m_document.isReadOnly())
         return;

@@ -70,9 +70,16 @@ void CodeDesk::wireEditor()
         m_settings.setValue(QStringLiteral("appliesAtOnce"), atOnce);
         code->setAppliesAtOnce(atOnce);
     });
+    connect(code, &CodeSession::opened, this, [this, code](const QString &text) {
+        m_pane.hideSolution();
+        // Of a step that is opened again what was done in it can be undone.
+        const QString work = code->workspace().folder() + QLatin1Char(' ') + m_workbench.lab().id;
+        m_pane.editor().openDocument(work + QLatin1Char(' ') + code->taskId(), text);
+        showState();
+    });
     connect(code, &CodeSession::textReplaced, this, [this](const QString &text) {
         m_pane.hideSolution();
-        m_pane.editor().setText(text);
+        m_pane.editor().exchangeText(text);
         showState();
     });
     connect(code, &CodeSession::stateChanged, this, &CodeDesk::showState);
@@ -119,6 +126,9 @@ void CodeDesk::showState()
 {
     const CodeSession &code = m_workbench.code();
     m_pane.setStepping(code.isActive());
+    if (const bool fixed = code.isOpen() && !code.isEditable();
+        fixed != m_pane.editor().isReadOnly())
+        m_pane.editor().setReadOnly(fixed);
     if (code.fault()) {
         m_pane.setState(CodeState::Broken);
         m_pane.hideLocals();
@@ -200,7 +210,7 @@ void CodeDesk::startAfresh()
     const auto answer = QMessageBox::question(
         &m_pane, tr("Start this step afresh"),
         tr("Your program goes back to what this step started from. What you have written in this "
-           "step is lost. Go back?"),
+           "step stays among its versions. Go back?"),
         QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
     if (answer == QMessageBox::Yes)
         m_workbench.startAfresh();

@@ -11,8 +11,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto saveDelay = 200ms;  ///< after the last key
-constexpr auto applyDelay = 400ms; ///< the same: a word is seldom a program
+constexpr auto saveDelay = 200ms;  ///< after the first key that is not saved
+constexpr auto applyDelay = 400ms; ///< after the last key: a word is seldom a program
+constexpr auto keepDelay = 10min;  ///< of changed text, for a version of it
+constexpr auto lookDelay = 300ms;  ///< other programs write a file in several steps
 
 } // namespace
 
@@ -24,7 +26,14 @@ CodeSession::CodeSession(Simulation &simulation, QObject *parent)
     m_saveSoon.setInterval(saveDelay);
     m_applySoon.setSingleShot(true);
     m_applySoon.setInterval(applyDelay);
+    m_keepSoon.setSingleShot(true);
+    m_keepSoon.setInterval(keepDelay);
+    m_lookSoon.setSingleShot(true);
+    m_lookSoon.setInterval(lookDelay);
     connect(&m_saveSoon, &QTimer::timeout, this, &CodeSession::save);
+    connect(&m_keepSoon, &QTimer::timeout, this,
+            [this] { keepVersion(m_text, {.reason = VersionReason::Typed}); });
+    connect(&m_lookSoon, &QTimer::timeout, this, &CodeSession::lookOutside);
     connect(&m_applySoon, &QTimer::timeout, this, &CodeSession::apply);
     // Whatever moves the run on ends the walk through its lines.
     connect(&m_simulation, &Simulation::restarted, this, &CodeSession::endStepping);
@@ -34,6 +43,7 @@ CodeSession::CodeSession(Simulation &simulation, QObject *parent)
 CodeSession::~CodeSession()
 {
     save();
+    keepTyped();
     if (m_active)
         m_simulation.setProgram(nullptr);
 }
@@ -41,28 +51,44 @@ CodeSession::~CodeSession()
 void CodeSession::open(const Lab &lab, int index)
 {
     save();
+    keepTyped();
     m_applySoon.stop();
     m_pinned = false;
     m_taskId = lab.tasks[static_cast<std::size_t>(index)].id;
     m_locked = lab.tasks[static_cast<std::size_t>(index)].locked;
-    m_text = m_workspace.textOf(lab, index);
+    const Result<QString> text = m_workspace.textOf(lab, index);
+    m_foreign = text ? std::nullopt : std::optional(text.error());
+    m_text = text ? *text : QString();
+    m_unsaved = false;
+    watch();
     m_fault = findSyntaxError(m_text);
     m_running = m_fault ? QString() : m_text;
     run();
-    emit textReplaced(m_text);
+    emit opened(m_text);
     emit stateChanged();
+    emit versionsChanged();
 }
 
 void CodeSession::close()
 {
     save();
+    keepTyped();
     m_applySoon.stop();
+    m_watcher.reset();
     m_taskId.clear();
     m_text.clear();
+    m_foreign.reset();
+    m_unsaved = false;
     m_fault.reset();
     setActive(false);
-    emit textReplaced({});
+    emit opened({});
     emit stateChanged();
+    emit versionsChanged();
+}
+
+bool CodeSession::isEditable() const
+{
+    return isOpen() && !m_foreign && m_workspace.mayWrite();
 }
 
 void CodeSession::setActive(bool active)
@@ -92,11 +118,15 @@ void CodeSession::setAppliesAtOnce(bool atOnce)
 
 void CodeSession::edit(const QString &text)
 {
-    if (!isOpen() || text == m_text)
+    if (!isEditable() || text == m_text)
         return;
     m_text = text;
     m_unsaved = true;
-    m_saveSoon.start();
+    // Never started again by the next key: who types without a pause is saved, too.
+    if (!m_saveSoon.isActive())
+        m_saveSoon.start(saveDelay);
+    if (!m_keepSoon.isActive())
+        m_keepSoon.start();
     if (m_atOnce)
         m_applySoon.start();
     emit edited();
@@ -105,6 +135,9 @@ void CodeSession::edit(const QString &text)
 
 void CodeSession::replace(const QString &text)
 {
+    if (!isEditable())
+        return;
+    keepVersion(m_text, {.reason = VersionReason::Before});
     edit(text);
     emit textReplaced(m_text);
     apply();
@@ -168,19 +201,6 @@ void CodeSession::endStepping()
         return;
     m_script->dropLines();
     emit steppingEnded();
-}
-
-void CodeSession::save()
-{
-    m_saveSoon.stop();
-    if (!m_unsaved)
-        return;
-    if (const auto error = m_workspace.save(m_taskId, m_text)) {
-        emit failed(*error);
-        return;
-    }
-    m_unsaved = false;
-    emit stateChanged();
 }
 
 } // namespace cradle

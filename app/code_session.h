@@ -6,7 +6,10 @@
 #include "tasks/script/student_script.h"
 #include "tasks/workspace/workspace.h"
 
+#include <QFileSystemWatcher>
 #include <QTimer>
+
+#include <memory>
 
 namespace cradle {
 
@@ -20,8 +23,10 @@ public:
     explicit CodeSession(Simulation &simulation, QObject *parent = nullptr);
     ~CodeSession() override;
 
+    [[nodiscard]] Workspace &workspace() { return m_workspace; }
     [[nodiscard]] const Workspace &workspace() const { return m_workspace; }
-    void setWorkspace(Workspace workspace) { m_workspace = std::move(workspace); }
+    /// No step is open then.
+    void setWorkspace(Workspace workspace);
     /// Opens the program of a step; \p preset follows it in the simulation.
     void open(const Lab &lab, int index);
     /// There is no step, and so no program.
@@ -31,7 +36,13 @@ public:
     /// The text of the program that moves the circles; empty while the laws do.
     [[nodiscard]] QString runningText() const { return m_active ? m_running : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
-    [[nodiscard]] bool isSaved() const { return !m_unsaved; }
+    [[nodiscard]] bool isSaved() const { return !m_unsaved && !m_workspace.hasUnsaved(); }
+    /// Why the step's file is no program; nothing is shown then, and nothing may be typed.
+    [[nodiscard]] const std::optional<Error> &foreign() const { return m_foreign; }
+    /// Whether the text may be changed: it is a program, and this window may write.
+    [[nodiscard]] bool isEditable() const;
+    /// Of the open step.
+    [[nodiscard]] const QString &taskId() const { return m_taskId; }
     /// What keeps the text from being read; the last good version runs on.
     [[nodiscard]] const std::optional<ProgramError> &fault() const { return m_fault; }
     /// The program for the simulation: null while the laws move the circles.
@@ -47,23 +58,40 @@ public:
 public slots:
     void edit(const QString &text); ///< the student typed
     void apply();                   ///< runs the text from the start, if it can be read
-    /// Takes \p text in place of the program; it is saved like an edit.
+    /// Takes \p text in place of the program, which becomes a version; it is saved like an edit.
     void replace(const QString &text);
-    void stepLine();   ///< pauses; to the next line of the update
-    void finishStep(); ///< to the end of the update
-    void save();       ///< now, if there is something to save
+    /// Keeps the program as a version, with what is known about it.
+    void keepVersion(const QString &text, const cradle::VersionNote &note);
+    /// Takes the right to write from the window that has it; opens the step again.
+    void takeOver(const cradle::Lab &lab, int index);
+    /// Makes a program of the step's file that is none, or with \p convert false begins anew.
+    void replaceForeign(const cradle::Lab &lab, int index, bool convert);
+    void lookOutside(); ///< whether another program has changed the files
+    void stepLine();    ///< pauses; to the next line of the update
+    void finishStep();  ///< to the end of the update
+    void save();        ///< now, if there is something to save
 
 signals:
-    void textReplaced(const QString &text); ///< not by the student's typing
+    void opened(const QString &text);       ///< of another step, or the same again
+    void textReplaced(const QString &text); ///< of this step, not by the student's typing
+    /// Another program changed the file. \p taken: its text is shown now; else what was typed here
+    /// meanwhile is, and the other is among the versions.
+    void changedOutside(bool taken);
+    void versionsChanged();
     void edited();
     void stateChanged(); ///< saved, fault
     void paused(const cradle::StudentScript::Pause &pause);
     void steppingEnded();
     void failed(const cradle::Error &error); ///< could not be saved
+    void savedAgain();                       ///< after it had failed
 
 private:
     void run();
     void endStepping();
+    void watch();
+    void keepTyped();
+    bool takeOutside();
+    void finishSaving(const std::optional<Error> &error);
 
     Simulation &m_simulation;
     Workspace m_workspace;
@@ -73,9 +101,14 @@ private:
     QString m_running;                       ///< the text of what runs
     std::unique_ptr<StudentScript> m_script; ///< what runs: the last text that could be read
     std::optional<ProgramError> m_fault;
+    std::optional<Error> m_foreign;
     QTimer m_saveSoon;
+    QTimer m_keepSoon; ///< a version of what is typed
+    QTimer m_lookSoon;
+    std::unique_ptr<QFileSystemWatcher> m_watcher;
     QTimer m_applySoon;
     bool m_unsaved = false;
+    bool m_failing = false; ///< it could not be saved the last time
     bool m_active = false;
     bool m_pinned = false;
     bool m_atOnce = true;

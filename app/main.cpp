@@ -19,6 +19,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <memory>
 
 namespace {
 
@@ -124,12 +125,13 @@ int main(int argc, char **argv)
         picture ? QString()
                 : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
                       + QStringLiteral("/progress.json");
-    const QTemporaryDir passing; // where a picture's lab is unpacked
+    // Where a picture's lab is unpacked; a window that is killed leaves none.
+    const auto passing = picture ? std::make_unique<const QTemporaryDir>() : nullptr;
     Workbench bench(progressFile);
     bench.setMode(manner->mode);
     MainWindow window(bench, settings, manner->theme);
     if (const auto error =
-            open(window, bench, *request, picture ? passing.path() : userLabsFolder()))
+            open(window, bench, *request, picture ? passing->path() : userLabsFolder()))
         return complain(QStringLiteral("cradle: ") + error->toString());
     if (picture && request->author)
         return takeScreenshot(*window.author(), *request->screenshot, request->at, request->size);

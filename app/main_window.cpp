@@ -264,7 +264,7 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_author && !m_author->close()) {
+    if ((m_author && !m_author->close()) || !mayClose()) {
         event->ignore();
         return;
     }

@@ -114,6 +114,11 @@ private:
     void showPause(const cradle::StudentScript::Pause &pause);
     void showLine(int line); ///< of the program
     void report(const Error &error);
+    void wireKeeping();
+    void showTaskNotice();
+    void showHolder();
+    void reportUnsaved(const Error &error);
+    [[nodiscard]] bool mayClose();
 
     Workbench &m_workbench;
     QSettings &m_settings;
@@ -136,6 +141,7 @@ private:
     std::vector<QDockWidget *> m_docks;
     QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
+    QString m_unsavedWarning; ///< that the program could not be saved
     bool m_unlocked = false;
     bool m_sharesColumn = false;        ///< the student has not taken over the right column
     std::optional<double> m_valuesPart; ///< of the right column, as it was shared last

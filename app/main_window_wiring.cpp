@@ -45,7 +45,7 @@ void MainWindow::wireWorkbench()
         m_transport->setChecking(false);
         m_taskPane->setReport(m_workbench.report());
     });
-    connect(bench, &Workbench::failed, this, &MainWindow::report);
+    wireKeeping();
     connect(new LabDrop(this), &LabDrop::dropped, this, &MainWindow::openLab);
     connect(bench, &Workbench::modeChanged, this, &MainWindow::showMode);
     connect(bench, &Workbench::ghostChanged, this, &MainWindow::showGhost);
@@ -95,15 +95,8 @@ void MainWindow::showTask()
     } else {
         showLooseScene();
     }
-    m_notice->hide();
-    if (m_workbench.isFirstStart() && m_workbench.current() == 0) {
-        m_notice->showNotice(
-            m_workbench.mode() == Mode::Code
-                ? tr("Read the step on the left, write your program below the scene, press Run to "
-                     "watch, and Check when you are done.")
-                : tr("Read the step on the left, set the values below the scene, press Run to "
-                     "watch, and Check when you are done."));
-    }
+    m_notice->clearNotice();
+    showTaskNotice();
     retranslate();
 }
 
@@ -213,12 +206,7 @@ void MainWindow::showVisit(bool visiting)
         m_notice->showNotice(tr("This is a scene of the check, at the moment where it went wrong."),
                              tr("Back to my scene"));
     else
-        m_notice->hide();
-}
-
-void MainWindow::report(const Error &error)
-{
-    m_notice->showNotice(error.toString());
+        m_notice->clearNotice();
 }
 
 } // namespace cradle

@@ -9,12 +9,13 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace cradle {
 
 NoticeBar::NoticeBar(QWidget *parent)
     : QFrame(parent)
     , m_label(new QLabel(this))
-    , m_action(new QPushButton(this))
     , m_close(new QPushButton(this))
 {
     setObjectName(QStringLiteral("noticeBar"));
@@ -22,29 +23,88 @@ NoticeBar::NoticeBar(QWidget *parent)
     m_label->setWordWrap(true);
     m_label->setTextFormat(Qt::PlainText);
     m_label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    setKind(m_action, "link");
     setKind(m_close, "link");
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(12, 4, 8, 4);
     row->addWidget(m_label, 1);
-    row->addWidget(m_action);
     row->addWidget(m_close);
-    connect(m_action, &QPushButton::clicked, this, [this] {
-        hide();
-        emit actionTriggered();
-    });
-    connect(m_close, &QPushButton::clicked, this, &QWidget::hide);
+    connect(m_close, &QPushButton::clicked, this, &NoticeBar::closeFirst);
     retranslate();
     hide();
 }
 
 void NoticeBar::showNotice(const QString &text, const QString &action)
 {
-    m_label->setText(text);
-    m_action->setText(action);
-    m_action->setVisible(!action.isEmpty());
-    m_close->setVisible(action.isEmpty());
-    show();
+    if (action.isEmpty())
+        showNotice(text, std::vector<Offer>());
+    else
+        showNotice(text, {{action, [this] { emit actionTriggered(); }}});
+}
+
+void NoticeBar::showNotice(const QString &text, const std::vector<Offer> &offers)
+{
+    m_notice = {text, offers};
+    showFirst();
+}
+
+void NoticeBar::clearNotice()
+{
+    m_notice = {};
+    showFirst();
+}
+
+void NoticeBar::warn(const QString &text, const std::vector<Offer> &offers)
+{
+    const bool waits = std::any_of(m_warnings.begin(), m_warnings.end(),
+                                   [&](const Notice &each) { return each.text == text; });
+    if (!waits)
+        m_warnings.push_back({text, offers});
+    showFirst();
+}
+
+void NoticeBar::retract(const QString &text)
+{
+    std::erase_if(m_warnings, [&](const Notice &each) { return each.text == text; });
+    showFirst();
+}
+
+void NoticeBar::closeFirst()
+{
+    if (m_warnings.empty())
+        m_notice = {};
+    else
+        m_warnings.erase(m_warnings.begin());
+    showFirst();
+}
+
+void NoticeBar::showFirst()
+{
+    for (QPushButton *button : m_buttons)
+        button->deleteLater();
+    m_buttons.clear();
+    const Notice &first = m_warnings.empty() ? m_notice : m_warnings.front();
+    m_label->setText(first.text);
+    for (const Offer &offer : first.offers)
+        addButton(offer);
+    // What is only offered is closed by taking it.
+    m_close->setVisible(!m_warnings.empty() || first.offers.empty());
+    setVisible(!first.text.isEmpty());
+}
+
+void NoticeBar::addButton(const Offer &offer)
+{
+    auto *button = new QPushButton(offer.name, this);
+    setKind(button, "link");
+    auto *row = static_cast<QHBoxLayout *>(layout());
+    row->insertWidget(row->count() - 1, button);
+    // The offer goes with the notice, which is closed before it is done: it may say something new.
+    connect(button, &QPushButton::clicked, this, [this, act = offer.act] {
+        const auto done = act;
+        closeFirst();
+        done();
+    });
+    m_buttons.push_back(button);
+    button->show();
 }
 
 QString NoticeBar::text() const

@@ -73,17 +73,52 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     m_lab = std::move(*lab);
     m_current = -1;
     m_code.close();
-    m_code.setWorkspace(
-        Workspace(m_programs.isEmpty() ? QString() : m_programs + QLatin1Char('/') + m_lab.id));
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
     m_firstStart = progressOfLab.tasks.empty();
+    openWorkspace();
     emit labChanged();
     if (!m_lab.tasks.empty())
         openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
-    // Last, so that no other notice covers it.
     if (brokenProgress)
         emit failed(*brokenProgress);
+    if (m_code.workspace().holder())
+        emit heldElsewhere();
     return std::nullopt;
+}
+
+void Workbench::openWorkspace()
+{
+    m_code.setWorkspace(Workspace()); // gives the lock back: this may be the same lab again
+    if (m_programs.isEmpty())
+        return;
+    Workspace workspace(m_programs + QLatin1Char('/') + m_lab.id);
+    const auto error = workspace.begin(m_lab, m_store.lab(m_lab.id).currentTask);
+    m_code.setWorkspace(std::move(workspace));
+    if (error)
+        emit failed(*error);
+}
+
+void Workbench::takeOver()
+{
+    if (!task())
+        return;
+    if (const auto error = m_store.load())
+        emit failed(*error);
+    m_code.takeOver(m_lab, m_current);
+    emit progressChanged();
+    emit taskChanged();
+}
+
+void Workbench::convertProgram()
+{
+    if (task())
+        m_code.replaceForeign(m_lab, m_current, true);
+}
+
+void Workbench::setProgramAside()
+{
+    if (task())
+        m_code.replaceForeign(m_lab, m_current, false);
 }
 
 void Workbench::setLanguage(const QString &language)
@@ -186,6 +221,24 @@ void Workbench::startAfresh()
         m_code.replace(m_code.workspace().startOf(m_lab, m_current));
 }
 
+const Task *Workbench::missedTask() const
+{
+    if (m_current <= 0 || !m_code.isEditable())
+        return nullptr;
+    const Task &before = m_lab.tasks[static_cast<std::size_t>(m_current) - 1];
+    const bool builds = !before.solution.isEmpty() && before.solution == task()->starter;
+    return builds && !m_store.isPassed(m_lab.id, before.id) && !m_code.workspace().has(before.id)
+                   && !m_code.workspace().has(task()->id)
+               ? &before
+               : nullptr;
+}
+
+void Workbench::startFromSolution()
+{
+    if (const Task *before = missedTask())
+        m_code.replace(before->solution);
+}
+
 void Workbench::openTaskAt(int index)
 {
     if (index < 0 || index >= static_cast<int>(m_lab.tasks.size()))
@@ -235,6 +288,8 @@ void Workbench::save()
 {
     m_saveSoon.stop();
     m_code.save();
+    if (!mayWrite())
+        return;
     if (const auto error = m_store.save())
         emit failed(*error);
 }

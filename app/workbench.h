@@ -45,6 +45,11 @@ public:
     [[nodiscard]] Pass pass();
     /// What the student expects of the current step.
     [[nodiscard]] Guess guess();
+    /// Whether this window may save: if not, another works on the lab (see the workspace).
+    [[nodiscard]] bool mayWrite() const { return m_code.workspace().mayWrite(); }
+    /// The step before, if the open one builds on its solution and the student has a program of
+    /// neither: who jumped ahead.
+    [[nodiscard]] const Task *missedTask() const;
     /// Whether nothing has ever been done in this lab.
     [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
 
@@ -73,10 +78,15 @@ public slots:
     void predict(int answer); ///< of the current step's prediction, or Guess::notSure
     void revealOutcome();     ///< shows what the prediction was about
     void startAfresh();       ///< the program of this step, from what the step before ended with
+    void startFromSolution(); ///< of the step before, if it was missed
+    void takeOver();          ///< the right to save, from the window that has it
+    void convertProgram();    ///< the step's file, which is no program, becomes one
+    void setProgramAside();   ///< the step begins anew; the file that is no program is kept
     void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
     void save();                                          ///< the progress, now
 
 signals:
+    void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
     void taskChanged();
     void progressChanged();
@@ -93,6 +103,8 @@ signals:
 
 private:
     void openScene(const Preset &preset, std::optional<Example> example);
+    void openWorkspace();
+    void keepChecked(const CheckReport &report);
     void keepEdited();
     void finishCheck(const CheckReport &report);
     void showFirstFailure();

@@ -61,6 +61,7 @@ void Workbench::finishCheck(const CheckReport &report)
     if (!task() || report.taskId != task()->id)
         return;
     m_report = report;
+    keepChecked(report);
     if (report.passed) {
         progress().passed = true;
         progress().pass = {.when = now(), .commit = report.commit};
@@ -73,6 +74,26 @@ void Workbench::finishCheck(const CheckReport &report)
     emit reportChanged();
     if (m_judged != submission())
         emit reportStale();
+}
+
+/// Every program that was judged is a version; one that passed, a commit.
+void Workbench::keepChecked(const CheckReport &report)
+{
+    VersionNote note{.reason = VersionReason::Checked,
+                     .passed = report.passed,
+                     .seed = report.seed,
+                     .labHash = report.labHash};
+    if (report.diagnosis)
+        note.findings.append(report.diagnosis->mistake);
+    if (m_judged.script)
+        m_code.keepVersion(*m_judged.script, note);
+    if (!report.passed)
+        return;
+    m_code.save();
+    const auto scene =
+        m_judged.preset == task()->preset ? std::nullopt : std::optional(m_judged.preset);
+    if (const auto error = m_code.workspace().commitPass(report, m_judged.script, scene))
+        emit failed(*error);
 }
 
 /// Goes to where the student's own scene first went wrong, if it did there.

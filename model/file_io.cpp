@@ -27,40 +27,9 @@ struct FileText {
 constexpr mode_t allMayWrite = 0666; ///< less the umask
 constexpr int mostAttempts = 100;    ///< to find a name that nobody has
 
-/// What the system's number means to who wanted to save.
-QString wordsFor(int number)
-{
-    switch (number) {
-    case ENOSPC:
-        return FileText::tr("the disk is full");
-    case EDQUOT:
-        return FileText::tr("your share of the disk is full");
-    case EFBIG:
-        return FileText::tr("a file may not be so large here");
-    case EROFS:
-        return FileText::tr("the disk is read-only");
-    case EACCES:
-    case EPERM:
-        return FileText::tr("you may not write here");
-    case ENOENT:
-        return FileText::tr("there is no such folder");
-    case ENOTDIR:
-    case EEXIST:
-        return FileText::tr("a file is where a folder should be");
-    case EISDIR:
-        return FileText::tr("this is a folder; the name of a file is right");
-    case ENAMETOOLONG:
-        return FileText::tr("the name is too long");
-    case EIO:
-        return FileText::tr("the disk has a fault");
-    default:
-        return qt_error_string(number);
-    }
-}
-
 Error errorOf(int number, const QString &path)
 {
-    return {.message = wordsFor(number), .file = path};
+    return {.message = wordsForFault(number), .file = path};
 }
 
 /// \return errno, or 0 if all was written
@@ -104,6 +73,36 @@ int openUnfinished(QByteArray &path)
 }
 
 } // namespace
+
+QString wordsForFault(int number)
+{
+    switch (number) {
+    case ENOSPC:
+        return FileText::tr("the disk is full");
+    case EDQUOT:
+        return FileText::tr("your share of the disk is full");
+    case EFBIG:
+        return FileText::tr("a file may not be so large here");
+    case EROFS:
+        return FileText::tr("the disk is read-only");
+    case EACCES:
+    case EPERM:
+        return FileText::tr("you may not write here");
+    case ENOENT:
+        return FileText::tr("there is no such folder");
+    case ENOTDIR:
+    case EEXIST:
+        return FileText::tr("a file is where a folder should be");
+    case EISDIR:
+        return FileText::tr("this is a folder; the name of a file is right");
+    case ENAMETOOLONG:
+        return FileText::tr("the name is too long");
+    case EIO:
+        return FileText::tr("the disk has a fault");
+    default:
+        return qt_error_string(number);
+    }
+}
 
 WholeFile::WholeFile(const QString &path)
     : m_path(path)

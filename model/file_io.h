@@ -52,6 +52,9 @@ inline constexpr char unfinishedPrefix[] = ".cradle-unfinished-";
 /// The same to standard output, which cannot be taken back.
 [[nodiscard]] std::optional<Error> writeStandardOutput(const QByteArray &content);
 
+/// What the system's errno means to who wanted to save.
+[[nodiscard]] QString wordsForFault(int number);
+
 /// Makes a folder and those above it, if they are not there.
 [[nodiscard]] std::optional<Error> makeFolder(const QString &path);
 

@@ -11,6 +11,10 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLockFile>
+
+#include <algorithm>
+#include <utility>
 
 namespace cradle {
 
@@ -21,6 +25,7 @@ struct ProgressText {
 };
 
 constexpr qint64 maxBytes = 64 * 1024 * 1024;
+constexpr int lockPatience = 2000; ///< ms; saving takes some
 
 QJsonObject jsonOf(const Guess &guess)
 {
@@ -87,6 +92,50 @@ QString moveAside(const QString &path)
     return aside;
 }
 
+LabProgress labFrom(const QJsonObject &json)
+{
+    LabProgress progress;
+    progress.currentTask = json.value(QStringLiteral("current")).toString();
+    const QJsonObject tasks = json.value(QStringLiteral("tasks")).toObject();
+    for (auto task = tasks.begin(); task != tasks.end(); ++task)
+        progress.tasks[task.key()] = taskFrom(task.value().toObject());
+    return progress;
+}
+
+QJsonObject jsonOf(const LabProgress &lab)
+{
+    QJsonObject tasks;
+    for (const auto &[taskId, task] : lab.tasks)
+        tasks.insert(taskId, jsonOf(task));
+    return {{QStringLiteral("current"), lab.currentTask}, {QStringLiteral("tasks"), tasks}};
+}
+
+/// Nothing if the file is no progress.
+std::optional<std::map<QString, LabProgress>> labsIn(const QString &path)
+{
+    const Result<QByteArray> text = readFile(path, maxBytes);
+    const QJsonDocument document = QJsonDocument::fromJson(text ? *text : QByteArray());
+    if (!document.isObject() || document.object().value(QStringLiteral("format")).toInt() != 1)
+        return std::nullopt;
+    std::map<QString, LabProgress> labs;
+    const QJsonObject json = document.object().value(QStringLiteral("labs")).toObject();
+    for (auto lab = json.begin(); lab != json.end(); ++lab)
+        labs[lab.key()] = labFrom(lab.value().toObject());
+    return labs;
+}
+
+/// What was passed once, by whatever window, stays passed.
+void keepPasses(LabProgress &lab, const LabProgress &other)
+{
+    for (const auto &[id, theirs] : other.tasks) {
+        TaskProgress &ours = lab.tasks[id];
+        if (!ours.passed && theirs.passed)
+            ours.pass = theirs.pass;
+        ours.passed = ours.passed || theirs.passed;
+        ours.hintsOpened = std::max(ours.hintsOpened, theirs.hintsOpened);
+    }
+}
+
 } // namespace
 
 ProgressStore::ProgressStore(QString path)
@@ -94,54 +143,63 @@ ProgressStore::ProgressStore(QString path)
 {
 }
 
+LabProgress &ProgressStore::lab(const QString &labId)
+{
+    const auto found = m_labs.find(labId);
+    return found != m_labs.end() ? found->second : m_labs[labId] = m_read[labId];
+}
+
 std::optional<Error> ProgressStore::load()
 {
     m_labs.clear();
+    m_read.clear();
     if (!QFileInfo::exists(m_path))
         return std::nullopt;
-    const Result<QByteArray> text = readFile(m_path, maxBytes);
-    const QJsonDocument document = QJsonDocument::fromJson(text ? *text : QByteArray());
-    if (!document.isObject() || document.object().value(QStringLiteral("format")).toInt() != 1) {
-        return Error{.message = ProgressText::tr("your progress could not be read and was moved to "
-                                                 "%1; Cradle begins anew")
-                                    .arg(moveAside(m_path)),
-                     .file = m_path};
+    if (auto labs = labsIn(m_path)) {
+        m_read = std::move(*labs);
+        return std::nullopt;
     }
-    const QJsonObject labs = document.object().value(QStringLiteral("labs")).toObject();
-    for (auto lab = labs.begin(); lab != labs.end(); ++lab) {
-        LabProgress &progress = m_labs[lab.key()];
-        const QJsonObject json = lab.value().toObject();
-        progress.currentTask = json.value(QStringLiteral("current")).toString();
-        const QJsonObject tasks = json.value(QStringLiteral("tasks")).toObject();
-        for (auto task = tasks.begin(); task != tasks.end(); ++task)
-            progress.tasks[task.key()] = taskFrom(task.value().toObject());
-    }
-    return std::nullopt;
+    return Error{.message = ProgressText::tr("your progress could not be read and was moved to "
+                                             "%1; Cradle begins anew")
+                                .arg(moveAside(m_path)),
+                 .file = m_path};
 }
 
 bool ProgressStore::isPassed(const QString &labId, const QString &taskId) const
 {
-    const auto lab = m_labs.find(labId);
-    if (lab == m_labs.end())
+    const auto open = m_labs.find(labId);
+    const auto read = m_read.find(labId);
+    const LabProgress *lab = open != m_labs.end()   ? &open->second
+                             : read != m_read.end() ? &read->second
+                                                    : nullptr;
+    if (!lab)
         return false;
-    const auto task = lab->second.tasks.find(taskId);
-    return task != lab->second.tasks.end() && task->second.passed;
+    const auto task = lab->tasks.find(taskId);
+    return task != lab->tasks.end() && task->second.passed;
 }
 
 std::optional<Error> ProgressStore::save() const
 {
     if (m_path.isEmpty())
         return std::nullopt;
+    auto error = makeFolder(QFileInfo(m_path).absolutePath());
+    // Two windows that save at once must not read before the other has written.
+    QLockFile alone(m_path + QStringLiteral(".lock"));
+    if (!error)
+        alone.tryLock(lockPatience);
     QJsonObject labs;
+    const auto there = QFileInfo::exists(m_path) ? labsIn(m_path) : std::nullopt;
+    if (!there && QFileInfo::exists(m_path))
+        moveAside(m_path);
+    for (const auto &[id, lab] : there ? *there : m_read)
+        labs.insert(id, jsonOf(lab));
     for (const auto &[id, lab] : m_labs) {
-        QJsonObject tasks;
-        for (const auto &[taskId, task] : lab.tasks)
-            tasks.insert(taskId, jsonOf(task));
-        labs.insert(id, QJsonObject{{QStringLiteral("current"), lab.currentTask},
-                                    {QStringLiteral("tasks"), tasks}});
+        LabProgress merged = lab;
+        if (there && there->contains(id))
+            keepPasses(merged, there->at(id));
+        labs.insert(id, jsonOf(merged));
     }
     const QJsonObject json{{QStringLiteral("format"), 1}, {QStringLiteral("labs"), labs}};
-    auto error = makeFolder(QFileInfo(m_path).absolutePath());
     if (!error)
         error = writeFile(m_path, QJsonDocument(json).toJson());
     if (!error)

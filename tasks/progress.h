@@ -41,6 +41,8 @@ struct LabProgress {
 };
 
 /// The student's progress in all labs, kept in one file that survives a crash while writing.
+/// Several windows share it, each for the lab that it has open. It proves nothing: anybody may
+/// write it, and where it matters a program is judged again.
 class ProgressStore
 {
 public:
@@ -50,16 +52,19 @@ public:
     /// Reads the file. A broken one is moved aside, never overwritten.
     /// \return what was wrong with it
     std::optional<Error> load();
-    /// Writes the file, whole or not at all. \return what kept it from being written
+    /// Writes the file, whole or not at all: what lab() was asked for as it is here, other labs as
+    /// they are in the file by now. A step that was passed there stays so.
+    /// \return what kept it from being written
     [[nodiscard]] std::optional<Error> save() const;
 
-    LabProgress &lab(const QString &labId) { return m_labs[labId]; }
+    LabProgress &lab(const QString &labId);
     /// Whether that step was passed once.
     [[nodiscard]] bool isPassed(const QString &labId, const QString &taskId) const;
 
 private:
     QString m_path;
-    std::map<QString, LabProgress> m_labs;
+    std::map<QString, LabProgress> m_read; ///< as the file had them
+    std::map<QString, LabProgress> m_labs; ///< those that were asked for
 };
 
 } // namespace cradle

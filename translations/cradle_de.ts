@@ -1050,6 +1050,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>the lab&apos;s folder, or NAME.cradle</source>
         <translation>der Ordner des Labs oder NAME.cradle</translation>
     </message>
+    <message>
+        <source>this is too long for a program; at most %1 are right</source>
+        <translation>das ist zu lang für ein Programm; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>this is text in UTF-16; UTF-8 would be right</source>
+        <translation>das ist Text in UTF-16; richtig wäre UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3833,6 +3841,42 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>your program cannot be saved here: %1</source>
         <translation>dein Programm lässt sich hier nicht speichern: %1</translation>
     </message>
+    <message>
+        <source>the history of your work cannot be kept: %1</source>
+        <translation>die Geschichte deiner Arbeit lässt sich nicht aufheben: %1</translation>
+    </message>
+    <message>
+        <source>there is no address to share with yet</source>
+        <translation>es gibt noch keine Adresse, mit der geteilt wird</translation>
+    </message>
+    <message>
+        <source>your work could not be sent: %1</source>
+        <translation>deine Arbeit ließ sich nicht senden: %1</translation>
+    </message>
+    <message>
+        <source>the other side did not take your work: %1</source>
+        <translation>die andere Seite hat deine Arbeit nicht angenommen: %1</translation>
+    </message>
+    <message>
+        <source>another window works on this lab now; this one saves nothing more, and what was typed last here is among the versions of the step</source>
+        <translation>ein anderes Fenster arbeitet jetzt an diesem Lab; dieses speichert nichts mehr, und was hier zuletzt getippt wurde, ist unter den Fassungen des Schritts</translation>
+    </message>
+    <message>
+        <source>another program has made this a file that is no program, and it cannot be moved aside</source>
+        <translation>ein anderes Programm hat daraus eine Datei gemacht, die kein Programm ist, und sie lässt sich nicht beiseitelegen</translation>
+    </message>
+    <message>
+        <source>the file cannot be moved aside</source>
+        <translation>die Datei lässt sich nicht beiseitelegen</translation>
+    </message>
+    <message>
+        <source>your work cannot be saved here: %1</source>
+        <translation>deine Arbeit lässt sich hier nicht speichern: %1</translation>
+    </message>
+    <message>
+        <source>this does not say whose work it is, as cradle.json of format 1 does</source>
+        <translation>das sagt nicht, wessen Arbeit es ist, wie cradle.json vom Format 1 es sagt</translation>
+    </message>
 </context>
 <context>
     <name>WorldText</name>
@@ -4636,8 +4680,8 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Schritt neu beginnen</translation>
     </message>
     <message>
-        <source>Your program goes back to what this step started from. What you have written in this step is lost. Go back?</source>
-        <translation>Dein Programm wird wieder das, womit dieser Schritt begann. Was du in diesem Schritt geschrieben hast, geht verloren. Zurückgehen?</translation>
+        <source>Your program goes back to what this step started from. What you have written in this step stays among its versions. Go back?</source>
+        <translation>Dein Programm wird wieder das, womit dieser Schritt begann. Was du in diesem Schritt geschrieben hast, bleibt unter seinen Fassungen. Zurückgehen?</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5609,50 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>In the scene</source>
         <translation>In der Szene</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat dein Programm geändert. Jetzt steht sein Text da; deiner ist unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat dein Programm geändert, während du getippt hast. Deines bleibt; das andere ist unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Make a program of it</source>
+        <translation>Ein Programm daraus machen</translation>
+    </message>
+    <message>
+        <source>Begin this step anew</source>
+        <translation>Diesen Schritt neu beginnen</translation>
+    </message>
+    <message>
+        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
+        <translation>Die Datei deines Programms ist kein Programm und bleibt, wie sie ist. %1 Was du auch wählst, die Datei wird daneben aufgehoben.</translation>
+    </message>
+    <message>
+        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
+        <translation>Dieser Schritt baut auf dem vorigen auf, den du nicht gemacht hast. Du beginnst mit deinem eigenen Programm.</translation>
+    </message>
+    <message>
+        <source>Begin with the solution of “%1”</source>
+        <translation>Mit der Lösung von „%1“ beginnen</translation>
+    </message>
+    <message>
+        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
+        <translation>Ein anderes Fenster arbeitet an diesem Lab (Prozess %1 auf %2, seit %3). In diesem kannst du dich umsehen, aber nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>Dein Programm ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
     </message>
 </context>
 <context>

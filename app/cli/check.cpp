@@ -3,11 +3,11 @@
 #include "app/cli/apart.h"
 #include "app/cli/subcommand.h"
 
-#include "app/cli/program_file.h"
 #include "model/preset_json.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/checker.h"
 #include "tasks/lab_list.h"
+#include "tasks/program_text.h"
 #include "tasks/report_formats.h"
 #include "tasks/report_text.h"
 

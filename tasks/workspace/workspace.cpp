@@ -4,12 +4,13 @@
 
 #include "model/file_io.h"
 #include "model/json_schema.h"
-#include "tasks/script/script_limits.h"
+#include "tasks/program_text.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace cradle {
@@ -20,16 +21,41 @@ struct WorkspaceText {
     Q_DECLARE_TR_FUNCTIONS(Workspace)
 };
 
-std::optional<Error> write(const QString &path, const QByteArray &text)
+constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a file that is no program, to be compared
+constexpr qint64 noteBytes = 256 * 1024;
+
+std::optional<QByteArray> contentOf(const QString &path)
 {
-    auto error = makeFolder(QFileInfo(path).path());
-    if (!error)
-        error = writeFile(path, text);
-    if (!error)
+    if (!QFile::exists(path))
         return std::nullopt;
-    return Error{
-        .message = WorkspaceText::tr("your program cannot be saved here: %1").arg(error->message),
-        .file = path};
+    const auto bytes = readFile(path, mostBytes);
+    return bytes ? std::optional(*bytes) : std::nullopt;
+}
+
+/// A name beside \p path that nobody has.
+QString besideOf(const QString &path)
+{
+    QString beside = path + QStringLiteral(".original");
+    for (int number = 2; QFile::exists(beside); ++number)
+        beside = path + QStringLiteral(".original-%1").arg(number);
+    return beside;
+}
+
+/// The first step of those that build on each other up to \p index: each starts from the solution
+/// of one before it.
+int beginningOf(const Lab &lab, int index)
+{
+    for (bool found = true; found;) {
+        found = false;
+        const QString &starter = lab.tasks[static_cast<std::size_t>(index)].starter;
+        for (int before = index - 1; before >= 0 && !found; --before) {
+            const QString &solution = lab.tasks[static_cast<std::size_t>(before)].solution;
+            found = !solution.isEmpty() && solution == starter;
+            if (found)
+                index = before;
+        }
+    }
+    return index;
 }
 
 } // namespace
@@ -44,32 +70,69 @@ QString Workspace::pathOf(const QString &taskId) const
     return m_folder + QStringLiteral("/steps/%1.lua").arg(taskId);
 }
 
-std::optional<QString> Workspace::ownText(const QString &taskId) const
+QString Workspace::labPath() const
 {
-    if (m_folder.isEmpty()) {
-        const auto found = m_texts.find(taskId);
-        return found == m_texts.end() ? std::nullopt : std::optional(found->second);
-    }
-    if (!QFile::exists(pathOf(taskId)))
-        return std::nullopt;
-    const Result<QByteArray> text = readFile(pathOf(taskId), 4 * limits::sourceBytes);
-    return text ? std::optional(QString::fromUtf8(*text)) : std::nullopt;
+    return m_folder + QStringLiteral("/lab.lua");
 }
 
-QString Workspace::textOf(const Lab &lab, int index) const
+Result<std::optional<QString>> Workspace::ownText(const QString &taskId) const
+{
+    if (const auto found = m_texts.find(taskId); found != m_texts.end())
+        return std::optional(found->second);
+    const QString path = pathOf(taskId);
+    if (m_folder.isEmpty())
+        return std::optional<QString>();
+    if (!QFile::exists(path))
+        return std::optional<QString>();
+    const auto bytes = readFile(path, mostBytes);
+    if (!bytes)
+        return bytes.error();
+    m_known[path] = *bytes;
+    const auto text = programFrom(*bytes, path);
+    return text ? Result<std::optional<QString>>(std::optional(*text)) : text.error();
+}
+
+Result<QString> Workspace::textOf(const Lab &lab, int index) const
 {
     const Task &task = lab.tasks[static_cast<std::size_t>(index)];
-    const std::optional<QString> own = ownText(task.id);
-    return own ? *own : startOf(lab, index);
+    if (!m_folder.isEmpty()) {
+        m_known.erase(pathOf(task.id));
+        if (const auto bytes = contentOf(labPath()))
+            m_known[labPath()] = *bytes;
+    }
+    const auto own = ownText(task.id);
+    if (!own)
+        return own.error();
+    return *own ? **own : startOf(lab, index);
+}
+
+bool Workspace::has(const QString &taskId) const
+{
+    return m_texts.contains(taskId) || (!m_folder.isEmpty() && QFile::exists(pathOf(taskId)));
 }
 
 QString Workspace::startOf(const Lab &lab, int index) const
 {
     for (int before = index - 1; before >= 0; --before) {
-        if (const auto text = ownText(lab.tasks[static_cast<std::size_t>(before)].id))
-            return *text;
+        const auto own = ownText(lab.tasks[static_cast<std::size_t>(before)].id);
+        if (own && *own)
+            return **own;
     }
-    return lab.tasks[static_cast<std::size_t>(index)].starter;
+    return lab.tasks[static_cast<std::size_t>(beginningOf(lab, index))].starter;
+}
+
+std::optional<Error> Workspace::write(const QString &path, const QByteArray &text)
+{
+    auto error = makeFolder(QFileInfo(path).path());
+    if (!error)
+        error = writeFile(path, text);
+    if (!error) {
+        m_known[path] = text;
+        return std::nullopt;
+    }
+    return Error{.message =
+                     WorkspaceText::tr("your program cannot be saved here: %1").arg(error->message),
+                 .file = path};
 }
 
 std::optional<Error> Workspace::save(const QString &taskId, const QString &text)
@@ -78,9 +141,110 @@ std::optional<Error> Workspace::save(const QString &taskId, const QString &text)
         m_texts[taskId] = text;
         return std::nullopt;
     }
-    if (auto error = write(pathOf(taskId), text.toUtf8()))
-        return error;
-    return write(m_folder + QStringLiteral("/lab.lua"), text.toUtf8());
+    if (m_hasLock && !m_lock.isHeld()) {
+        m_hasLock = false;
+        m_readOnly = true;
+        (void)keep(taskId, text, {.reason = VersionReason::Unsaved});
+    }
+    if (m_readOnly)
+        return Error{.message = WorkspaceText::tr("another window works on this lab now; this one "
+                                                  "saves nothing more, and what was typed last "
+                                                  "here is among the versions of the step"),
+                     .file = pathOf(taskId)};
+    // lab.lua first: the older of the two is never taken for an edit by somebody else.
+    auto error = write(labPath(), text.toUtf8());
+    if (!error)
+        error = write(pathOf(taskId), text.toUtf8());
+    if (error)
+        m_texts[taskId] = text;
+    else
+        m_texts.erase(taskId);
+    return error;
+}
+
+std::optional<Error> Workspace::saveUnsaved()
+{
+    const auto unsaved = m_texts;
+    for (const auto &[taskId, text] : unsaved) {
+        if (auto error = save(taskId, text))
+            return error;
+    }
+    return std::nullopt;
+}
+
+std::vector<OutsideEdit> Workspace::outsideEdits(const QString &taskId) const
+{
+    std::vector<OutsideEdit> edits;
+    if (m_folder.isEmpty() || m_readOnly)
+        return edits;
+    for (const QString &path : {pathOf(taskId), labPath()}) {
+        const auto known = m_known.find(path);
+        const auto now = contentOf(path);
+        // A file that is gone is written again with the next key; one that is new is an edit.
+        if (!now || (known != m_known.end() && known->second == *now))
+            continue;
+        const auto text = programFrom(*now, path);
+        edits.push_back({path, text ? std::optional(*text) : std::nullopt});
+    }
+    std::stable_sort(edits.begin(), edits.end(), [](const auto &a, const auto &b) {
+        return QFileInfo(a.path).lastModified() < QFileInfo(b.path).lastModified();
+    });
+    return edits;
+}
+
+std::optional<Error> Workspace::keepOutside(const QString &taskId, const OutsideEdit &edit)
+{
+    if (edit.text) {
+        m_known[edit.path] = edit.text->toUtf8();
+        return keep(taskId, *edit.text, {.reason = VersionReason::Outside});
+    }
+    const auto content = contentOf(edit.path);
+    if (!content || QFile::rename(edit.path, besideOf(edit.path))) {
+        m_known.erase(edit.path);
+        return std::nullopt;
+    }
+    return Error{.message = WorkspaceText::tr("another program has made this a file that is no "
+                                              "program, and it cannot be moved aside"),
+                 .file = edit.path};
+}
+
+bool Workspace::canConvert(const QString &taskId) const
+{
+    const auto bytes = contentOf(pathOf(taskId));
+    return bytes && convertedProgram(*bytes);
+}
+
+std::optional<Error> Workspace::replaceForeign(const Lab &lab, int index, bool convert)
+{
+    const QString &taskId = lab.tasks[static_cast<std::size_t>(index)].id;
+    const QString path = pathOf(taskId);
+    const auto bytes = contentOf(path);
+    const auto text = bytes && convert ? convertedProgram(*bytes) : std::nullopt;
+    if (!QFile::rename(path, besideOf(path)))
+        return Error{.message = WorkspaceText::tr("the file cannot be moved aside"), .file = path};
+    m_known.erase(path);
+    return save(taskId, text ? *text : startOf(lab, index));
+}
+
+QString Workspace::noteOf(const QString &taskId) const
+{
+    if (m_folder.isEmpty()) {
+        const auto found = m_notes.find(taskId);
+        return found == m_notes.end() ? QString() : found->second;
+    }
+    const auto text = readFile(m_folder + QStringLiteral("/notes/%1.md").arg(taskId), noteBytes);
+    return text ? QString::fromUtf8(*text) : QString();
+}
+
+std::optional<Error> Workspace::saveNote(const QString &taskId, const QString &text)
+{
+    if (m_folder.isEmpty()) {
+        m_notes[taskId] = text;
+        return std::nullopt;
+    }
+    if (m_readOnly || text == noteOf(taskId))
+        return std::nullopt;
+    return write(m_folder + QStringLiteral("/notes/%1.md").arg(taskId), text.toUtf8());
 }
 
 } // namespace cradle

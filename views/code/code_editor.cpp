@@ -9,14 +9,23 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include <Qsci/qscidocument.h>
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace cradle {
 
+/// Those that were open, each with its undo.
+struct CodeEditor::Documents {
+    std::map<QString, QsciDocument> all{};
+};
+
 CodeEditor::CodeEditor(QWidget *parent)
     : QWidget(parent)
     , m_area(new LuaArea(this))
+    , m_documents(std::make_unique<Documents>())
     , m_assistant(new CodeAssistant(m_area))
 {
     setFocusProxy(m_area);
@@ -68,10 +77,51 @@ void CodeEditor::setText(const QString &text)
     m_area->setFirstVisibleLine(0);
     m_loading = false;
     m_edited = false;
+    forgetMarks();
+}
+
+void CodeEditor::forgetMarks()
+{
     m_errorLine = m_suspectLine = m_executingLine = 0;
     m_errorMessage.clear();
     applyMarks();
     m_area->fitMargins();
+}
+
+void CodeEditor::openDocument(const QString &key, const QString &text)
+{
+    const auto known = m_documents->all.find(key);
+    m_loading = true;
+    m_area->setReadOnly(false);
+    if (known == m_documents->all.end()) {
+        m_area->showDocument(m_documents->all[key]);
+        m_loading = false;
+        setText(text);
+        return;
+    }
+    m_area->showDocument(known->second);
+    m_loading = false;
+    m_assistant->hide();
+    exchangeText(text);
+    m_area->setCursorPosition(0, 0);
+    m_area->setFirstVisibleLine(0);
+}
+
+void CodeEditor::exchangeText(const QString &text)
+{
+    QString lines = text;
+    lines.replace(QLatin1String("\r\n"), QLatin1String("\n"));
+    if (lines != this->text()) {
+        m_loading = true;
+        m_assistant->hide();
+        const bool readOnly = m_area->isReadOnly();
+        m_area->setReadOnly(false);
+        m_area->replaceBytes(0, m_area->send(QsciScintillaBase::SCI_GETLENGTH), lines.toUtf8());
+        m_area->setReadOnly(readOnly);
+        m_loading = false;
+    }
+    m_edited = false;
+    forgetMarks();
 }
 
 void CodeEditor::replaceText(const QString &text)

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <memory>
+
 namespace cradle {
 
 class LuaArea;
@@ -27,6 +29,12 @@ public:
     void setText(const QString &text);
     /// The same for a text that is another state of the one shown: the cursor stays.
     void replaceText(const QString &text);
+    /// Opens the text of another document; what was undone and done in it before can be again.
+    /// \param key  tells the documents apart
+    void openDocument(const QString &key, const QString &text);
+    /// Puts \p text in the place of the one shown, as one edit that can be undone; it is not told
+    /// by textEdited().
+    void exchangeText(const QString &text);
     void setReadOnly(bool readOnly);
     [[nodiscard]] bool isReadOnly() const;
 
@@ -95,6 +103,7 @@ private:
     };
 
     void tellEdit();
+    void forgetMarks();
     void revealMessage(int line);
     [[nodiscard]] Rows rowsOf(int line) const;
     void applyMarks();
@@ -103,7 +112,10 @@ private:
     void showMenu(QPoint at);
     [[nodiscard]] int existing(int line) const;
 
-    LuaArea *m_area;            ///< child
+    struct Documents;
+
+    LuaArea *m_area; ///< child
+    std::unique_ptr<Documents> m_documents;
     CodeAssistant *m_assistant; ///< child
     QString m_errorMessage;
     int m_errorLine = 0;

@@ -44,11 +44,7 @@ LuaArea::LuaArea(QWidget *parent)
     , m_lexer(new LuaLexer(this))
 {
     setFrameShape(QFrame::NoFrame);
-    setUtf8(true);
-    setEolMode(EolUnix);
-    setIndentationsUseTabs(false);
-    setIndentationWidth(luaIndent);
-    setTabWidth(luaIndent);
+    setUpDocument();
     setTabIndents(true);
     setBackspaceUnindents(true);
     setBraceMatching(SloppyBraceMatch);
@@ -68,6 +64,25 @@ LuaArea::LuaArea(QWidget *parent)
     connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &LuaArea::reindent);
     connect(this, &QsciScintillaBase::SCN_ZOOM, this, &LuaArea::fitMargins);
     connect(this, &QsciScintilla::linesChanged, this, &LuaArea::fitMargins);
+}
+
+/// What Scintilla keeps with the document, not with the field.
+void LuaArea::setUpDocument()
+{
+    setUtf8(true);
+    setEolMode(EolUnix);
+    setIndentationsUseTabs(false);
+    setIndentationWidth(luaIndent);
+    setTabWidth(luaIndent);
+}
+
+void LuaArea::showDocument(const QsciDocument &document)
+{
+    clearAnnotations();
+    setDocument(document);
+    setUpDocument();
+    applyLook();
+    setFolding(PlainFoldStyle, foldMargin);
 }
 
 void LuaArea::setUpMargins()

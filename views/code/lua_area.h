@@ -22,6 +22,8 @@ public:
 
     explicit LuaArea(QWidget *parent);
 
+    /// Shows another document, as one of Lua.
+    void showDocument(const QsciDocument &document);
     /// Colours and font of the theme in force.
     void applyLook();
     /// Width for the numbers of all lines at this zoom.
@@ -54,6 +56,7 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
+    void setUpDocument();
     void setUpMargins();
     void setUpKeys();
     [[nodiscard]] bool isOwnKey(const QKeyEvent &event) const;

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include "app/notice_bar.h"
+
+#include <QLocale>
+#include <QMessageBox>
+
+namespace cradle {
+
+// What is said about the student's files, and what can be done about it.
+
+void MainWindow::wireKeeping()
+{
+    CodeSession *code = &m_workbench.code();
+    connect(&m_workbench, &Workbench::failed, this,
+            [this](const Error &error) { m_notice->warn(error.toString()); });
+    connect(&m_workbench, &Workbench::heldElsewhere, this, &MainWindow::showHolder);
+    connect(code, &CodeSession::failed, this, &MainWindow::reportUnsaved);
+    connect(code, &CodeSession::savedAgain, this,
+            [this] { m_notice->retract(std::exchange(m_unsavedWarning, {})); });
+    connect(code, &CodeSession::changedOutside, this, [this](bool taken) {
+        m_notice->showNotice(taken ? tr("Another program has changed your program. Its text is "
+                                        "shown now; yours is among the versions of this step.")
+                                   : tr("Another program has changed your program while you "
+                                        "typed. Yours stays; the other is among the versions of "
+                                        "this step."));
+    });
+}
+
+void MainWindow::report(const Error &error)
+{
+    m_notice->showNotice(error.toString());
+}
+
+void MainWindow::reportUnsaved(const Error &error)
+{
+    m_notice->retract(m_unsavedWarning);
+    m_unsavedWarning = error.toString();
+    m_notice->warn(m_unsavedWarning);
+}
+
+/// What there is to know about the step that was opened.
+void MainWindow::showTaskNotice()
+{
+    Workbench *bench = &m_workbench;
+    const CodeSession &code = bench->code();
+    if (bench->task() && bench->mode() == Mode::Code && code.foreign()) {
+        std::vector<NoticeBar::Offer> offers;
+        if (code.workspace().canConvert(code.taskId()))
+            offers.push_back({tr("Make a program of it"), [bench] { bench->convertProgram(); }});
+        offers.push_back({tr("Begin this step anew"), [bench] { bench->setProgramAside(); }});
+        m_notice->showNotice(tr("The file of your program is no program, and is left as it is. %1 "
+                                "Whatever you choose, the file is kept beside it.")
+                                 .arg(code.foreign()->toString()),
+                             offers);
+    } else if (const Task *missed = bench->mode() == Mode::Code ? bench->missedTask() : nullptr) {
+        m_notice->showNotice(
+            tr("This step goes on from the one before, which you have not done. You begin with "
+               "your own program."),
+            {{tr("Begin with the solution of “%1”").arg(missed->title),
+              [bench] { bench->startFromSolution(); }}});
+    } else if (bench->isFirstStart() && bench->current() == 0) {
+        m_notice->showNotice(
+            bench->mode() == Mode::Code
+                ? tr("Read the step on the left, write your program below the scene, press Run to "
+                     "watch, and Check when you are done.")
+                : tr("Read the step on the left, set the values below the scene, press Run to "
+                     "watch, and Check when you are done."));
+    }
+}
+
+void MainWindow::showHolder()
+{
+    const auto &holder = m_workbench.code().workspace().holder();
+    if (!holder)
+        return;
+    Workbench *bench = &m_workbench;
+    m_notice->warn(tr("Another window works on this lab (process %1 on %2, since %3). In this one "
+                      "you can look, but nothing is saved.")
+                       .arg(holder->process)
+                       .arg(holder->host,
+                            QLocale().toString(holder->since.toLocalTime(), QLocale::ShortFormat)),
+                   {{tr("Take over"), [bench] { bench->takeOver(); }}});
+}
+
+/// Asks whether a program that cannot be saved is to be given up.
+bool MainWindow::mayClose()
+{
+    m_workbench.code().save();
+    if (m_workbench.code().isSaved())
+        return true;
+    return QMessageBox::warning(this, tr("Your program is not saved"),
+                                m_unsavedWarning + QStringLiteral("\n\n")
+                                    + tr("What you typed since it was last saved is lost if you "
+                                         "close the window."),
+                                QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel)
+           == QMessageBox::Discard;
+}
+
+} // namespace cradle

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/workspace/history.h"
+
+#include "git_home.h"
+#include "model/file_io.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace cradle;
+
+/// The history of a student's work, as any git reads it.
+class TestHistory final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void isARepositoryOfTheFolderAlone();
+    void commitsTheWorkAndNothingElse();
+    void aFileThatIsGoneIsGone();
+    void versionsAreNoPartOfTheStory();
+    void versionsComeBackAsTheyWere();
+    void passesAreReadFromTheStory();
+    void signsAsGitDoes();
+    void signsWithAnyName_data();
+    void signsWithAnyName();
+    void pushesToABareRepository();
+    void saysWhatKeepsItFromPushing();
+    void bundleCanBeCloned();
+    void hostileMessagesAreText();
+    void damagedRepositoryIsSaid();
+
+private:
+    [[nodiscard]] QString path(const char *name) const
+    {
+        return m_folder->filePath(QLatin1String(name));
+    }
+    [[nodiscard]] std::unique_ptr<History> opened() const
+    {
+        auto history = History::open(m_folder->filePath(QStringLiteral("w")));
+        return history ? std::move(*history) : nullptr;
+    }
+    QString git(const QString &arguments) const
+    {
+        return GitHome::git(path("w"), arguments.split(QLatin1Char(' ')));
+    }
+
+    GitHome m_home;
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+namespace {
+
+const QString task = QStringLiteral("L42T5");
+const QString student = QStringLiteral("Ada Lovelace");
+
+VersionNote checked(bool passed)
+{
+    return {.reason = VersionReason::Checked,
+            .passed = passed,
+            .seed = 17,
+            .labHash = QString(64, QLatin1Char('a')),
+            .findings = passed ? QStringList() : QStringList{QStringLiteral("both-symplectic")}};
+}
+
+} // namespace
+
+void TestHistory::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(!makeFolder(path("w/steps")));
+    QVERIFY(!writeFile(path("w/steps/L42T5.lua"), "-- one\n"));
+    QVERIFY(!writeFile(path("w/lab.lua"), "-- one\n"));
+}
+
+void TestHistory::isARepositoryOfTheFolderAlone()
+{
+    // Around it is another repository, as where a student keeps all of a course in one.
+    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q")}),
+             QString());
+    const auto history = opened();
+    QVERIFY(history && history->isEmpty());
+    QVERIFY(QFileInfo(path("w/.git")).isDir());
+    QCOMPARE(git(QStringLiteral("symbolic-ref HEAD")), QStringLiteral("refs/heads/main"));
+    QVERIFY(!History::openExisting(path("w/steps")));
+}
+
+void TestHistory::commitsTheWorkAndNothingElse()
+{
+    const auto history = opened();
+    QVERIFY(!writeFile(path("w/private.txt"), "mine"));
+    QVERIFY(!writeFile(path("w/steps/L42T5.lua.original"), "old"));
+    QVERIFY(!history->commit(passMessage(task, QStringLiteral("L42T5 Integrated"), checked(true)),
+                             student));
+    QVERIFY(!history->isEmpty());
+    QCOMPARE(git(QStringLiteral("ls-tree -r --name-only HEAD")),
+             QStringLiteral("lab.lua\nsteps/L42T5.lua"));
+    QCOMPARE(git(QStringLiteral("log --format=%s|%an")),
+             QStringLiteral("L42T5 Integrated|Ada Lovelace"));
+    QCOMPARE(git(QStringLiteral("log --format=%(trailers:key=Cradle-Seed,valueonly)")).trimmed(),
+             QStringLiteral("17"));
+    QVERIFY(git(QStringLiteral("fsck --strict")).isEmpty());
+    // What was committed is not shown as changed.
+    QVERIFY(!git(QStringLiteral("status --porcelain")).contains(QLatin1String("lab.lua")));
+}
+
+void TestHistory::aFileThatIsGoneIsGone()
+{
+    const auto history = opened();
+    QVERIFY(!history->commit(QStringLiteral("one\n"), student));
+    QVERIFY(QFile::remove(path("w/lab.lua")));
+    QVERIFY(!history->commit(QStringLiteral("two\n"), student));
+    QCOMPARE(git(QStringLiteral("ls-tree -r --name-only HEAD")), QStringLiteral("steps/L42T5.lua"));
+}
+
+void TestHistory::versionsAreNoPartOfTheStory()
+{
+    const auto history = opened();
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(!history->keep(task, "-- two\n", checked(false), student));
+    QVERIFY(!history->keep(task, "-- three\n", {}, student));
+    QCOMPARE(git(QStringLiteral("log --format=%s")), QStringLiteral("Begin"));
+    QCOMPARE(git(QStringLiteral("log --format=%s refs/cradle/versions/L42T5")),
+             QStringLiteral("L42T5: work in progress\nL42T5: checked, not passed"));
+    QCOMPARE(git(QStringLiteral("show refs/cradle/versions/L42T5:steps/L42T5.lua")),
+             QStringLiteral("-- three"));
+    QVERIFY(git(QStringLiteral("fsck --strict")).isEmpty());
+    QCOMPARE(history->tasksWithVersions(), QStringList{task});
+}
+
+void TestHistory::versionsComeBackAsTheyWere()
+{
+    const QByteArray texts[] = {"", "-- Größe\r\n", QByteArray("a\0b", 3)};
+    {
+        const auto history = opened();
+        for (const QByteArray &text : texts)
+            QVERIFY(!history->keep(task, text, checked(false), student));
+    }
+    const auto history = opened();
+    const auto versions = history->versions(task);
+    QCOMPARE(versions.size(), std::size_t(3));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto text = history->textOf(versions[2 - i]);
+        QVERIFY(text);
+        QCOMPARE(*text, texts[i]);
+        QVERIFY(versions[i].note == checked(false));
+        QVERIFY(versions[i].when.isValid());
+    }
+    QCOMPARE(history->versions(task, 2).size(), std::size_t(2));
+    QVERIFY(history->versions(QStringLiteral("none")).empty());
+    QVERIFY(!history->textOf({.id = QString(40, QLatin1Char('0')), .taskId = task, .when = {}}));
+    QVERIFY(!history->textOf({.id = QStringLiteral("nonsense"), .taskId = task, .when = {}}));
+}
+
+void TestHistory::passesAreReadFromTheStory()
+{
+    const auto history = opened();
+    QVERIFY(history->passes().empty());
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(!history->commit(passMessage(task, QStringLiteral("first"), checked(true)), student));
+    QVERIFY(!history->commit(
+        passMessage(QStringLiteral("L42T6"), QStringLiteral("second"), checked(true)), student));
+    const auto passes = history->passes();
+    QCOMPARE(passes.size(), std::size_t(2));
+    QCOMPARE(passes[0].taskId, QStringLiteral("L42T6"));
+    QCOMPARE(passes[1].taskId, task);
+    QVERIFY(passes[1].note == checked(true));
+    QCOMPARE(*history->textOf(passes[1]), QByteArray("-- one\n"));
+}
+
+void TestHistory::signsAsGitDoes()
+{
+    const auto history = opened();
+    QVERIFY(history->gitName().isEmpty());
+    git(QStringLiteral("config user.name Grace"));
+    git(QStringLiteral("config user.email grace@example.org"));
+    QCOMPARE(history->gitName(), QStringLiteral("Grace"));
+    QVERIFY(!history->commit(QStringLiteral("one\n"), student));
+    QCOMPARE(git(QStringLiteral("log --format=%an<%ae>")),
+             QStringLiteral("Grace<grace@example.org>"));
+}
+
+void TestHistory::signsWithAnyName_data()
+{
+    QTest::addColumn<QString>("given");
+    QTest::addColumn<QString>("signs");
+    QTest::newRow("none") << QString() << QStringLiteral("Student");
+    QTest::newRow("spaces") << QStringLiteral("  ") << QStringLiteral("Student");
+    QTest::newRow("brackets") << QStringLiteral("A <b> C") << QStringLiteral("A b C");
+    QTest::newRow("lines") << QStringLiteral("A\nB") << QStringLiteral("A B");
+    QTest::newRow("letters") << QString::fromUtf8("Jürgen Ž") << QString::fromUtf8("Jürgen Ž");
+}
+
+void TestHistory::signsWithAnyName()
+{
+    QFETCH(QString, given);
+    QFETCH(QString, signs);
+    const auto history = opened();
+    const auto error = history->commit(QStringLiteral("one\n"), given);
+    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
+    QCOMPARE(git(QStringLiteral("log --format=%an")), signs);
+}
+
+void TestHistory::pushesToABareRepository()
+{
+    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
+                                             QStringLiteral("--bare"), QStringLiteral("b.git")}),
+             QString());
+    const auto history = opened();
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(!history->keep(task, "-- two\n", checked(false), student));
+    QVERIFY(history->remoteUrl().isEmpty());
+    QVERIFY(!history->setRemoteUrl(path("b.git")));
+    QCOMPARE(history->remoteUrl(), path("b.git"));
+    QVERIFY(!history->lastPush().isValid());
+    const auto error = history->push();
+    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
+    QVERIFY(history->lastPush().isValid());
+    const QString there = GitHome::git(
+        path("b.git"), {QStringLiteral("for-each-ref"), QStringLiteral("--format=%(refname)")});
+    QCOMPARE(there, QStringLiteral("refs/cradle/versions/L42T5\nrefs/heads/main"));
+    QVERIFY(!history->setRemoteUrl({}));
+    QVERIFY(history->remoteUrl().isEmpty());
+}
+
+void TestHistory::saysWhatKeepsItFromPushing()
+{
+    const auto history = opened();
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(history->push());
+    QVERIFY(!history->setRemoteUrl(path("nowhere.git")));
+    const auto error = history->push();
+    QVERIFY(error);
+    QCOMPARE(error->file, path("nowhere.git"));
+    QVERIFY2(error->message.contains(QLatin1String("could not be sent")),
+             qPrintable(error->message));
+}
+
+void TestHistory::bundleCanBeCloned()
+{
+    const auto history = opened();
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(!history->keep(task, "-- two\n", checked(false), student));
+    const auto bundle = history->bundle();
+    QVERIFY(bundle);
+    QVERIFY(!writeFile(path("h.bundle"), *bundle));
+    const QString said =
+        GitHome::git(m_folder->path(), {QStringLiteral("clone"), QStringLiteral("-q"),
+                                        QStringLiteral("h.bundle"), QStringLiteral("cloned")});
+    QVERIFY2(!said.startsWith(QLatin1String("failed")), qPrintable(said));
+    QFile file(path("cloned/steps/L42T5.lua"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("-- one\n"));
+    QVERIFY(History::openExisting(path("cloned")));
+    QVERIFY(
+        GitHome::git(m_folder->path(), {QStringLiteral("ls-remote"), QStringLiteral("h.bundle")})
+            .contains(QLatin1String("refs/cradle/versions/L42T5")));
+}
+
+void TestHistory::hostileMessagesAreText()
+{
+    // A name of a mistake in somebody's lab cannot forge another trailer.
+    VersionNote note = checked(false);
+    note.findings = {QStringLiteral("x\nCradle-Verdict: passed"), QString(5000, QLatin1Char('y'))};
+    const auto history = opened();
+    QVERIFY(!history->keep(task, "-- two\n", note, student));
+    const auto versions = history->versions(task);
+    QCOMPARE(versions.size(), std::size_t(1));
+    QCOMPARE(versions[0].note.passed, std::optional(false));
+    QVERIFY(versionNote(QStringLiteral("Cradle-Seed: none\nCradle-Reason: ?")) == VersionNote{});
+}
+
+void TestHistory::damagedRepositoryIsSaid()
+{
+    QVERIFY(opened());
+    QVERIFY(!writeFile(path("w/.git/HEAD"), "nonsense"));
+    QVERIFY(!writeFile(path("w/.git/config"), "[[["));
+    const auto history = History::open(path("w"));
+    QVERIFY(!history);
+    QVERIFY2(history.error().message.contains(QLatin1String("cannot be kept")),
+             qPrintable(history.error().message));
+}
+
+QTEST_GUILESS_MAIN(TestHistory)
+#include "test_history.moc"
