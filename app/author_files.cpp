@@ -18,6 +18,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -239,6 +240,27 @@ void AuthorWindow::insertFigure()
         name, tr("The scene at %1 s").arg(m_sceneTab->simulation().time(), 0, 'f', 2));
 }
 
+/// A window was killed, and this is what it had not saved.
+void AuthorWindow::showDraft(const QDateTime &when)
+{
+    m_notice->warn(tr("Cradle ended without saving this lab. Your changes of %1 are back; they are "
+                      "not saved yet.")
+                       .arg(QLocale().toString(when.toLocalTime(), QLocale::ShortFormat)),
+                   m_document.undoStack().canUndo()
+                       ? std::vector<NoticeBar::Offer>{{tr("Discard them"),
+                                                        [this] { m_document.undoStack().undo(); }}}
+                       : std::vector<NoticeBar::Offer>());
+}
+
+void AuthorWindow::offerUnsavedLab()
+{
+    m_notice->warn(tr("Cradle ended before a new lab was saved for the first time."),
+                   {{tr("Open it"), [this] {
+                         if (mayDiscard())
+                             m_document.openUnsavedDraft();
+                     }}});
+}
+
 bool AuthorWindow::mayDiscard()
 {
     if (!m_document.isModified())
@@ -251,6 +273,7 @@ bool AuthorWindow::mayDiscard()
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:
+        m_document.discardDraft();
         return true;
     default:
         return false;

@@ -13,6 +13,7 @@
 #include "views/author/text_tab.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScreen>
@@ -33,6 +34,7 @@ constexpr int stepsWidth = 270;       ///< px
 AuthorWindow::AuthorWindow(QSettings &settings)
     : m_settings(settings)
 {
+    m_document.keepDraftsIn(QFileInfo(settings.fileName()).path() + QStringLiteral("/drafts"));
     makePanes();
     wire();
     wireProof();
@@ -85,6 +87,7 @@ void AuthorWindow::wire()
     connect(&m_document, &AuthorDocument::labRead, this, &AuthorWindow::showState);
     connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
     connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
+    connect(&m_document, &AuthorDocument::draftTaken, this, &AuthorWindow::showDraft);
     connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
     // Queued: what is not saved is asked about when the drag is over.
     connect(new LabDrop(this), &LabDrop::dropped, this, &AuthorWindow::openDropped,
@@ -149,7 +152,10 @@ void AuthorWindow::showVisit()
 
 std::optional<Error> AuthorWindow::open(const QString &folder)
 {
-    return m_document.open(folder);
+    auto error = m_document.open(folder);
+    if (!error && m_document.hasUnsavedDraft())
+        offerUnsavedLab();
+    return error;
 }
 
 void AuthorWindow::showState()

@@ -82,6 +82,8 @@ private:
     void showState();
     void showWelcome();
     void showVisit();
+    void showDraft(const QDateTime &when);
+    void offerUnsavedLab();
     void openPath(const QString &path);
     void report(const Error &error);
     void offerReload(const QString &names);

@@ -11,6 +11,14 @@ namespace cradle {
 
 namespace {
 
+/// An option of which only our own programs know.
+QCommandLineOption hidden(const QString &name)
+{
+    QCommandLineOption option(name, {}, QStringLiteral("FOLDER"));
+    option.setFlags(QCommandLineOption::HiddenFromHelp);
+    return option;
+}
+
 /// Command line options; the names are those that --help shows.
 struct Options {
     QCommandLineOption step{QStringLiteral("step"),
@@ -47,6 +55,7 @@ struct Options {
         QStringLiteral("screenshot"),
         QCoreApplication::translate("Main", "draw the window into this file and quit"),
         QStringLiteral("FILE.png")};
+    QCommandLineOption printReport = hidden(QStringLiteral("print-report"));
     QCommandLineOption at{
         QStringLiteral("at"),
         QCoreApplication::translate("Main", "of the scene's time, s, in the picture"),
@@ -79,7 +88,7 @@ bool needsNoDisplay(int argc, char **argv)
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument(argv[i]);
         for (const std::string_view name :
-             {"--screenshot", "--help", "-h", "--help-all", "--version", "-v"}) {
+             {"--screenshot", "--print-report", "--help", "-h", "--help-all", "--version", "-v"}) {
             if (argument == name || argument.starts_with("--screenshot="))
                 return true;
         }
@@ -100,7 +109,7 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
                        options.script, options.author, options.tab, options.screenshot, options.at,
-                       options.size});
+                       options.size, options.printReport});
     if (!parser.parse(arguments))
         return Error{.message = QStringLiteral("cradle: ") + parser.errorText()};
     if (parser.isSet(help))
@@ -127,7 +136,8 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
                        .tab = parser.value(options.tab),
                        .screenshot = value(options.screenshot),
                        .at = parser.value(options.at),
-                       .size = parser.value(options.size)};
+                       .size = parser.value(options.size),
+                       .printReport = value(options.printReport)};
 }
 
 } // namespace cradle

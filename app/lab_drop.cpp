@@ -3,6 +3,7 @@
 #include "app/lab_drop.h"
 
 #include "tasks/authoring/lab_archive.h"
+#include "tasks/hand_in/work_archive.h"
 
 #include <QApplication>
 #include <QDropEvent>
@@ -23,7 +24,7 @@ QString labIn(const QMimeData &data)
         return {};
     const QString path = urls.front().toLocalFile();
     const bool isFolder = QFileInfo::exists(path + QStringLiteral("/lab.json"));
-    return isFolder || isLabArchive(path) ? path : QString();
+    return isFolder || isLabArchive(path) || isWorkArchive(path) ? path : QString();
 }
 
 bool isDrag(QEvent::Type type)

@@ -7,7 +7,9 @@
 #include "app/main_window.h"
 #include "app/named_opening.h"
 #include "app/screenshot.h"
+#include "model/file_io.h"
 #include "tasks/authoring/lab_archive.h"
+#include "views/report_printer.h"
 #include "views/shortcut_guard.h"
 
 #include <QApplication>
@@ -75,6 +77,18 @@ Result<Manner> takeManner(const CommandLine &request, const QSettings &settings)
     return Manner{.theme = *theme, .mode = *mode};
 }
 
+/// Prints the report that lies in \p folder as report.pdf there.
+int printReport(const QString &folder)
+{
+    const auto page = readPage(folder);
+    if (!page)
+        return complain(page.error().toString());
+    const QString title =
+        page->html.section(QStringLiteral("<title>"), 1).section(QStringLiteral("</title>"), 0, 0);
+    const auto error = writeFile(folder + QStringLiteral("/report.pdf"), printedPdf(*page, title));
+    return error ? complain(error->toString()) : 0;
+}
+
 /// Opens all that is asked for. \return what is wrong with it
 std::optional<Error> open(MainWindow &window, Workbench &bench, const CommandLine &request,
                           const QString &labs)
@@ -112,6 +126,8 @@ int main(int argc, char **argv)
     const Result<CommandLine> request = parseCommandLine(QApplication::arguments());
     if (!request)
         return complain(request.error().message);
+    if (request->printReport)
+        return printReport(*request->printReport);
     QSettings settings;
     const Result<Manner> manner = takeManner(*request, settings);
     if (!manner)

@@ -59,6 +59,12 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("&Previous step"), QKeySequence(Qt::CTRL | Qt::Key_PageUp), bench,
         &Workbench::openPreviousTask);
     menu->addSeparator();
+    add(menu, MenuText::tr("&Report…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B), &window,
+        &MainWindow::openReport);
+    add(menu, MenuText::tr("&Hand in…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), &window,
+        &MainWindow::openHandIn);
+    add(menu, MenuText::tr("Share with &git…"), {}, &window, &MainWindow::shareWork);
+    menu->addSeparator();
     addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,
         &MainWindow::openLabFolder);

@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "app/code_desk.h"
+#include "app/keeping_desk.h"
 #include "app/language.h"
 #include "app/main_menu.h"
 #include "app/notice_bar.h"
@@ -13,8 +14,10 @@
 #include "views/charts/plots_chart.h"
 #include "views/charts/speed_histogram.h"
 #include "views/code/code_pane.h"
+#include "views/code/versions_pane.h"
 #include "views/console_view.h"
 #include "views/inspector/inspector.h"
+#include "views/notes_pane.h"
 #include "views/scene/scene_view.h"
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"
@@ -36,7 +39,7 @@ namespace cradle {
 namespace {
 
 /// Raised when the panes change so that a kept layout no longer fits.
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 constexpr QSize firstSize{1440, 900}; ///< px
 
 // Of the right column, for the values.
@@ -119,6 +122,11 @@ void MainWindow::makePanes()
     setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
     addPane(m_code, QStringLiteral("code"), Qt::BottomDockWidgetArea);
     addPane(m_inspector, QStringLiteral("inspector"), Qt::BottomDockWidgetArea);
+    m_versions = new VersionsPane(this);
+    addPane(m_versions, QStringLiteral("versions"), Qt::BottomDockWidgetArea);
+    m_notes = new NotesPane(this);
+    addPane(m_notes, QStringLiteral("notes"), Qt::BottomDockWidgetArea);
+    m_keeping = new KeepingDesk(m_workbench, *m_versions, *m_notes, this);
     addPane(new MomentumChart(simulation, m_curves, this), QStringLiteral("momentum"),
             Qt::RightDockWidgetArea);
     addPane(new EnergyChart(simulation, m_curves, this), QStringLiteral("energy"),
@@ -157,7 +165,8 @@ void MainWindow::arrangePanes()
     }
     addDockWidget(Qt::LeftDockWidgetArea, dock("task"));
     addDockWidget(Qt::BottomDockWidgetArea, dock("code"));
-    tabifyDockWidget(dock("code"), dock("inspector"));
+    for (const char *name : {"inspector", "versions", "notes"})
+        tabifyDockWidget(dock("code"), dock(name));
     for (const char *name : {"momentum", "energy", "values"})
         addDockWidget(Qt::RightDockWidgetArea, dock(name));
     resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
@@ -246,8 +255,9 @@ void MainWindow::retranslate()
     else
         setWindowTitle(m_workbench.document().preset().name);
     const std::pair<const char *, QString> titles[] = {
-        {"task", tr("Step")},         {"code", tr("lab.lua")},  {"inspector", tr("Inspector")},
-        {"momentum", tr("Momentum")}, {"energy", tr("Energy")}, {"values", tr("Values")}};
+        {"task", tr("Step")},         {"code", tr("lab.lua")}, {"inspector", tr("Inspector")},
+        {"versions", tr("Versions")}, {"notes", tr("Notes")},  {"momentum", tr("Momentum")},
+        {"energy", tr("Energy")},     {"values", tr("Values")}};
     for (const auto &[name, title] : titles)
         findChild<QDockWidget *>(QLatin1String(name))->setWindowTitle(title);
     titleTabs();
@@ -270,6 +280,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     }
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
     m_settings.setValue(QStringLiteral("layout"), saveState(layoutVersion));
+    m_keeping->saveNote();
     m_workbench.save();
     event->accept();
 }

@@ -21,6 +21,8 @@ class CodeDesk;
 class CodePane;
 class ConsoleView;
 class Inspector;
+class KeepingDesk;
+class NotesPane;
 class NoticeBar;
 class PhaseChart;
 class SceneView;
@@ -28,6 +30,7 @@ class TaskPane;
 class Timeline;
 class TransportBar;
 class ValuesPane;
+class VersionsPane;
 enum class Renderer;
 struct SceneOptions;
 
@@ -48,6 +51,8 @@ public:
     [[nodiscard]] Inspector &inspector() { return *m_inspector; }
     [[nodiscard]] CodePane &codePane() { return *m_code; }
     [[nodiscard]] CodeDesk &codeDesk() { return *m_desk; }
+    [[nodiscard]] VersionsPane &versions() { return *m_versions; }
+    [[nodiscard]] NotesPane &notes() { return *m_notes; }
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
@@ -77,6 +82,9 @@ public slots:
     void openPresetFile();
     void openExample(cradle::Example example);
     void savePresetAs();
+    void openReport(); ///< looks back at the work so far, from where a report is written
+    void openHandIn();
+    void shareWork();       ///< with a git repository elsewhere
     void authorLab();       ///< opens the open lab in a window in which it can be written
     void pinRun();          ///< keeps the run to be compared with later ones
     void startNewRunHere(); ///< from the moment shown; keeps the run so far
@@ -117,6 +125,8 @@ private:
     void wireKeeping();
     void showTaskNotice();
     void showHolder();
+    void lookBack(bool finished);
+    [[nodiscard]] bool hasWork();
     void reportUnsaved(const Error &error);
     [[nodiscard]] bool mayClose();
 
@@ -131,6 +141,9 @@ private:
     Inspector *m_inspector = nullptr;
     CodePane *m_code = nullptr;
     CodeDesk *m_desk = nullptr;
+    VersionsPane *m_versions = nullptr;
+    NotesPane *m_notes = nullptr;
+    KeepingDesk *m_keeping = nullptr;
     ConsoleView *m_console = nullptr;
     QWidget *m_plots = nullptr;
     QWidget *m_speeds = nullptr;

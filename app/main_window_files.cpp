@@ -5,7 +5,10 @@
 #include "app/author_window.h"
 #include "app/lab_drop.h"
 #include "app/language.h"
+#include "app/named_opening.h"
 #include "model/preset_json.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/hand_in/work_archive.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -28,14 +31,21 @@ void MainWindow::openLabFolder()
 
 void MainWindow::openLabFile()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
-                                                      tr("Labs (*.cradle);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
+                                     tr("Labs and work (*.cradle *.cradle-work);;All files "
+                                        "(*)"));
     if (!path.isEmpty())
         openLab(path);
 }
 
 void MainWindow::openLab(const QString &path)
 {
+    if (isWorkArchive(path) || isWorkspace(path)) {
+        if (const auto error = openNamed(m_workbench, path, {}, userLabsFolder()))
+            report(*error);
+        return;
+    }
     const Result<QString> folder = labFolder(path);
     if (!folder)
         report(folder.error());

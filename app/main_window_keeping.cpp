@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/hand_in_dialog.h"
+#include "app/keeping_desk.h"
 #include "app/notice_bar.h"
+#include "app/report_dialog.h"
+#include "app/share_dialog.h"
+#include "views/drawing_object.h"
 
 #include <QLocale>
 #include <QMessageBox>
@@ -16,6 +21,7 @@ void MainWindow::wireKeeping()
     CodeSession *code = &m_workbench.code();
     connect(&m_workbench, &Workbench::failed, this,
             [this](const Error &error) { m_notice->warn(error.toString()); });
+    connect(&m_workbench, &Workbench::labFinished, this, [this] { lookBack(true); });
     connect(&m_workbench, &Workbench::heldElsewhere, this, &MainWindow::showHolder);
     connect(code, &CodeSession::failed, this, &MainWindow::reportUnsaved);
     connect(code, &CodeSession::savedAgain, this,
@@ -83,6 +89,52 @@ void MainWindow::showHolder()
                        .arg(holder->host,
                             QLocale().toString(holder->since.toLocalTime(), QLocale::ShortFormat)),
                    {{tr("Take over"), [bench] { bench->takeOver(); }}});
+}
+
+/// Says so where nothing of the work is kept, or by whom.
+bool MainWindow::hasWork()
+{
+    const Workspace &workspace = m_workbench.code().workspace();
+    if (m_workbench.task() && workspace.history())
+        return true;
+    m_notice->showNotice(m_workbench.task() ? tr("Nothing of this work is kept on a disk.")
+                                            : tr("Open a step of a lab first."));
+    return false;
+}
+
+void MainWindow::lookBack(bool finished)
+{
+    if (!hasWork())
+        return;
+    m_keeping->saveNote();
+    auto *dialog = new ReportDialog(m_workbench, finished, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ReportDialog::handInRequested, this, &MainWindow::openHandIn);
+    dialog->open();
+}
+
+void MainWindow::openReport()
+{
+    lookBack(false);
+}
+
+void MainWindow::openHandIn()
+{
+    if (!hasWork())
+        return;
+    m_keeping->saveNote();
+    auto *dialog = new HandInDialog(m_workbench, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::shareWork()
+{
+    if (!hasWork())
+        return;
+    auto *dialog = new ShareDialog(m_workbench.code().workspace(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 /// Asks whether a program that cannot be saved is to be given up.

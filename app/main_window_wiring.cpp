@@ -129,11 +129,13 @@ void MainWindow::showMode()
 {
     const bool code = m_workbench.mode() == Mode::Code;
     auto *codeDock = findChild<QDockWidget *>(QStringLiteral("code"));
-    auto *inspectorDock = findChild<QDockWidget *>(QStringLiteral("inspector"));
     const bool hasStep = m_workbench.task() != nullptr;
+    auto *inspectorDock = findChild<QDockWidget *>(QStringLiteral("inspector"));
     m_transport->setModes(hasStep ? QStringList{tr("Explore"), tr("Code")} : QStringList(),
                           code ? 1 : 0);
     codeDock->setVisible(code);
+    for (const char *name : {"versions", "notes"})
+        findChild<QDockWidget *>(QLatin1String(name))->setVisible(hasStep && code);
     (code ? codeDock : inspectorDock)->raise();
     if (hasStep)
         showInstructions();

@@ -6,6 +6,7 @@
 #include "app/language.h"
 #include "app/main_window.h"
 #include "tasks/authoring/lab_archive.h"
+#include "tasks/hand_in/hand_in.h"
 #include "tasks/lab_list.h"
 #include "tasks/lab_reader.h"
 
@@ -39,11 +40,31 @@ Result<QString> unpacked(const QString &path, const QString &labs)
     return isLabArchive(path) ? importLab(path, labs) : Result<QString>(path);
 }
 
+/// A student's own workspace; or one that was handed in, to be looked at.
+std::optional<Error> openWork(Workbench &bench, const QString &path, const QString &step,
+                              const QString &labs)
+{
+    const bool handedIn = isWorkArchive(path);
+    const Result<QString> folder =
+        handedIn ? openHandIn(path, labs + QStringLiteral("/../handed-in")) : Result<QString>(path);
+    if (!folder)
+        return folder.error();
+    if (auto error = bench.openWork(*folder, handedIn, currentLanguage()))
+        return error;
+    if (step.isEmpty() || bench.openTask(step))
+        return std::nullopt;
+    return Error{
+        .message =
+            QCoreApplication::translate("Main", "there is no step %1 in this lab").arg(step)};
+}
+
 } // namespace
 
 std::optional<Error> openNamed(Workbench &bench, const QString &named, const QString &step,
                                const QString &labs)
 {
+    if (isWorkArchive(named) || isWorkspace(named))
+        return openWork(bench, named, step, labs);
     const Result<QString> place = unpacked(named, labs);
     if (!place)
         return place.error();

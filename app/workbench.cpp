@@ -4,6 +4,9 @@
 
 #include "model/json_schema.h"
 #include "model/preset_json.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/hand_in/student_work.h"
+#include "tasks/lab_list.h"
 #include "tasks/lab_reader.h"
 #include "tasks/script/script_limits.h"
 
@@ -21,6 +24,19 @@ using namespace std::chrono_literals;
 /// After the last edit; a drag makes many.
 constexpr auto saveDelay = 300ms;
 
+/// The folder of the lab with that id, among those that ship and the user's; empty if none has it.
+QString labNamed(const QString &id)
+{
+    std::vector<ListedLab> labs = shippedLabs(QStringLiteral("en"));
+    for (ListedLab &own : labsIn(userLabsFolder(), QStringLiteral("en")))
+        labs.push_back(std::move(own));
+    for (const ListedLab &listed : labs) {
+        if (const auto lab = readLab(listed.folder); lab && lab->id == id)
+            return listed.folder;
+    }
+    return {};
+}
+
 } // namespace
 
 Workbench::Workbench(const QString &progressFile, QObject *parent)
@@ -29,6 +45,7 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
     , m_simulation(Preset{})
     , m_document(m_simulation)
     , m_code(m_simulation)
+    , m_progressFile(progressFile)
     , m_programs(progressFile.isEmpty()
                      ? QString()
                      : QFileInfo(progressFile).path() + QStringLiteral("/programs"))
@@ -64,18 +81,46 @@ const Task *Workbench::task() const
 
 std::optional<Error> Workbench::openLab(const QString &folder, const QString &language)
 {
+    return openLabWith(folder, language, {}, false);
+}
+
+std::optional<Error> Workbench::openWork(const QString &folder, bool readOnly,
+                                         const QString &language)
+{
+    const auto info = readWorkspaceInfo(folder);
+    if (!info)
+        return info.error();
+    const QString lab = labNamed(info->labId);
+    if (lab.isEmpty())
+        return Error{.message = tr("this is work in the lab %1, which is not here; open that lab "
+                                   "once, and then the work")
+                                    .arg(info->labId),
+                     .file = folder};
+    return openLabWith(lab, language, folder, readOnly);
+}
+
+/// \param work  folder of the workspace; empty: that of the lab among the student's own
+std::optional<Error> Workbench::openLabWith(const QString &folder, const QString &language,
+                                            const QString &work, bool readOnly)
+{
     Result<Lab> lab = readLab(folder, language);
     if (!lab)
         return lab.error();
     if (m_saveSoon.isActive())
         save();
+    m_code.close();
+    // The progress of work that lies elsewhere lies with it; who only looks has none.
+    m_store = ProgressStore(work.isEmpty() ? m_progressFile
+                            : readOnly     ? QString()
+                                           : work + QStringLiteral("/.git/cradle-progress.json"));
     const std::optional<Error> brokenProgress = m_store.load();
     m_lab = std::move(*lab);
     m_current = -1;
-    m_code.close();
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
-    m_firstStart = progressOfLab.tasks.empty();
-    openWorkspace();
+    m_firstStart = progressOfLab.tasks.empty() && work.isEmpty();
+    openWorkspace(work.isEmpty() && !m_programs.isEmpty() ? m_programs + QLatin1Char('/') + m_lab.id
+                                                          : work,
+                  readOnly);
     emit labChanged();
     if (!m_lab.tasks.empty())
         openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
@@ -86,13 +131,17 @@ std::optional<Error> Workbench::openLab(const QString &folder, const QString &la
     return std::nullopt;
 }
 
-void Workbench::openWorkspace()
+void Workbench::openWorkspace(const QString &folder, bool readOnly)
 {
     m_code.setWorkspace(Workspace()); // gives the lock back: this may be the same lab again
-    if (m_programs.isEmpty())
+    if (folder.isEmpty())
         return;
-    Workspace workspace(m_programs + QLatin1Char('/') + m_lab.id);
-    const auto error = workspace.begin(m_lab, m_store.lab(m_lab.id).currentTask);
+    Workspace workspace(folder);
+    std::optional<Error> error;
+    if (readOnly)
+        workspace.beginReading();
+    else
+        error = workspace.begin(m_lab, m_store.lab(m_lab.id).currentTask);
     m_code.setWorkspace(std::move(workspace));
     if (error)
         emit failed(*error);
@@ -292,6 +341,24 @@ void Workbench::save()
         return;
     if (const auto error = m_store.save())
         emit failed(*error);
+    keepPredictions();
+}
+
+/// Beside the programs, where they are handed in with them.
+void Workbench::keepPredictions()
+{
+    std::map<QString, Guess> guesses;
+    for (const auto &[id, task] : m_store.lab(m_lab.id).tasks)
+        guesses[id] = task.guess;
+    if (const auto error = m_code.workspace().savePredictions(predictionsText(guesses)))
+        emit failed(*error);
+}
+
+bool Workbench::isLast() const
+{
+    const auto last = std::find_if(m_lab.tasks.rbegin(), m_lab.tasks.rend(),
+                                   [](const Task &each) { return !each.extra; });
+    return last != m_lab.tasks.rend() && task() == &*last;
 }
 
 } // namespace cradle

@@ -55,6 +55,9 @@ public:
 
     /// Reads a lab and opens the step where the student left off.
     std::optional<Error> openLab(const QString &folder, const QString &language);
+    /// Opens a workspace that lies anywhere, with the lab that it names: a clone of the student's
+    /// own, or with \p readOnly one that was handed in, to be looked at.
+    std::optional<Error> openWork(const QString &folder, bool readOnly, const QString &language);
     /// Reads the same lab again, in another language; keeps step, scene and report.
     void setLanguage(const QString &language);
     /// Opens a scene that belongs to no step.
@@ -86,6 +89,7 @@ public slots:
     void save();                                          ///< the progress, now
 
 signals:
+    void labFinished();   ///< its last step was passed for the first time
     void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
     void taskChanged();
@@ -103,7 +107,11 @@ signals:
 
 private:
     void openScene(const Preset &preset, std::optional<Example> example);
-    void openWorkspace();
+    std::optional<Error> openLabWith(const QString &folder, const QString &language,
+                                     const QString &work, bool readOnly);
+    void openWorkspace(const QString &folder, bool readOnly);
+    void keepPredictions();
+    [[nodiscard]] bool isLast() const;
     void keepChecked(const CheckReport &report);
     void keepEdited();
     void finishCheck(const CheckReport &report);
@@ -123,6 +131,7 @@ private:
     Simulation m_simulation;
     PresetDocument m_document;
     CodeSession m_code;
+    QString m_progressFile;
     QString m_programs; ///< folder of the students' programs; empty: nowhere
     Mode m_wantedMode = Mode::Explore;
     Checker m_checker;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
+#include "tasks/lab_report/lab_report.h"
 #include "tasks/observation.h"
 
 #include <QDateTime>
@@ -62,6 +63,7 @@ void Workbench::finishCheck(const CheckReport &report)
         return;
     m_report = report;
     keepChecked(report);
+    const bool finished = report.passed && isLast() && !progress().passed;
     if (report.passed) {
         progress().passed = true;
         progress().pass = {.when = now(), .commit = report.commit};
@@ -74,6 +76,8 @@ void Workbench::finishCheck(const CheckReport &report)
     emit reportChanged();
     if (m_judged != submission())
         emit reportStale();
+    if (finished)
+        emit labFinished();
 }
 
 /// Every program that was judged is a version; one that passed, a commit.
@@ -83,8 +87,9 @@ void Workbench::keepChecked(const CheckReport &report)
                      .passed = report.passed,
                      .seed = report.seed,
                      .labHash = report.labHash};
-    if (report.diagnosis)
-        note.findings.append(report.diagnosis->mistake);
+    for (const Finding &finding : report.findings)
+        note.findings.append(finding.mistake.isEmpty() ? headlineOf(finding.message)
+                                                       : finding.mistake);
     if (m_judged.script)
         m_code.keepVersion(*m_judged.script, note);
     if (!report.passed)

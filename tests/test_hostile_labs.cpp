@@ -288,7 +288,7 @@ void TestHostileLabs::verifyRefusesHostileArchives_data()
         << with({.name = "../../x.lua", .content = "x"}) << text("../../x.lua: ");
     QTest::newRow("link") << with({.name = "S1/x.lua", .content = "/etc/passwd", .mode = 0120777})
                           << text("S1/x.lua: this is a link");
-    QTest::newRow("no archive") << QByteArray("text") << text("this is no archive of a lab");
+    QTest::newRow("no archive") << QByteArray("text") << text("this is no archive");
 }
 
 void TestHostileLabs::verifyRefusesHostileArchives()

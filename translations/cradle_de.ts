@@ -1058,6 +1058,54 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>this is text in UTF-16; UTF-8 would be right</source>
         <translation>das ist Text in UTF-16; richtig wäre UTF-8</translation>
     </message>
+    <message>
+        <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab that the work belongs to</source>
+        <translation>der Ordner des Labs oder NAME.cradle; sonst das mitgelieferte Lab, zu dem die Arbeit gehört</translation>
+    </message>
+    <message>
+        <source>of the student</source>
+        <translation>der Studentin oder des Studenten</translation>
+    </message>
+    <message>
+        <source>to the teacher</source>
+        <translation>an die Lehrkraft</translation>
+    </message>
+    <message>
+        <source>where to write</source>
+        <translation>wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>the application that prints PDF is not beside cradle-cli; F.html is right without it</source>
+        <translation>die Anwendung, die PDF druckt, liegt nicht neben cradle-cli; ohne sie ist F.html richtig</translation>
+    </message>
+    <message>
+        <source>the report could not be printed: %1</source>
+        <translation>der Bericht konnte nicht gedruckt werden: %1</translation>
+    </message>
+    <message>
+        <source>Writes the report of a student&apos;s work: what was asked, what the program does, how it came about. Every step is judged anew.</source>
+        <translation>Schreibt den Bericht über die Arbeit: was gefragt war, was das Programm tut, wie es dazu kam. Jeder Schritt wird neu geprüft.</translation>
+    </message>
+    <message>
+        <source>the folder, or a FILE.cradle-work</source>
+        <translation>der Ordner, oder DATEI.cradle-work</translation>
+    </message>
+    <message>
+        <source>--output F.pdf or --output F.html is right</source>
+        <translation>richtig ist --output F.pdf oder --output F.html</translation>
+    </message>
+    <message>
+        <source>Writes a student&apos;s work into one file to be handed in: the programs, scenes, notes, the history and a report. Every step is judged once more.</source>
+        <translation>Schreibt die Arbeit in eine Datei zum Abgeben: die Programme, Szenen, Notizen, die Geschichte und einen Bericht. Jeder Schritt wird noch einmal geprüft.</translation>
+    </message>
+    <message>
+        <source>the folder</source>
+        <translation>der Ordner</translation>
+    </message>
+    <message>
+        <source>--output FILE.cradle-work is right</source>
+        <translation>richtig ist --output DATEI.cradle-work</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -1170,6 +1218,1071 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>Findings</name>
+    <message>
+        <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only half of r₁ + r₂ counts in the test of contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles answer only when their centres have met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boxes are compared, not circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|Δx| + |Δy| is not the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal only when their centres are %2 m apart. A distance is the root of the sum of the squares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A squared distance is compared with a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameters are added in the test of contact, not radii</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact is tested at %1, not at r₁ + r₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the larger radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smaller radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>twice the larger radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sum of the diameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles run through each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles act on each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In this step they should still pass through each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles answer when they part, not when they meet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number stands for r₁ + r₂ in the test of contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever the radii are, they answer at a distance of about %1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles answer before they touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles answer too late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 2 that comes nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 1 that comes nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and nothing was answered; other meetings are. What counts is the velocity of one relative to the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the first hit is answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles that already part are hit again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation type="unfinished">Kreis %1</translation>
+    </message>
+    <message>
+        <source>both circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the circles %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of %who is set anew in every step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start: what a hit changes is lost at once. A start is set once, in `on_load`; a step works the new velocity out from the old one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of circle %1 moves %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, it is this circle that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new place of %who does not depend on the old one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The x of %who never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The y of %who never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Both parts of the position change, each by its own part of the velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of %who is not multiplied by the timestep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A velocity says how far it gets in a whole second; a step lasts only Δt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of %who is multiplied by the timestep twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that moves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the way of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is not v Δt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the line that changes the position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing moves %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of %who is subtracted instead of added</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the sign in the line that moves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In every step %who is moved twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count the lines that change the position in a step without a hit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is %1 times v Δt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that moves it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number stands for gravity in the motion of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity pulls %who in a wrong direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the velocity changes by %2 m/s in a step of %3 s; it should change by %4 m/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who for a whole second in every step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An acceleration says what a second changes; a step lasts only Δt. Compare the units on both sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity on %who is multiplied by the timestep twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that changes the velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the fall of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity does not act on %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It needs a line that lets gravity change the velocity, in every step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity pushes %who against its own direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the signs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who twice in every step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count the lines of a step that change the velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets only half of gravity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a method takes two halves, both count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity on %who is %1 times as strong as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that changes the velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fall of %who is not that of the gravity in the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place of %who acts on its velocity otherwise than asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of %who acts on itself otherwise than asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt; %3 is asked for. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion of %who is no known method; %1 is asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation type="unfinished">Euler</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation type="unfinished">symplektischer Euler</translation>
+    </message>
+    <message>
+        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The masses are numbers, not those of the circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles answer as if they were equally heavy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at where the masses of both enter your answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each circle answers with the mass of the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The radius is left out of the mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mass grows with r to the power of %1, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ball that is twice as wide is also twice as high and as deep: its mass grows with r³.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The density is left out of the mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mass grows with the density to the power of %1, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass is density times volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With e = %1: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocities after the hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e also shortens the parts across the line of centres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing pushes there: they stay as they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only circle 1 feels e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only circle 2 feels e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e is not used in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e is squared in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The root of e is used in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e works the wrong way round: the factor is 2 − e, not 1 + e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push is multiplied by 2 e instead of 1 + e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e instead of 1 + e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rebound is divided by e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sign of e is wrong in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e does not act on the rebound as it should</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number stands for e in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever e is, the rebound is that of e = %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers stand for e in the hit of two circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit acts on both circles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody holds the other circle as a wall is held: look at whose part each circle gets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 2 as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 1 as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit stops both circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That was right in the step that only looked for the contact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and leaves circle 2 as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and leaves circle 1 as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each circle is turned back on its own way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each circle bounces as off a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 1 bounces as off a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 2 bounces as off a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres turn round, not those along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push acts along the line of centres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole velocities change hands, not only the parts along the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts across change hands, and those along the normal stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts across the normal are lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of circle 2 is worked out from what circle 1 has become</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The velocity of circle 1 is worked out from what circle 2 has become</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity along the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part of circle 2 along the normal is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 1 gives its part away and gets nothing for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part of circle 1 along the normal is forgotten</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 2 gives its part away and gets nothing for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle 1 keeps the part that it hands over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What circle 2 gets, circle 1 must lose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts along the normal change hands and are turned round as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exchange alone is the whole answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push on circle 1 has the wrong sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It gains the part that it should lose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push on circle 2 has the wrong sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It loses the part that it should gain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both pushes have the wrong sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circles are drawn into each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push acts along the line from centre to centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The normal does not have length 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The normal has length 1 in one place and not in the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The perpendicular of the line of centres is taken for the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts x and y of the normal are exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The normal is mirrored: the sign of its y is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The x parts change hands, not those along the line of centres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The y parts change hands, not those along the line of centres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new velocities are turned back by the wrong angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who turns by −φ before must turn by +φ afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new velocities are not turned back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are still taken apart along the line of centres: put them together again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit puts a circle somewhere else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the step of the hit one of them was put %1 m away from its own way. Each goes back to its *own* place, if at all: look at which old position each circle gets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres are changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pushes on the two circles are not equal and opposite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push does not act along the line of centres alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The parts across it must stay as they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push along the line of centres has the wrong size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The masses in your own scene are not those of its circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right, so the masses were worked out before radii and densities were set: look at the order in `on_load`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In your own scene the hit does not use the e that it has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right, so e was copied before it was set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, unequal ones do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken apart along the line of centres and across it, circle 1 came with %1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and %6 m/s are right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+
+Look at what `on_load` sets, and for which circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e = %1 is not the value that is asked for
+
+The laws of your program are right; with another e your own scene would pass. Work out what e has to be, and look at how `on_load` writes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No wall turns %who round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing turns %who round here: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A circle that is thrown there leaves the square and never comes back. A square has four walls: look at the question that your program asks for each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls the centre of %who is asked for, not the rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls %who has the radius of another circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for the radius of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn %who round before it is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn %who round when all of it is outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn %who round too late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and at the %2 it turns when its centre is between %3 and %4 m from the wall. It should turn when its rim is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So it is here: %1. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With e = %1 it came to the %2 with %3 m/s and left it with %4 m/s; along the normal it should keep %5 of the speed, turned round, and along the wall %6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A smooth wall pushes along its normal only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls hold %who and do not turn its velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into the wall again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn the wrong part of the velocity of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn the whole velocity of %who round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls e also shortens the part of %who along the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls e acts on the wrong part of the velocity of %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls turn the part of %who along the wall round, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls take the part of %who along the wall away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls change the part of %who along the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls give %who all of the speed back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e is not used at these walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls e acts on %who twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heights go with e², speeds with e.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls 1 − e stands where e belongs, for %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 − e is what is lost; e is what is left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls make %who faster: 1 + e stands where e belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 + e is the whole change of the velocity, e what comes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls stop %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing brings it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls slow %who and do not turn it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What comes back points away from the wall: look at the sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls do not turn %who round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at the sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for e, for %who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever e is, %1 of the speed comes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls give %who a velocity of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever it brings, it leaves with the same: work the new velocity out from the old one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 of the speed back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the factor in front of the part that you turn round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit at a wall puts %who somewhere else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also stops the other on its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a corner only one part of the velocity of %who turns round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves the wall
+
+Its rim was still outside, it moved inward already, and it was turned into the wall once more (step %2 of a low drop or slow shot). Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Ghost</name>
     <message>
         <source>exact</source>
@@ -1205,6 +2318,33 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>OpenGL has no memory for the scene</source>
         <translation>OpenGL hat keinen Speicher für die Szene</translation>
+    </message>
+</context>
+<context>
+    <name>HandIn</name>
+    <message>
+        <source>this is no folder with a student&apos;s work</source>
+        <translation>das ist kein Ordner mit der Arbeit einer Studentin oder eines Studenten</translation>
+    </message>
+    <message>
+        <source>this is no work that was handed in: there is no manifest.json of format 1 in it</source>
+        <translation>das ist keine abgegebene Arbeit: Es ist kein manifest.json vom Format 1 darin</translation>
+    </message>
+    <message>
+        <source>this file is not in the manifest</source>
+        <translation>diese Datei steht nicht im Manifest</translation>
+    </message>
+    <message>
+        <source>this file was changed after it was handed in</source>
+        <translation>diese Datei wurde nach der Abgabe geändert</translation>
+    </message>
+    <message>
+        <source>this file is missing</source>
+        <translation>diese Datei fehlt</translation>
+    </message>
+    <message>
+        <source>the work cannot be put there</source>
+        <translation>die Arbeit lässt sich dort nicht ablegen</translation>
     </message>
 </context>
 <context>
@@ -1339,14 +2479,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>die Datei ist zu groß; richtig sind höchstens %1</translation>
     </message>
     <message>
-        <source>this unpacks to more than %1 times its size, as no file of a lab does</source>
-        <translation>das entpackt sich auf mehr als das %1-Fache, wie es keine Datei eines Labs tut</translation>
-    </message>
-    <message>
-        <source>the lab is too large; at most %1 are right</source>
-        <translation>das Lab ist zu groß; richtig sind höchstens %1</translation>
-    </message>
-    <message>
         <source>the name is there twice (but for capital letters); a name of its own is right</source>
         <translation>den Namen gibt es (bis auf Großbuchstaben) zweimal; richtig ist ein eigener Name</translation>
     </message>
@@ -1359,12 +2491,20 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>das ist beschädigt oder auf unbekannte Art gepackt</translation>
     </message>
     <message>
-        <source>this is no lab: there is no lab.json in it</source>
-        <translation>das ist kein Lab: es enthält keine lab.json</translation>
+        <source>this unpacks to more than %1 times its size, as no honest file does</source>
+        <translation>das wird beim Entpacken mehr als %1-mal so groß, wie es bei keiner ehrlichen Datei ist</translation>
     </message>
     <message>
-        <source>this is no archive of a lab: %1</source>
-        <translation>das ist kein Archiv eines Labs: %1</translation>
+        <source>all of it is too large; at most %1 are right</source>
+        <translation>alles zusammen ist zu groß; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>there is no %1 in it</source>
+        <translation>es ist kein %1 darin</translation>
+    </message>
+    <message>
+        <source>this is no archive: %1</source>
+        <translation>das ist kein Archiv: %1</translation>
     </message>
 </context>
 <context>
@@ -1521,6 +2661,147 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
         <translation>Richtig sind %1 Antworten, so viele, wie task.json hat, nicht %2; die Frage wird unübersetzt gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>LabReport</name>
+    <message>
+        <source>At %1 s, when two circles first meet</source>
+        <translation>Bei %1 s, wenn sich zwei Kreise zum ersten Mal treffen</translation>
+    </message>
+    <message>
+        <source>At %1 s, when a circle first reaches a wall</source>
+        <translation>Bei %1 s, wenn ein Kreis zum ersten Mal eine Wand erreicht</translation>
+    </message>
+    <message>
+        <source>At %1 s</source>
+        <translation>Bei %1 s</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>nicht sicher</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass. Every step was judged anew for this report, by version %3 of the lab.</source>
+        <translation>%1 von %2 Schritten bestehen. Jeder Schritt wurde für diesen Bericht neu geprüft, mit Fassung %3 des Labs.</translation>
+    </message>
+    <message>
+        <source>To the teacher</source>
+        <translation>An die Lehrkraft</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ besteht</translation>
+    </message>
+    <message>
+        <source>does not pass yet</source>
+        <translation>besteht noch nicht</translation>
+    </message>
+    <message>
+        <source>stops with an error</source>
+        <translation>bricht mit einem Fehler ab</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht gemacht</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Checked %n time(s).</source>
+        <translation>
+            <numerusform>%n-mal geprüft.</numerusform>
+            <numerusform>%n-mal geprüft.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Found on the way</source>
+        <translation>Unterwegs gefunden</translation>
+    </message>
+    <message>
+        <source>Expected and found</source>
+        <translation>Erwartet und gefunden</translation>
+    </message>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Erwartet: %1</translation>
+    </message>
+    <message>
+        <source>It comes true: %1</source>
+        <translation>Es tritt ein: %1</translation>
+    </message>
+    <message>
+        <source>The run</source>
+        <translation>Der Lauf</translation>
+    </message>
+    <message>
+        <source>What changed in the program</source>
+        <translation>Was sich am Programm geändert hat</translation>
+    </message>
+    <message>
+        <source>Nothing: it is the program of the step before.</source>
+        <translation>Nichts: Es ist das Programm des vorigen Schritts.</translation>
+    </message>
+    <message>
+        <source>Looking back</source>
+        <translation>Rückblick</translation>
+    </message>
+    <message>
+        <source>The energy of the runs above in one chart, each as a part of what it started with. A law that keeps energy draws a straight line at 1; what lies above was made by the program, what lies below was lost.</source>
+        <translation>Die Energie aller Läufe von oben in einem Diagramm, jeweils als Teil dessen, womit sie begann. Ein Gesetz, das die Energie erhält, zeichnet eine gerade Linie bei 1; was darüber liegt, hat das Programm erzeugt, was darunter liegt, ging verloren.</translation>
+    </message>
+    <message>
+        <source>The scene at %1 s</source>
+        <translation>Die Szene bei %1 s</translation>
+    </message>
+    <message>
+        <source>Momentum of all circles, kg m/s</source>
+        <translation>Impuls aller Kreise, kg m/s</translation>
+    </message>
+    <message>
+        <source>Energy of all circles, J</source>
+        <translation>Energie aller Kreise, J</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>kinetisch</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentiell</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Energy as a part of that at the start</source>
+        <translation>Energie als Teil derer am Anfang</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n check(s)</source>
+        <translation>
+            <numerusform>%n Prüfung</numerusform>
+            <numerusform>%n Prüfungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have written a physics engine</source>
+        <translation>Du hast eine Physik-Engine geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass, judged anew a moment ago.</source>
+        <translation>%1 von %2 Schritten bestehen, eben neu geprüft.</translation>
+    </message>
+    <message>
+        <source>What took the most checks</source>
+        <translation>Was die meisten Prüfungen brauchte</translation>
+    </message>
+    <message>
+        <source>The energy of all runs</source>
+        <translation>Die Energie aller Läufe</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +3351,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>--tab %1: scene, text, checks, programs or proof is right</source>
         <translation>--tab %1: Richtig ist scene, text, checks, programs oder proof</translation>
     </message>
+    <message>
+        <source>there is no step %1 in this lab</source>
+        <translation>in diesem Lab gibt es keinen Schritt %1</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -2324,6 +3609,25 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>&amp;Author a lab…</source>
         <translation>Ein Lab s&amp;chreiben…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation>&amp;Abgeben…</translation>
+    </message>
+    <message>
+        <source>Share with &amp;git…</source>
+        <translation>Mit &amp;git teilen…</translation>
+    </message>
+</context>
+<context>
+    <name>MessageText</name>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2713,6 +4017,17 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>The laws of the scene moved the circles.</source>
         <translation>Die Gesetze der Szene haben die Kreise bewegt.</translation>
+    </message>
+    <message>
+        <source>Look at %1:%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReportPrinter</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -3836,6 +5151,45 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>VersionsPane</name>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Before it was replaced</source>
+        <translation>Bevor sie ersetzt wurde</translation>
+    </message>
+    <message>
+        <source>By another program</source>
+        <translation>Von einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>From another window</source>
+        <translation>Aus einem anderen Fenster</translation>
+    </message>
+    <message>
+        <source>Check: passed ✓</source>
+        <translation>Prüfung: bestanden ✓</translation>
+    </message>
+    <message>
+        <source>Check: not passed</source>
+        <translation>Prüfung: nicht bestanden</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>without: %1</source>
+        <translation>ohne: %1</translation>
+    </message>
+    <message>
+        <source>the same program</source>
+        <translation>dasselbe Programm</translation>
+    </message>
+</context>
+<context>
     <name>Workspace</name>
     <message>
         <source>your program cannot be saved here: %1</source>
@@ -3930,6 +5284,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>New lab</source>
         <translation>Neues Lab</translation>
+    </message>
+    <message>
+        <source>Changes that were not saved</source>
+        <translation>Änderungen, die nicht gesichert waren</translation>
     </message>
 </context>
 <context>
@@ -4161,6 +5519,22 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>Open lab in one &amp;file…</source>
         <translation>Lab aus einer &amp;Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
+        <translation>Cradle endete, ohne dieses Lab zu sichern. Deine Änderungen vom %1 sind wieder da; gesichert sind sie noch nicht.</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Cradle ended before a new lab was saved for the first time.</source>
+        <translation>Cradle endete, bevor ein neues Lab zum ersten Mal gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
     </message>
 </context>
 <context>
@@ -5063,6 +6437,17 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
 </context>
 <context>
+    <name>cradle::FindingCard</name>
+    <message>
+        <source>Show what was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was measured: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>cradle::FindingsList</name>
     <message>
         <source>All files can be read</source>
@@ -5086,6 +6471,97 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>MathJax does not run: %1</source>
         <translation>MathJax läuft nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::HandInDialog</name>
+    <message>
+        <source>Hand in %1</source>
+        <translation>%1 abgeben</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>What is handed in</source>
+        <translation>Was abgegeben wird</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Steps that are handed in</source>
+        <translation>Schritte, die abgegeben werden</translation>
+    </message>
+    <message>
+        <source>Note to the teacher</source>
+        <translation>Nachricht an die Lehrkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>N&amp;umber:</source>
+        <translation>N&amp;ummer:</translation>
+    </message>
+    <message>
+        <source>Note to the &amp;teacher:</source>
+        <translation>Nachricht an die &amp;Lehrkraft:</translation>
+    </message>
+    <message>
+        <source>&amp;Save the file…</source>
+        <translation>Datei &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>Every step is judged once more…</source>
+        <translation>Jeder Schritt wird noch einmal geprüft…</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>ein Programm</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>eine Szene</translation>
+    </message>
+    <message>
+        <source>passes ✓</source>
+        <translation>besteht ✓</translation>
+    </message>
+    <message>
+        <source>does not pass</source>
+        <translation>besteht nicht</translation>
+    </message>
+    <message>
+        <source>stops with an error</source>
+        <translation>bricht mit einem Fehler ab</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht gemacht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass. All of them are handed in as they are.</source>
+        <translation>%1 von %2 Schritten bestehen. Abgegeben werden alle so, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Save what is handed in</source>
+        <translation>Abgabe sichern</translation>
+    </message>
+    <message>
+        <source>Work to hand in (*.cradle-work)</source>
+        <translation>Arbeit zum Abgeben (*.cradle-work)</translation>
     </message>
 </context>
 <context>
@@ -5555,10 +7031,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Ein Lab aus einer Datei öffnen</translation>
     </message>
     <message>
-        <source>Labs (*.cradle);;All files (*)</source>
-        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Select several circles</source>
         <translation>Mehrere Kreise auswählen</translation>
     </message>
@@ -5654,6 +7126,26 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>What you typed since it was last saved is lost if you close the window.</source>
         <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
     </message>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>Labs und Arbeiten (*.cradle *.cradle-work);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Nothing of this work is kept on a disk.</source>
+        <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Open a step of a lab first.</source>
+        <translation>Öffne zuerst einen Schritt eines Labs.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -5688,6 +7180,25 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>sum %1</source>
         <translation>Summe %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::NotesPane</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>What you noted about this step: it becomes part of your report. Markdown, and formulas as $v = a t$.</source>
+        <translation>Was du dir zu diesem Schritt notierst: Es wird Teil deines Berichts. Markdown, und Formeln wie $v = a t$.</translation>
+    </message>
+    <message>
+        <source>Notes about this step</source>
+        <translation>Notizen zu diesem Schritt</translation>
+    </message>
+    <message>
+        <source>The notes as the report shows them</source>
+        <translation>Die Notizen, wie der Bericht sie zeigt</translation>
     </message>
 </context>
 <context>
@@ -6312,6 +7823,41 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::ReportDialog</name>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Rückblick auf %1</translation>
+    </message>
+    <message>
+        <source>The steps of the lab, and what was hard</source>
+        <translation>Die Schritte des Labs, und was schwer war</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation>&amp;Abgeben…</translation>
+    </message>
+    <message>
+        <source>Every step is judged once more…</source>
+        <translation>Jeder Schritt wird noch einmal geprüft…</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Web pages (*.html)</source>
+        <translation>Dokumente (*.pdf);;Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ResultPane</name>
     <message>
         <source>Checking… %1 of %2</source>
@@ -6659,6 +8205,45 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Start a new run from here</source>
         <translation>Neuer Lauf ab hier</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ShareDialog</name>
+    <message>
+        <source>Share with git</source>
+        <translation>Mit git teilen</translation>
+    </message>
+    <message>
+        <source>Your work is a git repository in %1. Its commits and versions can be sent to one of yours elsewhere; who may read that, reads all of them.</source>
+        <translation>Deine Arbeit ist ein git-Repository in %1. Ihre Commits und Fassungen lassen sich an eines von dir anderswo senden; wer das lesen darf, liest sie alle.</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse:</translation>
+    </message>
+    <message>
+        <source>Sent so far:</source>
+        <translation>Bisher gesendet:</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>All is sent.</source>
+        <translation>Alles ist gesendet.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Wird gesendet…</translation>
+    </message>
+    <message>
+        <source>up to the commit of %1</source>
+        <translation>bis zum Commit vom %1</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
     </message>
 </context>
 <context>
@@ -7291,10 +8876,65 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::VersionsPane</name>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Fassung</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Erster Unterschied</translation>
+    </message>
+    <message>
+        <source>Versions of this step&apos;s program</source>
+        <translation>Fassungen des Programms dieses Schritts</translation>
+    </message>
+    <message>
+        <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>
+        <translation>Jede Prüfung hebt hier eine Fassung deines Programms auf, und ebenso zehn Minuten Schreiben.</translation>
+    </message>
+    <message>
+        <source>The version</source>
+        <translation>Die Fassung</translation>
+    </message>
+    <message>
+        <source>Your program now</source>
+        <translation>Dein Programm jetzt</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to this</source>
+        <translation>&amp;Dahin zurück</translation>
+    </message>
+    <message>
+        <source>Your program now becomes a version, so nothing is lost</source>
+        <translation>Dein Programm von jetzt wird eine Fassung, es geht also nichts verloren</translation>
+    </message>
+    <message>
+        <source>Back to what &amp;passed</source>
+        <translation>Zurück zu dem, was &amp;bestand</translation>
+    </message>
+    <message>
+        <source>To the newest version that passed this step</source>
+        <translation>Zur neuesten Fassung, die diesen Schritt bestand</translation>
+    </message>
+</context>
+<context>
     <name>cradle::Workbench</name>
     <message>
         <source>Open a scene</source>
         <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>this is work in the lab %1, which is not here; open that lab once, and then the work</source>
+        <translation>das ist Arbeit im Lab %1, das es hier nicht gibt; öffne einmal dieses Lab und dann die Arbeit</translation>
     </message>
 </context>
 <context>

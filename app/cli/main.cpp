@@ -22,6 +22,8 @@ struct Entry {
 
 constexpr std::array subcommands{
     Entry{"check", "judges a program or a preset for one step of a lab", check},
+    Entry{"hand-in", "writes a student's work into one file", handIn},
+    Entry{"report", "writes the report of a student's work", report},
     Entry{"simulate", "runs a scene and writes what happens", simulate},
     Entry{"suggest", "suggests mistakes that a lab does not know", suggest},
     Entry{"verify", "judges a lab itself", verify},

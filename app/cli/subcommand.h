@@ -23,6 +23,8 @@ enum ExitCode {
 using Subcommand = ExitCode (*)(const QStringList &arguments);
 
 ExitCode check(const QStringList &arguments);
+ExitCode handIn(const QStringList &arguments);
+ExitCode report(const QStringList &arguments);
 ExitCode simulate(const QStringList &arguments);
 ExitCode suggest(const QStringList &arguments);
 ExitCode verify(const QStringList &arguments);

@@ -17,11 +17,18 @@ inline constexpr char archiveSuffix[] = ".cradle";
 /// \return an error for a path that is none, or if there is no lab.json
 Result<QByteArray> packLab(const LabFiles &files);
 
+/// The same of any files, with whose paths nothing is wrong.
+Result<QByteArray> packFiles(const QMap<QString, QByteArray> &contents);
+
 /// Takes an archive apart, without trust in it: refused are more or larger files than a lab may
 /// have (as declared or as unpacked), absurd ratios of compression, paths out of the lab, links,
 /// names that are no UTF-8 or that clash, encrypted and broken entries.
 /// \param source  the archive's name for messages
 Result<LabFiles> unpackLab(const QByteArray &archive, const QString &source);
+
+/// The same of an archive of other files, which has \p index in the place of lab.json.
+Result<LabFiles> unpackFiles(const QByteArray &archive, const QString &source,
+                             const QString &index);
 
 /// packLab() into a file, whole or not at all.
 std::optional<Error> exportLab(const LabFiles &files, const QString &path);

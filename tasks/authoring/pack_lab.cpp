@@ -59,12 +59,17 @@ Result<QByteArray> readAll(zip_source_t *source)
 
 Result<QByteArray> packLab(const LabFiles &files)
 {
-    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
+    if (!files.contents.contains(QStringLiteral("lab.json")))
+        return Error{.message = PackText::tr("there is no lab.json")};
+    return packFiles(files.contents);
+}
+
+Result<QByteArray> packFiles(const QMap<QString, QByteArray> &contents)
+{
+    for (auto it = contents.begin(); it != contents.end(); ++it) {
         if (const QString fault = faultOfLabPath(it.key()); !fault.isEmpty())
             return Error{.message = fault, .file = it.key()};
     }
-    if (!files.contents.contains(QStringLiteral("lab.json")))
-        return Error{.message = PackText::tr("there is no lab.json")};
     ZipError error;
     const ZipSource memory(zip_source_buffer_create(nullptr, 0, 0, error));
     if (!memory)
@@ -74,7 +79,7 @@ Result<QByteArray> packLab(const LabFiles &files)
         return failed(error.text());
     // The archive frees the source with itself; what it wrote is read afterwards.
     zip_source_keep(memory.get());
-    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
+    for (auto it = contents.begin(); it != contents.end(); ++it) {
         if (!addFile(archive.get(), it.key(), *it))
             return failed(zip_strerror(archive.get()));
     }

@@ -24,8 +24,6 @@ constexpr zip_uint64_t mostRatio = 200;
 /// Below this size a ratio says nothing: a page of spaces packs as well.
 constexpr zip_uint64_t ratioCounts = 1024 * 1024;
 
-const QString indexFile = QStringLiteral("lab.json");
-
 QString sizeText(qint64 bytes)
 {
     return QLocale::c().formattedDataSize(bytes);
@@ -35,9 +33,10 @@ QString sizeText(qint64 bytes)
 class Unpacker
 {
 public:
-    Unpacker(zip_t *archive, const QString &source)
+    Unpacker(zip_t *archive, const QString &source, const QString &index)
         : m_archive(archive)
         , m_source(source)
+        , m_index(index)
     {
     }
 
@@ -125,11 +124,11 @@ private:
                                    .arg(sizeText(limits::labFileBytes)));
         if (stat.size > ratioCounts && stat.size / mostRatio > stat.comp_size)
             return fault(path, UnpackText::tr("this unpacks to more than %1 times its size, as "
-                                              "no file of a lab does")
+                                              "no honest file does")
                                    .arg(mostRatio));
         m_declared += stat.size;
         if (m_declared > zip_uint64_t(limits::labBytes))
-            return fault(path, UnpackText::tr("the lab is too large; at most %1 are right")
+            return fault(path, UnpackText::tr("all of it is too large; at most %1 are right")
                                    .arg(sizeText(limits::labBytes)));
         return faultOfName(path);
     }
@@ -183,7 +182,7 @@ private:
     /// Archives of a folder hold "NAME/lab.json".
     [[nodiscard]] Result<LabFiles> withoutTopFolder() const
     {
-        if (m_files.contents.contains(indexFile))
+        if (m_files.contents.contains(m_index))
             return withRightPaths(m_files);
         const QString top = m_files.contents.isEmpty()
                                 ? QString()
@@ -193,8 +192,8 @@ private:
             if (it.key().startsWith(top))
                 inner.contents.insert(it.key().mid(top.size()), *it);
         }
-        if (inner.contents.size() != m_files.contents.size() || !inner.contents.contains(indexFile))
-            return fault({}, UnpackText::tr("this is no lab: there is no lab.json in it"));
+        if (inner.contents.size() != m_files.contents.size() || !inner.contents.contains(m_index))
+            return fault({}, UnpackText::tr("there is no %1 in it").arg(m_index));
         return withRightPaths(inner);
     }
 
@@ -209,6 +208,7 @@ private:
 
     zip_t *m_archive;
     QString m_source;
+    QString m_index; ///< the file that there must be
     LabFiles m_files{};
     QSet<QString> m_names{};
     QSet<QString> m_folders{};
@@ -219,11 +219,17 @@ private:
 
 Result<LabFiles> unpackLab(const QByteArray &archive, const QString &source)
 {
+    return unpackFiles(archive, source, QStringLiteral("lab.json"));
+}
+
+Result<LabFiles> unpackFiles(const QByteArray &archive, const QString &source, const QString &index)
+{
     ZipError error;
     const auto refuse = [&] {
-        return Error{.message = UnpackText::tr("this is no archive of a lab: %1")
-                                    .arg(QString::fromUtf8(error.text())),
-                     .file = source};
+        return Error{
+            .message =
+                UnpackText::tr("this is no archive: %1").arg(QString::fromUtf8(error.text())),
+            .file = source};
     };
     ZipSource memory(
         zip_source_buffer_create(archive.constData(), zip_uint64_t(archive.size()), 0, error));
@@ -233,7 +239,7 @@ Result<LabFiles> unpackLab(const QByteArray &archive, const QString &source)
     if (!opened)
         return refuse();
     (void)memory.release(); // the archive owns it now
-    return Unpacker(opened.get(), source).unpack();
+    return Unpacker(opened.get(), source, index).unpack();
 }
 
 } // namespace cradle

@@ -13,11 +13,9 @@ namespace cradle {
 namespace {
 
 /// What of the folder is the student's work; all else there is nobody's business.
-constexpr std::pair<const char *, const char *> workFiles[] = {{"", "lab.lua"},
-                                                               {"", "cradle.json"},
-                                                               {"steps", "*.lua"},
-                                                               {"presets", "*.json"},
-                                                               {"notes", "*.md"}};
+constexpr std::pair<const char *, const char *> workFiles[] = {
+    {"", "lab.lua"},    {"", "cradle.json"},   {"", "predictions.json"},
+    {"steps", "*.lua"}, {"presets", "*.json"}, {"notes", "*.md"}};
 
 QStringList workPaths(const QString &folder)
 {
@@ -185,7 +183,8 @@ std::optional<Error> History::commit(const QString &message, const QString &auth
 }
 
 std::optional<Error> History::keep(const QString &taskId, const QByteArray &text,
-                                   const VersionNote &note, const QString &author)
+                                   const VersionNote &note, const QString &author,
+                                   const QDateTime &when)
 {
     git_repository *repository = m_parts->repository.get();
     const auto index = makeGit<GitIndex>(git_index_new);
@@ -197,6 +196,8 @@ std::optional<Error> History::keep(const QString &taskId, const QByteArray &text
         return m_parts->fault();
     const auto tree = makeGit<GitTree>(git_tree_lookup, repository, &treeId);
     const GitSignature who = m_parts->signature(author);
+    if (who && when.isValid())
+        who->when = {when.toSecsSinceEpoch(), 0, '+'};
     const QByteArray ref = versionsRef(taskId);
     const GitCommit before = m_parts->commitAt(ref.constData());
     const git_commit *parent = before.get();

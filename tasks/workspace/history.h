@@ -43,8 +43,10 @@ public:
     std::optional<Error> commit(const QString &message, const QString &author,
                                 const QMap<QString, QByteArray> &instead = {});
     /// Keeps \p text as a version of the step's program.
+    /// \param when  of a version that is older than now
     std::optional<Error> keep(const QString &taskId, const QByteArray &text,
-                              const VersionNote &note, const QString &author);
+                              const VersionNote &note, const QString &author,
+                              const QDateTime &when = {});
 
     /// The versions of a step, the newest first; at most \p most.
     [[nodiscard]] std::vector<Version> versions(const QString &taskId, int most = 1000) const;

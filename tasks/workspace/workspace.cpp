@@ -226,6 +226,14 @@ std::optional<Error> Workspace::replaceForeign(const Lab &lab, int index, bool c
     return save(taskId, text ? *text : startOf(lab, index));
 }
 
+std::optional<Error> Workspace::savePredictions(const QByteArray &text)
+{
+    const QString path = m_folder + QStringLiteral("/predictions.json");
+    if (m_folder.isEmpty() || m_readOnly || contentOf(path).value_or("{\n}\n") == text)
+        return std::nullopt;
+    return write(path, text);
+}
+
 QString Workspace::noteOf(const QString &taskId) const
 {
     if (m_folder.isEmpty()) {

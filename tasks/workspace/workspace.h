@@ -95,6 +95,9 @@ public:
     [[nodiscard]] QString noteOf(const QString &taskId) const;
     std::optional<Error> saveNote(const QString &taskId, const QString &text);
 
+    /// Keeps predictions.json, if it says something else.
+    std::optional<Error> savePredictions(const QByteArray &text);
+
     [[nodiscard]] QString pathOf(const QString &taskId) const;
     [[nodiscard]] QString labPath() const;
 

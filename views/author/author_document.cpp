@@ -19,6 +19,7 @@ namespace cradle {
 namespace {
 
 constexpr int readDelay = 300;       ///< ms after an edit, while more may follow
+constexpr int draftDelay = 250;      ///< ms after the first edit that is not kept
 constexpr int lookDelay = 400;       ///< ms; editors write a file in several steps
 constexpr qint64 typingPause = 2000; ///< ms without an edit that end an undo step
 
@@ -69,6 +70,9 @@ AuthorDocument::AuthorDocument(QObject *parent)
     m_readTimer.setInterval(readDelay);
     m_lookTimer.setSingleShot(true);
     m_lookTimer.setInterval(lookDelay);
+    m_draftTimer.setSingleShot(true);
+    m_draftTimer.setInterval(draftDelay);
+    connect(&m_draftTimer, &QTimer::timeout, this, &AuthorDocument::keepDraft);
     connect(&m_readTimer, &QTimer::timeout, this, &AuthorDocument::startReading);
     connect(&m_lookTimer, &QTimer::timeout, this, &AuthorDocument::lookOutside);
     connect(&m_reading, &QFutureWatcherBase::finished, this, [this] {
@@ -128,6 +132,7 @@ std::optional<Error> AuthorDocument::open(const QString &folder)
     m_unread = findings;
     m_onDisk = *files;
     take(*files, folder);
+    takeDraft();
     return std::nullopt;
 }
 
@@ -188,6 +193,8 @@ void AuthorDocument::apply(const State &state)
     if (moved)
         emit stepChanged();
     emit stateChanged();
+    if (!m_drafts.isEmpty() && !m_draftTimer.isActive())
+        m_draftTimer.start();
 }
 
 void AuthorDocument::setStep(const QString &step)

@@ -5,6 +5,7 @@
 #include "tasks/authoring/lab_files.h"
 #include "tasks/lab.h"
 
+#include <QDateTime>
 #include <QFutureWatcher>
 #include <QObject>
 #include <QTimer>
@@ -66,6 +67,15 @@ public:
     std::optional<Error> reload();
     /// Reads the lab at once instead of a little later.
     void readNow();
+    /// Where changes that are not saved are kept, within 0.5 s; without it nowhere.
+    void keepDraftsIn(const QString &folder) { m_drafts = folder; }
+    /// Whether there is a lab that was never saved when a window was killed.
+    [[nodiscard]] bool hasUnsavedDraft() const;
+    /// Begins with the lab that was never saved when a window was killed. \return whether there was
+    /// one
+    bool openUnsavedDraft();
+    /// The changes are not wanted any more.
+    void discardDraft();
 
 public slots:
     void setStep(const QString &step);
@@ -73,6 +83,7 @@ public slots:
 
 signals:
     void opened();                             ///< another lab
+    void draftTaken(const QDateTime &when);    ///< changes that were not saved then are back
     void changed();                            ///< files, or whether they may be edited
     void stepChanged();                        ///< another step, or none
     void languageChanged();                    ///< of the texts
@@ -95,6 +106,8 @@ private:
     void takeLab(const Result<Lab> &lab);
     void watch();
     void lookOutside();
+    void takeDraft();
+    void keepDraft();
 
     LabFiles m_files;
     LabFiles m_onDisk; ///< as they were read or saved last
@@ -107,6 +120,8 @@ private:
     std::vector<Error> m_unread;
     QTimer m_readTimer;
     QTimer m_lookTimer;
+    QString m_drafts;
+    QTimer m_draftTimer;
     /// A lab with the number of the reading that it came from: older ones are no news.
     using Reading = std::pair<int, Result<Lab>>;
     QFutureWatcher<std::shared_ptr<const Reading>> m_reading;

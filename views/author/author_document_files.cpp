@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/author_document.h"
 
+#include "tasks/authoring/lab_draft.h"
+
 #include <QDirIterator>
 #include <QFileSystemWatcher>
 
@@ -9,12 +11,64 @@ namespace cradle {
 
 // The lab on disk: saving, and edits by others.
 
+/// Changes of a window that was killed come back as one edit.
+void AuthorDocument::takeDraft()
+{
+    if (m_drafts.isEmpty() || m_readOnly)
+        return;
+    const auto draft = findDraft(m_drafts, m_folder, m_onDisk);
+    if (!draft)
+        return;
+    if (draft->files != m_files && edit(tr("Changes that were not saved"), draft->files)) {
+        keepDraft(); // as this window's, before the other goes
+        emit draftTaken(draft->when);
+    }
+    QFile::remove(draft->path);
+}
+
+bool AuthorDocument::hasUnsavedDraft() const
+{
+    return !m_drafts.isEmpty() && findDraft(m_drafts, {}, {});
+}
+
+bool AuthorDocument::openUnsavedDraft()
+{
+    const auto draft = m_drafts.isEmpty() ? std::nullopt : findDraft(m_drafts, {}, {});
+    if (!draft)
+        return false;
+    begin(draft->files);
+    keepDraft();
+    QFile::remove(draft->path);
+    emit draftTaken(draft->when);
+    return true;
+}
+
+/// A draft that cannot be kept is none: the lab can still be saved, and saving says what is wrong.
+void AuthorDocument::keepDraft()
+{
+    m_draftTimer.stop();
+    if (m_drafts.isEmpty())
+        return;
+    if (isModified())
+        (void)saveDraft(m_drafts, m_folder, m_files, m_onDisk);
+    else
+        removeDraft(m_drafts, m_folder);
+}
+
+void AuthorDocument::discardDraft()
+{
+    m_draftTimer.stop();
+    if (!m_drafts.isEmpty())
+        removeDraft(m_drafts, m_folder);
+}
+
 std::optional<Error> AuthorDocument::save(bool overwrite)
 {
     if (auto error = saveLabFiles(m_files, m_onDisk, m_folder,
                                   overwrite ? OnConflict::Overwrite : OnConflict::Refuse))
         return error;
     m_onDisk = m_files;
+    discardDraft();
     m_undoStack.setClean();
     watch();
     emit stateChanged();
@@ -29,6 +83,7 @@ std::optional<Error> AuthorDocument::saveAs(const QString &folder)
                      .file = folder};
     if (auto error = saveLabFiles(m_files, {}, folder))
         return error;
+    discardDraft(); // of what had no folder, or another
     m_onDisk = m_files;
     m_folder = folder;
     m_readOnly = false;

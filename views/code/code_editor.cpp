@@ -83,6 +83,7 @@ void CodeEditor::setText(const QString &text)
 void CodeEditor::forgetMarks()
 {
     m_errorLine = m_suspectLine = m_executingLine = 0;
+    m_changedLines.clear();
     m_errorMessage.clear();
     applyMarks();
     m_area->fitMargins();

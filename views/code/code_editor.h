@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 namespace cradle {
 
@@ -48,6 +49,9 @@ public:
     /// Marks the line that runs next while stepping through, and shows it; 0 for none.
     void setExecuting(int line);
     [[nodiscard]] int executingLine() const { return m_executingLine; }
+
+    /// Marks the lines that differ from another text.
+    void setChanged(const std::vector<int> &lines);
 
     /// The name at the cursor, for the reference: with its library, as "math.sqrt", or alone.
     [[nodiscard]] QString wordUnderCursor() const;
@@ -121,6 +125,7 @@ private:
     int m_errorLine = 0;
     int m_suspectLine = 0;
     int m_executingLine = 0;
+    std::vector<int> m_changedLines;
     bool m_loading = false; ///< setText() is at work
     bool m_edited = false;  ///< textEdited() is still to come
 };

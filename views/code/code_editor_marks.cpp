@@ -59,6 +59,12 @@ void CodeEditor::setSuspect(int line)
     applyMarks();
 }
 
+void CodeEditor::setChanged(const std::vector<int> &lines)
+{
+    m_changedLines = lines;
+    applyMarks();
+}
+
 void CodeEditor::setExecuting(int line)
 {
     m_executingLine = std::max(line, 0);
@@ -83,6 +89,8 @@ void CodeEditor::applyMarks()
         m_area->markerAdd(existing(line), background);
         m_area->markerAdd(existing(line), sign);
     };
+    for (const int line : m_changedLines)
+        mark(line, LuaArea::ChangedLine, LuaArea::ChangedMark);
     mark(m_suspectLine, LuaArea::SuspectLine, LuaArea::SuspectMark);
     mark(m_executingLine, LuaArea::ExecutingLine, LuaArea::ExecutingMark);
     mark(m_errorLine, LuaArea::ErrorLine, LuaArea::ErrorMark);

@@ -92,16 +92,18 @@ void LuaArea::setUpMargins()
     setMarginMarkerMask(edgeMargin, 0);
     setMarginWidth(edgeMargin, edgeWidth);
     setMarginType(markMargin, SymbolMargin);
-    setMarginMarkerMask(markMargin, 1 << SuspectMark | 1 << ExecutingMark | 1 << ErrorMark);
+    setMarginMarkerMask(markMargin,
+                        1 << SuspectMark | 1 << ExecutingMark | 1 << ErrorMark | 1 << ChangedMark);
     setMarginType(numberMargin, NumberMargin);
     setMarginMarkerMask(numberMargin, 0);
     setFolding(PlainFoldStyle, foldMargin);
     setMarginWidth(markMargin, markWidth);
     setMarginWidth(foldMargin, foldWidth);
     send(SCI_SETMARGINLEFT, 0, textGap);
-    for (const Mark line : {SuspectLine, ExecutingLine, ErrorLine})
+    for (const Mark line : {SuspectLine, ExecutingLine, ErrorLine, ChangedLine})
         markerDefine(Background, line);
     markerDefine(LeftRectangle, SuspectMark);
+    markerDefine(LeftRectangle, ChangedMark);
     markerDefine(RightTriangle, ExecutingMark);
     markerDefine(Circle, ErrorMark);
 }
@@ -163,7 +165,8 @@ void LuaArea::applyLook()
     const std::pair<Mark, QColor> marks[] = {
         {SuspectLine, colours.suspectLine}, {ExecutingLine, colours.executingLine},
         {ErrorLine, colours.errorLine},     {SuspectMark, colours.suspect},
-        {ExecutingMark, colours.executing}, {ErrorMark, colours.error}};
+        {ExecutingMark, colours.executing}, {ErrorMark, colours.error},
+        {ChangedLine, colours.suspectLine}, {ChangedMark, colours.suspect}};
     for (const auto &[mark, colour] : marks) {
         setMarkerBackgroundColor(colour, mark);
         setMarkerForegroundColor(colour, mark);

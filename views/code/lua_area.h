@@ -14,7 +14,16 @@ class LuaArea final : public QsciScintilla
 {
     Q_OBJECT
 public:
-    enum Mark { SuspectLine, ExecutingLine, ErrorLine, SuspectMark, ExecutingMark, ErrorMark };
+    enum Mark {
+        SuspectLine,
+        ExecutingLine,
+        ErrorLine,
+        ChangedLine,
+        SuspectMark,
+        ExecutingMark,
+        ErrorMark,
+        ChangedMark
+    };
     static constexpr int matchIndicator = 8;
     static constexpr int messageStyle = 50;
     static constexpr int smallestZoom = -5;

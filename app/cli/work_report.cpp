@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/work_report.h"
+
+#include "app/cli/apart.h"
+#include "app/cli/subcommand.h"
+#include "model/file_io.h"
+#include "model/json_schema.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/hand_in/hand_in.h"
+#include "tasks/lab_list.h"
+#include "tasks/lab_reader.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTextStream>
+
+namespace cradle::cli {
+
+namespace {
+
+struct WorkReportText {
+    Q_DECLARE_TR_FUNCTIONS(Cli)
+};
+
+constexpr int printPatience = 120'000;       ///< ms
+constexpr std::chrono::minutes mostTime{10}; ///< of all programs of one student
+constexpr qint64 mostBytes = 256 * 1024 * 1024;
+
+/// What both subcommands are asked.
+struct WorkOptions {
+    QCommandLineOption lab{QStringLiteral("lab"),
+                           WorkReportText::tr("the lab's folder or NAME.cradle; without it the "
+                                              "shipped lab that the work belongs to"),
+                           QStringLiteral("LAB")};
+    QCommandLineOption seed{QStringLiteral("seed"),
+                            WorkReportText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
+                            QStringLiteral("1")};
+    QCommandLineOption name{QStringLiteral("name"), WorkReportText::tr("of the student"),
+                            QStringLiteral("N")};
+    QCommandLineOption number{QStringLiteral("id"), WorkReportText::tr("of the student"),
+                              QStringLiteral("I")};
+    QCommandLineOption note{QStringLiteral("note"), WorkReportText::tr("to the teacher"),
+                            QStringLiteral("TEXT")};
+    QCommandLineOption output{QStringLiteral("output"), WorkReportText::tr("where to write"),
+                              QStringLiteral("FILE")};
+};
+
+/// The lab that was asked for, or that the work names.
+Result<Lab> labFor(const QCommandLineParser &parser, const WorkOptions &options,
+                   const QString &work)
+{
+    if (parser.isSet(options.lab))
+        return readLabOrArchive(parser.value(options.lab));
+    QString id;
+    if (isWorkArchive(work)) {
+        const auto files = readWorkArchive(work);
+        if (!files)
+            return files.error();
+        if (const auto manifest = manifestOf(*files))
+            id = manifest->labId;
+    } else if (const auto info = readWorkspaceInfo(work)) {
+        id = info->labId;
+    }
+    for (const char *shipped : {shippedLab, bouncingBallLab}) {
+        auto lab = readLab(QLatin1String(shipped));
+        if (lab && lab->id == id)
+            return lab;
+    }
+    return readLab(QLatin1String(shippedLab));
+}
+
+/// In a process of its own: the work is programs, and anybody may have written them.
+ExitCode guarded(const std::function<int()> &work)
+{
+    const auto done = runApart(work, mostTime);
+    if (const int *code = std::get_if<int>(&done))
+        return static_cast<ExitCode>(*code);
+    QTextStream(stderr) << "cradle-cli: this is a defect of ours: judging the work broke down\n";
+    return Defect;
+}
+
+int seedOf(const QCommandLineParser &parser, const WorkOptions &options)
+{
+    return parser.value(options.seed).toInt();
+}
+
+ExitCode verdictOn(const LabReport &report)
+{
+    return report.passedCount() == static_cast<int>(report.steps.size()) ? Done : NotPassed;
+}
+
+/// Of the report in the file or folder \p path.
+Result<LabReport> reportOn(const QString &path, const Lab &lab, const Sender &sender, qint64 seed)
+{
+    auto work = readWork(path, lab);
+    if (!work)
+        return work.error();
+    if (!sender.name.isEmpty())
+        work->info.student = sender.name;
+    if (!sender.number.isEmpty())
+        work->info.studentId = sender.number;
+    return makeLabReport(lab, *work, seed, QDateTime::currentDateTimeUtc());
+}
+
+} // namespace
+
+Result<QByteArray> printedReport(const LabReport &report, const QString &language)
+{
+    const QString cradle = QCoreApplication::applicationDirPath() + QStringLiteral("/cradle");
+    if (!QFileInfo(cradle).isExecutable())
+        return Error{.message = WorkReportText::tr("the application that prints PDF is not beside "
+                                                   "cradle-cli; F.html is right without it"),
+                     .file = cradle};
+    const QTemporaryDir folder;
+    const LabReportPage page = labReportPage(report, Drawings::Numbered, language);
+    if (const auto error = savePage(page, folder.path()))
+        return *error;
+    const QString pdf = folder.filePath(QStringLiteral("report.pdf"));
+    QProcess process;
+    process.start(cradle, {QStringLiteral("--print-report"), folder.path()});
+    if (!process.waitForFinished(printPatience) || process.exitCode() != 0) {
+        process.kill();
+        process.waitForFinished();
+        return Error{.message = WorkReportText::tr("the report could not be printed: %1")
+                                    .arg(QString::fromUtf8(process.readAllStandardError()))};
+    }
+    return readFile(pdf, mostBytes);
+}
+
+ExitCode report(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(WorkReportText::tr(
+        "Writes the report of a student's work: what was asked, what the program does, how it "
+        "came about. Every step is judged anew."));
+    parser.addPositionalArgument(QStringLiteral("WORKSPACE"),
+                                 WorkReportText::tr("the folder, or a FILE.cradle-work"));
+    const WorkOptions options;
+    parser.addOptions({options.lab, options.seed, options.name, options.number, options.output});
+    if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    const QString output = parser.value(options.output);
+    const bool isPdf = output.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
+    if (!isPdf && !output.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
+        return complain(WorkReportText::tr("--output F.pdf or --output F.html is right"));
+    const QString work = parser.positionalArguments().first();
+    return guarded([&]() -> int {
+        const auto lab = labFor(parser, options, work);
+        if (!lab)
+            return complain(lab.error());
+        const Sender sender{parser.value(options.name), parser.value(options.number), {}};
+        const auto told = reportOn(work, *lab, sender, seedOf(parser, options));
+        if (!told)
+            return complain(told.error());
+        const QString language = QStringLiteral("en");
+        const auto bytes = isPdf
+                               ? printedReport(*told, language)
+                               : Result<QByteArray>(
+                                   labReportPage(*told, Drawings::Inside, language).html.toUtf8());
+        if (!bytes)
+            return complainUnwritten(bytes.error());
+        if (const auto error = writeText(output, *bytes))
+            return complainUnwritten(*error);
+        return verdictOn(*told);
+    });
+}
+
+ExitCode handIn(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(WorkReportText::tr(
+        "Writes a student's work into one file to be handed in: the programs, scenes, notes, the "
+        "history and a report. Every step is judged once more."));
+    parser.addPositionalArgument(QStringLiteral("WORKSPACE"), WorkReportText::tr("the folder"));
+    const WorkOptions options;
+    parser.addOptions(
+        {options.lab, options.seed, options.name, options.number, options.note, options.output});
+    if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    const QString work = parser.positionalArguments().first();
+    const QString output = parser.value(options.output);
+    if (!output.endsWith(QLatin1String(workSuffix), Qt::CaseInsensitive))
+        return complain(WorkReportText::tr("--output FILE.cradle-work is right"));
+    return guarded([&]() -> int {
+        const auto lab = labFor(parser, options, work);
+        if (!lab)
+            return complain(lab.error());
+        const auto gathered = gatherHandIn(
+            *lab, work,
+            {parser.value(options.name), parser.value(options.number), parser.value(options.note)},
+            seedOf(parser, options), QDateTime::currentDateTimeUtc());
+        if (!gathered)
+            return complain(gathered.error());
+        const QString language = QStringLiteral("en");
+        auto printed = printedReport(gathered->report, language);
+        const QString name = printed ? QStringLiteral("report.pdf") : QStringLiteral("report.html");
+        if (!printed) {
+            QTextStream(stderr) << printed.error().toString() << Qt::endl;
+            printed = labReportPage(gathered->report, Drawings::Inside, language).html.toUtf8();
+        }
+        const auto packed = packHandIn(*gathered, name, *printed);
+        if (!packed)
+            return complain(packed.error());
+        if (const auto error = writeText(output, *packed))
+            return complainUnwritten(*error);
+        return verdictOn(gathered->report);
+    });
+}
+
+} // namespace cradle::cli

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/keeping_desk.h"
+
+#include "views/code/versions_pane.h"
+#include "views/notes_pane.h"
+
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+constexpr int saveDelay = 250;    ///< ms after the first key that is not saved
+constexpr int mostVersions = 300; ///< that are shown
+
+} // namespace
+
+KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane &notes,
+                         QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_versions(versions)
+    , m_notes(notes)
+{
+    m_saveSoon.setSingleShot(true);
+    m_saveSoon.setInterval(saveDelay);
+    CodeSession *code = &workbench.code();
+    connect(code, &CodeSession::versionsChanged, this, &KeepingDesk::showVersions);
+    connect(code, &CodeSession::edited, this, &KeepingDesk::showPresent);
+    connect(code, &CodeSession::textReplaced, this, &KeepingDesk::showPresent);
+    connect(code, &CodeSession::stateChanged, this, &KeepingDesk::showPresent);
+    connect(&versions, &VersionsPane::goBackRequested, code, &CodeSession::replace);
+    // Before the workspace, or the step, is another one.
+    connect(code, &CodeSession::opened, this, &KeepingDesk::saveNote);
+    connect(&notes, &NotesPane::edited, this, [this] {
+        m_noteEdited = true;
+        if (!m_saveSoon.isActive())
+            m_saveSoon.start();
+    });
+    connect(&m_saveSoon, &QTimer::timeout, this, &KeepingDesk::saveNote);
+    connect(&workbench, &Workbench::taskChanged, this, &KeepingDesk::openNote);
+    showVersions();
+    openNote();
+}
+
+KeepingDesk::~KeepingDesk()
+{
+    saveNote();
+}
+
+void KeepingDesk::showVersions()
+{
+    const CodeSession &code = m_workbench.code();
+    std::vector<ShownVersion> shown;
+    if (const History *history = code.workspace().history(); history && code.isOpen()) {
+        for (const Version &version : history->versions(code.taskId(), mostVersions)) {
+            if (const auto text = history->textOf(version))
+                shown.push_back({version, QString::fromUtf8(*text)});
+        }
+    }
+    m_versions.setVersions(shown);
+    showPresent();
+}
+
+void KeepingDesk::showPresent()
+{
+    const CodeSession &code = m_workbench.code();
+    m_versions.setPresent(code.text(), code.isEditable() && code.isActive());
+}
+
+void KeepingDesk::openNote()
+{
+    saveNote();
+    const CodeSession &code = m_workbench.code();
+    m_noteTask = code.taskId();
+    m_notes.setText(code.isOpen() ? code.workspace().noteOf(m_noteTask) : QString(),
+                    code.isOpen() && code.workspace().mayWrite());
+}
+
+void KeepingDesk::saveNote()
+{
+    m_saveSoon.stop();
+    if (!std::exchange(m_noteEdited, false) || m_noteTask.isEmpty())
+        return;
+    if (const auto error = m_workbench.code().workspace().saveNote(m_noteTask, m_notes.text()))
+        emit m_workbench.failed(*error);
+}
+
+} // namespace cradle

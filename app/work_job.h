@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/hand_in/hand_in.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+
+namespace cradle {
+
+/// Judges all of a student's work anew, off the GUI thread, for a report or to be handed in.
+class WorkJob final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit WorkJob(QObject *parent = nullptr);
+    ~WorkJob() override;
+
+    /// \param folder  of the workspace
+    void start(const Lab &lab, const QString &folder, const Sender &sender);
+    void cancel(); ///< finished() does not follow
+
+signals:
+    void progressed(int done, int total);
+    void finished(const cradle::HandIn &handIn);
+    void failed(const cradle::Error &error);
+
+private:
+    QFutureWatcher<std::shared_ptr<const Result<HandIn>>> m_watcher;
+    std::shared_ptr<std::atomic_bool> m_stop;
+};
+
+} // namespace cradle

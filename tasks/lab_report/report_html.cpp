@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/lab_report/report_html.h"
+
+#include "model/file_io.h"
+#include "model/json_schema.h"
+#include "tasks/lab_report/markdown_html.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QRegularExpression>
+
+namespace cradle {
+
+namespace {
+
+struct PageText {
+    Q_DECLARE_TR_FUNCTIONS(LabReport)
+};
+
+constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a page or a drawing
+
+// Tables and plain colours only: Qt's text documents print the same page.
+const QString style = QStringLiteral(
+    "body { font-family: Inter, 'DejaVu Sans', sans-serif; font-size: 10pt; color: #212529; "
+    "background-color: #ffffff; }\n"
+    "h1 { font-size: 20pt; } h2 { font-size: 14pt; } h3 { font-size: 10.5pt; }\n"
+    "pre, code { font-family: 'JetBrains Mono', 'DejaVu Sans Mono', monospace; "
+    "font-size: 8.5pt; }\n"
+    "table { border-collapse: collapse; } td { vertical-align: top; }\n"
+    ".muted { color: #5c636a; }\n"
+    ".good { color: #2b8a3e; } .open { color: #a85100; }\n"
+    "table.code td { font-family: 'JetBrains Mono', 'DejaVu Sans Mono', monospace; "
+    "font-size: 8pt; white-space: pre-wrap; }\n"
+    "td.number { color: #5c636a; text-align: right; padding-right: 6px; }\n"
+    "tr.added td { background-color: #e6f4ea; } tr.removed td { background-color: #fbe9e7; }\n");
+const QString screenStyle = QStringLiteral(
+    "@media screen { body { max-width: 760px; margin: 24px auto; padding: 0 16px; } }\n"
+    "svg { max-width: 100%; height: auto; }\n"
+    "@media print { h2, h3, svg { break-after: avoid; } }\n");
+
+/// Writes the page piece by piece.
+class Writer
+{
+public:
+    Writer(const LabReport &report, Drawings drawings, const QString &language)
+        : m_report(report)
+        , m_drawings(drawings)
+        , m_language(language)
+    {
+    }
+
+    LabReportPage write()
+    {
+        const QString css = m_drawings == Drawings::Inside ? style + screenStyle : style;
+        m_page.html += QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n"
+                                      "<meta charset=\"utf-8\">\n<title>%2</title>\n"
+                                      "<style>\n%3</style>\n</head>\n<body>\n")
+                           .arg(m_language, titleOf().toHtmlEscaped(), css);
+        writeHead();
+        for (const StepReport &step : m_report.steps)
+            writeStep(step);
+        writeEnd();
+        m_page.html += QStringLiteral("</body>\n</html>\n");
+        return std::move(m_page);
+    }
+
+private:
+    [[nodiscard]] QString titleOf() const
+    {
+        return m_report.student.isEmpty()
+                   ? m_report.labTitle
+                   : QStringLiteral("%1 – %2").arg(m_report.labTitle, m_report.student);
+    }
+
+    void add(const QString &html) { m_page.html += html + QLatin1Char('\n'); }
+    void addText(const char *element, const QString &text)
+    {
+        if (!text.isEmpty())
+            add(QStringLiteral("<%1>%2</%1>").arg(QLatin1String(element), text.toHtmlEscaped()));
+    }
+
+    void draw(const QByteArray &svg, int width, int height, int percent = 100)
+    {
+        if (svg.isEmpty())
+            return;
+        if (m_drawings == Drawings::Inside) {
+            add(QString::fromUtf8(svg));
+            return;
+        }
+        add(QStringLiteral("<img src=\"drawing:%1\" width=\"%2\" height=\"%3\">")
+                .arg(m_page.drawings.size())
+                .arg(width * percent / 100)
+                .arg(height * percent / 100));
+        m_page.drawings.push_back(svg);
+    }
+
+    void writeHead()
+    {
+        addText("h1", m_report.labTitle);
+        QStringList who;
+        for (const QString &part : {m_report.student, m_report.studentId})
+            if (!part.isEmpty())
+                who.append(part);
+        who.append(QLocale().toString(m_report.when.toLocalTime().date(), QLocale::LongFormat));
+        addText("p", who.join(QStringLiteral(" · ")));
+        addText(
+            "p",
+            PageText::tr("%1 of %2 steps pass. Every step was judged anew for this report, "
+                         "by version %3 of the lab.")
+                .arg(m_report.passedCount())
+                .arg(m_report.steps.size())
+                .arg(m_report.labVersion.isEmpty() ? QStringLiteral("?") : m_report.labVersion));
+        if (!m_report.noteToTeacher.trimmed().isEmpty()) {
+            addText("h3", PageText::tr("To the teacher"));
+            for (const QString &line : m_report.noteToTeacher.split(QLatin1Char('\n')))
+                addText("p", line);
+        }
+        QString rows;
+        for (const StepReport &step : m_report.steps)
+            rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2&nbsp;&nbsp;</td>"
+                                   "<td class=\"%3\">%4</td></tr>\n")
+                        .arg(step.id.toHtmlEscaped(), step.title.toHtmlEscaped(), classOf(step),
+                             verdictText(step).toHtmlEscaped());
+        add(QStringLiteral("<table>\n%1</table>").arg(rows));
+    }
+
+    static QString classOf(const StepReport &step)
+    {
+        return step.verdict == StepVerdict::Passed    ? QStringLiteral("good")
+               : step.verdict == StepVerdict::NotDone ? QStringLiteral("muted")
+                                                      : QStringLiteral("open");
+    }
+
+    static QString verdictText(const StepReport &step)
+    {
+        switch (step.verdict) {
+        case StepVerdict::Passed:
+            return PageText::tr("✓ passes");
+        case StepVerdict::NotPassed:
+            return PageText::tr("does not pass yet");
+        case StepVerdict::Stopped:
+            return PageText::tr("stops with an error");
+        case StepVerdict::NotDone:
+            break;
+        }
+        return PageText::tr("not done");
+    }
+
+    void writeStep(const StepReport &step)
+    {
+        const QString breaks =
+            m_drawings == Drawings::Numbered && step.verdict != StepVerdict::NotDone
+                ? QStringLiteral(" style=\"page-break-before: always\"")
+                : QString();
+        add(QStringLiteral("<h2%1>%2 · %3</h2>")
+                .arg(breaks, step.id.toHtmlEscaped(), step.title.toHtmlEscaped()));
+        addText("p", step.asked);
+        add(QStringLiteral("<p class=\"%1\"><b>%2</b></p>")
+                .arg(classOf(step), verdictText(step).toHtmlEscaped()));
+        addText("p", step.explanation);
+        writeWay(step);
+        writePrediction(step);
+        writeRun(step);
+        writeChange(step);
+        if (!step.note.trimmed().isEmpty()) {
+            addText("h3", PageText::tr("Notes"));
+            add(markdownHtml(step.note));
+        }
+    }
+
+    void writeWay(const StepReport &step)
+    {
+        if (step.attempts > 0)
+            addText("p", PageText::tr("Checked %n time(s).", nullptr, step.attempts));
+        if (step.met.empty())
+            return;
+        addText("h3", PageText::tr("Found on the way"));
+        QString items;
+        for (const StepReport::Met &met : step.met)
+            items += QStringLiteral("<li>%1 (%2×)</li>\n")
+                         .arg(met.headline.toHtmlEscaped())
+                         .arg(met.times);
+        add(QStringLiteral("<ul>\n%1</ul>").arg(items));
+    }
+
+    void writePrediction(const StepReport &step)
+    {
+        if (step.question.isEmpty() || step.verdict == StepVerdict::NotDone)
+            return;
+        addText("h3", PageText::tr("Expected and found"));
+        add(markdownHtml(step.question));
+        if (!step.expected.isEmpty())
+            addText("p", PageText::tr("Expected: %1").arg(step.expected)
+                             + (step.wasRight ? QStringLiteral(" ✓") : QString()));
+        addText("p", PageText::tr("It comes true: %1").arg(step.right));
+    }
+
+    void writeRun(const StepReport &step)
+    {
+        if (step.scene.isEmpty())
+            return;
+        addText("h3", PageText::tr("The run"));
+        add(QStringLiteral("<table><tr><td>"));
+        draw(step.scene, 300, 300, 75);
+        add(QStringLiteral("</td><td>"));
+        draw(step.momentum, 420, 150, 75);
+        add(QStringLiteral("<br>"));
+        draw(step.energy, 420, 150, 75);
+        add(QStringLiteral("</td></tr></table>"));
+        add(QStringLiteral("<p class=\"muted\">%1</p>").arg(step.moment.toHtmlEscaped()));
+    }
+
+    void writeChange(const StepReport &step)
+    {
+        if (!step.byProgram || step.verdict == StepVerdict::NotDone)
+            return;
+        addText("h3", PageText::tr("What changed in the program"));
+        if (step.change.empty()) {
+            addText("p", PageText::tr("Nothing: it is the program of the step before."));
+            return;
+        }
+        QString rows;
+        bool first = true;
+        for (const DiffHunk &hunk : step.change) {
+            if (!std::exchange(first, false))
+                rows += QStringLiteral("<tr><td class=\"number\">⋮</td><td></td><td></td></tr>\n");
+            for (const DiffLine &line : hunk.lines)
+                rows += rowOf(line);
+        }
+        add(QStringLiteral("<table class=\"code\" cellspacing=\"0\" cellpadding=\"1\" "
+                           "width=\"100%\">\n%1</table>")
+                .arg(rows));
+    }
+
+    static QString rowOf(const DiffLine &line)
+    {
+        const bool added = line.kind == DiffLine::Kind::Added;
+        const bool removed = line.kind == DiffLine::Kind::Removed;
+        QString text = line.text.toHtmlEscaped();
+        // Indentation must stay, also where white-space is not heeded.
+        static const QRegularExpression indent(QStringLiteral("^\\s+"));
+        if (const auto match = indent.match(text); match.hasMatch()) {
+            const QString spaces =
+                QString(match.captured().replace(QLatin1Char('\t'), QLatin1String("    ")).size(),
+                        QChar::Nbsp);
+            text = spaces + text.mid(match.capturedLength());
+        }
+        return QStringLiteral("<tr class=\"%1\"><td class=\"number\" width=\"28\">%2</td>"
+                              "<td width=\"12\">%3</td><td>%4</td></tr>\n")
+            .arg(added     ? QStringLiteral("added")
+                 : removed ? QStringLiteral("removed")
+                           : QStringLiteral("same"),
+                 line.after > 0 ? QString::number(line.after) : QString(),
+                 added     ? QStringLiteral("+")
+                 : removed ? QStringLiteral("−")
+                           : QString(),
+                 text);
+    }
+
+    void writeEnd()
+    {
+        if (m_report.energies.isEmpty())
+            return;
+        const QString breaks = m_drawings == Drawings::Numbered
+                                   ? QStringLiteral(" style=\"page-break-before: always\"")
+                                   : QString();
+        add(QStringLiteral("<h2%1>%2</h2>")
+                .arg(breaks, PageText::tr("Looking back").toHtmlEscaped()));
+        addText("p", PageText::tr("The energy of the runs above in one chart, each as a part of "
+                                  "what it started with. A law that keeps energy draws a straight "
+                                  "line at 1; what lies above was made by the program, what lies "
+                                  "below was lost."));
+        draw(m_report.energies, 640, 320);
+    }
+
+    const LabReport &m_report;
+    Drawings m_drawings;
+    QString m_language;
+    LabReportPage m_page{};
+};
+
+} // namespace
+
+std::optional<Error> savePage(const LabReportPage &page, const QString &folder)
+{
+    for (std::size_t i = 0; i < page.drawings.size(); ++i) {
+        if (auto error =
+                writeFile(QStringLiteral("%1/%2.svg").arg(folder).arg(i), page.drawings[i]))
+            return error;
+    }
+    return writeFile(folder + QStringLiteral("/page.html"), page.html.toUtf8());
+}
+
+Result<LabReportPage> readPage(const QString &folder)
+{
+    const auto html = readFile(folder + QStringLiteral("/page.html"), mostBytes);
+    if (!html)
+        return html.error();
+    LabReportPage page{.html = QString::fromUtf8(*html)};
+    for (int i = 0; QFile::exists(QStringLiteral("%1/%2.svg").arg(folder).arg(i)); ++i) {
+        const auto svg = readFile(QStringLiteral("%1/%2.svg").arg(folder).arg(i), mostBytes);
+        if (!svg)
+            return svg.error();
+        page.drawings.push_back(*svg);
+    }
+    return page;
+}
+
+LabReportPage labReportPage(const LabReport &report, Drawings drawings, const QString &language)
+{
+    return Writer(report, drawings, language).write();
+}
+
+} // namespace cradle

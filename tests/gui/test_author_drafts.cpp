@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "open_author.h"
+
+#include "app/author_window.h"
+#include "tasks/authoring/lab_draft.h"
+#include "tasks/authoring/lab_edits.h"
+
+#include <QProcess>
+
+using namespace cradle;
+
+namespace {
+
+const QString textFile = QStringLiteral("BALL1/instructions.md");
+
+/// Writes on without a pause until it is killed.
+int writeForEver(const QString &folder)
+{
+    AuthorDocument document;
+    document.keepDraftsIn(folder + QStringLiteral("/drafts"));
+    if (document.open(folder + QStringLiteral("/ball")))
+        return 1;
+    int keys = 0;
+    QTimer typing;
+    QObject::connect(&typing, &QTimer::timeout, &document, [&] {
+        ++keys;
+        document.edit(QStringLiteral("Type"),
+                      withFile(document.files(), textFile, QByteArray::number(keys)),
+                      QStringLiteral("text"));
+        std::printf("%d\n", keys);
+        std::fflush(stdout);
+    });
+    typing.start(10);
+    return QApplication::exec();
+}
+
+} // namespace
+
+/// What an author has not saved is there again after the window was killed.
+class TestAuthorDrafts final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void killedWindowLosesLittle();
+    void changesComeBackAndCanBeDiscarded();
+    void savedOrDiscardedLeavesNothing();
+    void newLabComesBack();
+    void draftOfALivingWindowIsItsOwn();
+
+private:
+    [[nodiscard]] QDir drafts() const { return {m_folder->filePath(QStringLiteral("drafts"))}; }
+    /// As if another process, which is no more, had kept it.
+    void leave(const QString &lab, const LabFiles &files, const LabFiles &onDisk) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_ball;
+};
+
+void TestAuthorDrafts::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_ball = m_folder->filePath(QStringLiteral("ball"));
+    const auto files = readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
+    QVERIFY(files && !saveLabFiles(*files, {}, m_ball));
+}
+
+void TestAuthorDrafts::leave(const QString &lab, const LabFiles &files,
+                             const LabFiles &onDisk) const
+{
+    QVERIFY(!saveDraft(drafts().path(), lab, files, onDisk));
+    const QString own = QString::number(QCoreApplication::applicationPid());
+    for (const QString &name : drafts().entryList(QDir::Files))
+        QVERIFY(drafts().rename(name, QString(name).replace(own, QStringLiteral("99999999"))));
+}
+
+void TestAuthorDrafts::killedWindowLosesLittle()
+{
+    QProcess process;
+    process.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("--type"), m_folder->path()});
+    int keys = 0;
+    while (keys < 120 && process.waitForReadyRead(30'000)) {
+        while (process.canReadLine())
+            keys = process.readLine().trimmed().toInt();
+    }
+    process.kill();
+    QVERIFY(process.waitForFinished());
+    for (const QByteArray &line : process.readAll().split('\n'))
+        keys = std::max(keys, line.trimmed().toInt());
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    const int kept = author.files().contents.value(textFile).toInt();
+    QVERIFY2(kept > 0 && keys - kept <= 50, // 0.5 s of them
+             qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
+}
+
+void TestAuthorDrafts::changesComeBackAndCanBeDiscarded()
+{
+    const LabFiles onDisk = *readLabFiles(m_ball);
+    LabFiles changed = onDisk;
+    changed.contents[textFile] = "# Mine";
+    changed.contents[QStringLiteral("BALL1/new.txt")] = QByteArray("\0\xff", 2);
+    changed.contents.remove(QStringLiteral("BALL2/floor.svg"));
+    leave(m_ball, changed, onDisk);
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(author.files() == changed);
+    QVERIFY(author.document().isModified());
+    QVERIFY(author.window.notice().text().contains(QStringLiteral("without saving")));
+    author.click(QStringLiteral("Discard them"));
+    QVERIFY(author.files() == onDisk);
+    QTRY_VERIFY(drafts().entryList(QDir::Files).isEmpty());
+}
+
+void TestAuthorDrafts::savedOrDiscardedLeavesNothing()
+{
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    author.document().edit(QStringLiteral("x"), withFile(author.files(), textFile, "# Mine"));
+    QTRY_COMPARE(drafts().entryList(QDir::Files).size(), 1);
+    QVERIFY(author.window.save());
+    QVERIFY(drafts().entryList(QDir::Files).isEmpty());
+    author.document().edit(QStringLiteral("x"), withFile(author.files(), textFile, "# More"));
+    QTRY_COMPARE(drafts().entryList(QDir::Files).size(), 1);
+    windows::OpenAuthor::answerQuestion(QStringLiteral("Discard"));
+    QVERIFY(author.window.close());
+    QVERIFY(drafts().entryList(QDir::Files).isEmpty());
+}
+
+void TestAuthorDrafts::newLabComesBack()
+{
+    LabFiles files = newLab(QStringLiteral("mine"), QStringLiteral("Mine"), QStringLiteral("en"));
+    leave({}, files, {});
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    author.click(QStringLiteral("Open it"));
+    QVERIFY(author.files() == files);
+    QVERIFY(author.document().folder().isEmpty());
+    QVERIFY(author.document().isModified());
+    QCOMPARE(drafts().entryList(QDir::Files).size(), 1); // this window's own
+    author.document().discardDraft();
+}
+
+void TestAuthorDrafts::draftOfALivingWindowIsItsOwn()
+{
+    const LabFiles onDisk = *readLabFiles(m_ball);
+    LabFiles changed = onDisk;
+    changed.contents[textFile] = "# Mine";
+    QVERIFY(!saveDraft(drafts().path(), m_ball, changed, onDisk));
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(author.files() == onDisk);
+    QCOMPARE(drafts().entryList(QDir::Files).size(), 1);
+}
+
+int main(int argc, char **argv)
+{
+    QApplication app(argc, argv);
+    if (const QStringList arguments = QApplication::arguments();
+        arguments.value(1) == QLatin1String("--type"))
+        return writeForEver(arguments.value(2));
+    TestAuthorDrafts test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_author_drafts.moc"

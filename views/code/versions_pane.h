@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/workspace/version.h"
+
+#include <QWidget>
+
+#include <vector>
+
+QT_BEGIN_NAMESPACE
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class CodeEditor;
+
+/// A version with its program.
+struct ShownVersion {
+    Version version;
+    QString text;
+};
+
+/// The versions of the open step's program: when, what was found, what changed; the program of the
+/// chosen one beside the present one, with the lines that differ marked.
+class VersionsPane final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit VersionsPane(QWidget *parent = nullptr);
+
+    /// \param versions  the newest first
+    void setVersions(const std::vector<ShownVersion> &versions);
+    /// The program as it is now. \param mayChange  whether it can be replaced
+    void setPresent(const QString &text, bool mayChange);
+    /// The version that is chosen; nullptr if there is none.
+    [[nodiscard]] const ShownVersion *chosen() const;
+    [[nodiscard]] QSize sizeHint() const override { return {700, 264}; }
+
+signals:
+    void goBackRequested(const QString &text); ///< to this program
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void fill();
+    void showChosen();
+    void showButtons();
+    void retranslate();
+    [[nodiscard]] const ShownVersion *newestPassed() const;
+
+    QTreeWidget *m_list;
+    QLabel *m_empty;
+    QLabel *m_thenTitle;
+    QLabel *m_nowTitle;
+    CodeEditor *m_then;
+    CodeEditor *m_now;
+    QPushButton *m_goBack;
+    QPushButton *m_toPassed;
+    std::vector<ShownVersion> m_versions;
+    QString m_present;
+    bool m_mayChange = false;
+};
+
+} // namespace cradle
