@@ -1051,14 +1051,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>der Ordner des Labs oder NAME.cradle</translation>
     </message>
     <message>
-        <source>this is too long for a program; at most %1 are right</source>
-        <translation>das ist zu lang für ein Programm; richtig sind höchstens %1</translation>
-    </message>
-    <message>
-        <source>this is text in UTF-16; UTF-8 would be right</source>
-        <translation>das ist Text in UTF-16; richtig wäre UTF-8</translation>
-    </message>
-    <message>
         <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab that the work belongs to</source>
         <translation>der Ordner des Labs oder NAME.cradle; sonst das mitgelieferte Lab, zu dem die Arbeit gehört</translation>
     </message>
@@ -1105,6 +1097,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>--output FILE.cradle-work is right</source>
         <translation>richtig ist --output DATEI.cradle-work</translation>
+    </message>
+    <message>
+        <source>this is too long for a program; at most %1 are right</source>
+        <translation>das ist zu lang für ein Programm; richtig sind höchstens %1</translation>
+    </message>
+    <message>
+        <source>this is text in UTF-16; UTF-8 would be right</source>
+        <translation>das ist Text in UTF-16; richtig wäre UTF-8</translation>
     </message>
 </context>
 <context>
@@ -1219,1068 +1219,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 </context>
 <context>
     <name>Findings</name>
-    <message>
-        <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only half of r₁ + r₂ counts in the test of contact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles answer only when their centres have met</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Boxes are compared, not circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>|Δx| + |Δy| is not the distance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Side by side they answer in time, but on a diagonal only when their centres are %2 m apart. A distance is the root of the sum of the squares.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A squared distance is compared with a length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diameters are added in the test of contact, not radii</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contact is tested at %1, not at r₁ + r₂</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the larger radius</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the smaller radius</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>twice the larger radius</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the sum of the diameters</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles run through each other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles act on each other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In this step they should still pass through each other.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles answer when they part, not when they meet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever the radii are, they answer at a distance of about %1 m.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles answer before they touch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles answer too late</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing happens when it is circle 2 that comes nearer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing happens when it is circle 1 that comes nearer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not every meeting is answered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and nothing was answered; other meetings are. What counts is the velocity of one relative to the other.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only the first hit is answered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circles that already part are hit again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>circle %1</source>
-        <translation type="unfinished">Kreis %1</translation>
-    </message>
-    <message>
-        <source>both circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the circles %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of %who is set anew in every step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start: what a hit changes is lost at once. A start is set once, in `on_load`; a step works the new velocity out from the old one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of circle %1 moves %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In a scene in which circle %1 alone has a velocity, it is this circle that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The new place of %who does not depend on the old one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The x of %who never changes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The y of %who never changes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> Both parts of the position change, each by its own part of the velocity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The way of %who is not multiplied by the timestep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A velocity says how far it gets in a whole second; a step lasts only Δt.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The way of %who is multiplied by the timestep twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Count how often the timestep stands in the line that moves it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A fixed number stands for the timestep in the way of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The way of %who in a step is not v Δt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the line that changes the position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing moves %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The way of %who is subtracted instead of added</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the sign in the line that moves it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In every step %who is moved twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Count the lines that change the position in a step without a hit.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The way of %who in a step is %1 times v Δt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the factors in the line that moves it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A number stands for gravity in the motion of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity pulls %who in a wrong direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² the velocity changes by %2 m/s in a step of %3 s; it should change by %4 m/s.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity acts on %who for a whole second in every step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An acceleration says what a second changes; a step lasts only Δt. Compare the units on both sides.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity on %who is multiplied by the timestep twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Count how often the timestep stands in the line that changes the velocity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A fixed number stands for the timestep in the fall of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity does not act on %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It needs a line that lets gravity change the velocity, in every step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity pushes %who against its own direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the signs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity acts on %who twice in every step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Count the lines of a step that change the velocity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of %who gets only half of gravity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a method takes two halves, both count.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the factors in the line that changes the velocity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The fall of %who is not that of the gravity in the scene</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The place of %who acts on its velocity otherwise than asked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of %who acts on itself otherwise than asked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt; %3 is asked for. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The motion of %who is %1, not %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The motion of %who is no known method; %1 is asked for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Euler</source>
-        <translation type="unfinished">Euler</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation type="unfinished">symplektischer Euler</translation>
-    </message>
-    <message>
-        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The masses are numbers, not those of the circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles answer as if they were equally heavy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at where the masses of both enter your answer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each circle answers with the mass of the other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The radius is left out of the mass</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mass grows with r to the power of %1, not %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A ball that is twice as wide is also twice as high and as deep: its mass grows with r³.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The density is left out of the mass</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mass grows with the density to the power of %1, not %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass is density times volume.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With e = %1: </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e multiplies the whole velocities after the hit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e also shortens the parts across the line of centres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing pushes there: they stay as they were.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only circle 1 feels e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only circle 2 feels e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e is not used in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e is squared in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The root of e is used in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e works the wrong way round: the factor is 2 − e, not 1 + e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push is multiplied by 2 e instead of 1 + e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push is multiplied by e instead of 1 + e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The rebound is divided by e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sign of e is wrong in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e does not act on the rebound as it should</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A number stands for e in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever e is, the rebound is that of e = %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Numbers stand for e in the hit of two circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit acts on both circles.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody holds the other circle as a wall is held: look at whose part each circle gets.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit leaves circle 2 as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit leaves circle 1 as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit stops both circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>That was right in the step that only looked for the contact.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit stops circle 1 and leaves circle 2 as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit stops circle 2 and leaves circle 1 as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each circle is turned back on its own way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each circle bounces as off a wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 1 bounces as off a wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 2 bounces as off a wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts across the line of centres turn round, not those along it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push acts along the line of centres.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The whole velocities change hands, not only the parts along the normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts across change hands, and those along the normal stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts across the normal are lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Both circles leave with the velocity of circle 2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Both circles leave with the velocity of circle 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of circle 2 is worked out from what circle 1 has become</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The velocity of circle 1 is worked out from what circle 2 has become</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>After a hit both circles have the same velocity along the normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>After a hit both circles have the same velocity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The part of circle 2 along the normal is forgotten</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 1 gives its part away and gets nothing for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The part of circle 1 along the normal is forgotten</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 2 gives its part away and gets nothing for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle 1 keeps the part that it hands over</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What circle 2 gets, circle 1 must lose.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts along the normal change hands and are turned round as well</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The exchange alone is the whole answer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push on circle 1 has the wrong sign</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It gains the part that it should lose.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push on circle 2 has the wrong sign</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It loses the part that it should gain.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Both pushes have the wrong sign</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The circles are drawn into each other.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push acts along the line from centre to centre.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The normal does not have length 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The normal has length 1 in one place and not in the other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The perpendicular of the line of centres is taken for the normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts x and y of the normal are exchanged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The normal is mirrored: the sign of its y is wrong</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The x parts change hands, not those along the line of centres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The y parts change hands, not those along the line of centres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The new velocities are turned back by the wrong angle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Who turns by −φ before must turn by +φ afterwards.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The new velocities are not turned back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They are still taken apart along the line of centres: put them together again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit puts a circle somewhere else</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In the step of the hit one of them was put %1 m away from its own way. Each goes back to its *own* place, if at all: look at which old position each circle gets.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts across the line of centres are changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A smooth circle pushes along the line of centres only.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The pushes on the two circles are not equal and opposite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push does not act along the line of centres alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The parts across it must stay as they were.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The push along the line of centres has the wrong size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The masses in your own scene are not those of its circles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right, so the masses were worked out before radii and densities were set: look at the order in `on_load`.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In your own scene the hit does not use the e that it has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right, so e was copied before it was set.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Equal circles answer rightly, unequal ones do not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Taken apart along the line of centres and across it, circle 1 came with %1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and %6 m/s are right.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gravity is %1 m/s², not %2
-
-So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-
-Look at what `on_load` sets, and for which circle.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e = %1 is not the value that is asked for
-
-The laws of your program are right; with another e your own scene would pass. Work out what e has to be, and look at how `on_load` writes it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No wall turns %who round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing turns %who round here: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A circle that is thrown there leaves the square and never comes back. A square has four walls: look at the question that your program asks for each.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls the centre of %who is asked for, not the rim</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls %who has the radius of another circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for the radius of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn %who round before it is there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn %who round when all of it is outside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too late</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and at the %2 it turns when its centre is between %3 and %4 m from the wall. It should turn when its rim is there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>So it is here: %1. </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With e = %1 it came to the %2 with %3 m/s and left it with %4 m/s; along the normal it should keep %5 of the speed, turned round, and along the wall %6.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A smooth wall pushes along its normal only.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls hold %who and do not turn its velocity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It is put back in every step and runs into the wall again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn the wrong part of the velocity of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn the whole velocity of %who round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls e also shortens the part of %who along the wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls e acts on the wrong part of the velocity of %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls turn the part of %who along the wall round, too</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls take the part of %who along the wall away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls change the part of %who along the wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls give %who all of the speed back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>e is not used at these walls.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls e acts on %who twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Heights go with e², speeds with e.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls 1 − e stands where e belongs, for %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 − e is what is lost; e is what is left.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls make %who faster: 1 + e stands where e belongs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 + e is the whole change of the velocity, e what comes back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls stop %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing brings it back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls slow %who and do not turn it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What comes back points away from the wall: look at the sign.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls do not turn %who round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its velocity still points into the wall: look at the sign.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for e, for %who</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls give %who a velocity of their own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Whatever it brings, it leaves with the same: work the new velocity out from the old one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The walls give %who %1 of the speed back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look at the factor in front of the part that you turn round.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit at a wall puts %who somewhere else</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A hit of one circle at a wall also stops the other on its way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In a corner only one part of the velocity of %who turns round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves the wall
-
-Its rim was still outside, it moved inward already, and it was turned into the wall once more (step %2 of a low drop or slow shot). Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>Ghost</name>
@@ -2323,6 +1261,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 <context>
     <name>HandIn</name>
     <message>
+        <source>the work cannot be put there</source>
+        <translation>die Arbeit lässt sich dort nicht ablegen</translation>
+    </message>
+    <message>
         <source>this is no folder with a student&apos;s work</source>
         <translation>das ist kein Ordner mit der Arbeit einer Studentin oder eines Studenten</translation>
     </message>
@@ -2341,10 +1283,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>this file is missing</source>
         <translation>diese Datei fehlt</translation>
-    </message>
-    <message>
-        <source>the work cannot be put there</source>
-        <translation>die Arbeit lässt sich dort nicht ablegen</translation>
     </message>
 </context>
 <context>
@@ -2665,6 +1603,29 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 </context>
 <context>
     <name>LabReport</name>
+    <message numerus="yes">
+        <source>%n check(s)</source>
+        <translation>
+            <numerusform>%n Prüfung</numerusform>
+            <numerusform>%n Prüfungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have written a physics engine</source>
+        <translation>Du hast eine Physik-Engine geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass, judged anew a moment ago.</source>
+        <translation>%1 von %2 Schritten bestehen, eben neu geprüft.</translation>
+    </message>
+    <message>
+        <source>What took the most checks</source>
+        <translation>Was die meisten Prüfungen brauchte</translation>
+    </message>
+    <message>
+        <source>The energy of all runs</source>
+        <translation>Die Energie aller Läufe</translation>
+    </message>
     <message>
         <source>At %1 s, when two circles first meet</source>
         <translation>Bei %1 s, wenn sich zwei Kreise zum ersten Mal treffen</translation>
@@ -2779,29 +1740,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Energy as a part of that at the start</source>
         <translation>Energie als Teil derer am Anfang</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n check(s)</source>
-        <translation>
-            <numerusform>%n Prüfung</numerusform>
-            <numerusform>%n Prüfungen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>You have written a physics engine</source>
-        <translation>Du hast eine Physik-Engine geschrieben</translation>
-    </message>
-    <message>
-        <source>%1 of %2 steps pass, judged anew a moment ago.</source>
-        <translation>%1 von %2 Schritten bestehen, eben neu geprüft.</translation>
-    </message>
-    <message>
-        <source>What took the most checks</source>
-        <translation>Was die meisten Prüfungen brauchte</translation>
-    </message>
-    <message>
-        <source>The energy of all runs</source>
-        <translation>Die Energie aller Läufe</translation>
     </message>
 </context>
 <context>
@@ -3625,10 +2563,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 </context>
 <context>
     <name>MessageText</name>
-    <message>
-        <source>parentheses, blocks or terms are nested too deeply</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>MomentumInset</name>
@@ -4017,10 +2951,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>The laws of the scene moved the circles.</source>
         <translation>Die Gesetze der Szene haben die Kreise bewegt.</translation>
-    </message>
-    <message>
-        <source>Look at %1:%2</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6438,14 +5368,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 </context>
 <context>
     <name>cradle::FindingCard</name>
-    <message>
-        <source>Show what was measured</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show what was measured: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>cradle::FindingsList</name>
@@ -7083,6 +6005,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>In der Szene</translation>
     </message>
     <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>Labs und Arbeiten (*.cradle *.cradle-work);;Alle Dateien (*)</translation>
+    </message>
+    <message>
         <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
         <translation>Ein anderes Programm hat dein Programm geändert. Jetzt steht sein Text da; deiner ist unter den Fassungen dieses Schritts.</translation>
     </message>
@@ -7119,32 +6053,20 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Übernehmen</translation>
     </message>
     <message>
-        <source>Your program is not saved</source>
-        <translation>Dein Programm ist nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>What you typed since it was last saved is lost if you close the window.</source>
-        <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
-    </message>
-    <message>
-        <source>Versions</source>
-        <translation>Fassungen</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notizen</translation>
-    </message>
-    <message>
-        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
-        <translation>Labs und Arbeiten (*.cradle *.cradle-work);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Nothing of this work is kept on a disk.</source>
         <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufgehoben.</translation>
     </message>
     <message>
         <source>Open a step of a lab first.</source>
         <translation>Öffne zuerst einen Schritt eines Labs.</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>Dein Programm ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
     </message>
 </context>
 <context>

@@ -37,10 +37,18 @@ public:
         const QString name = format.toImageFormat().name();
         const auto index = name.section(QLatin1Char(':'), 1).toUInt();
         if (name.startsWith(QLatin1String("drawing:")) && index < m_drawings.size())
-            m_drawings[index]->render(painter, place);
+            drawWithin(painter, place, *m_drawings[index]);
     }
 
 private:
+    static void drawWithin(QPainter *painter, const QRectF &place, QSvgRenderer &drawing)
+    {
+        painter->save();
+        painter->setClipRect(place, Qt::IntersectClip);
+        drawing.render(painter, place);
+        painter->restore();
+    }
+
     std::vector<std::unique_ptr<QSvgRenderer>> m_drawings;
 };
 

@@ -23,6 +23,7 @@ struct PrinterText {
 
 constexpr double layoutDpi = 96.0; ///< of sizes in px
 constexpr double marginMm = 18.0;  ///< on all sides
+constexpr int footerText = 11;     ///< px
 constexpr double footerPx = 28.0;  ///< below the text
 constexpr int fineness = 1200;     ///< dots per inch that places are rounded to
 
@@ -66,7 +67,9 @@ QByteArray printedPdf(const LabReportPage &page, const QString &title)
         context.palette.setColor(QPalette::Text, Qt::black);
         document.documentLayout()->draw(&painter, context);
         painter.restore();
-        painter.setFont(document.defaultFont());
+        QFont small = document.defaultFont();
+        small.setPixelSize(footerText);
+        painter.setFont(small);
         painter.setPen(QColor(0x5c636a));
         painter.drawText(QRectF(0.0, sheet.height(), paper.width(), footerPx),
                          Qt::AlignRight | Qt::AlignBottom,

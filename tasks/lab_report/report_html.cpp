@@ -123,7 +123,7 @@ private:
                                    "<td class=\"%3\">%4</td></tr>\n")
                         .arg(step.id.toHtmlEscaped(), step.title.toHtmlEscaped(), classOf(step),
                              verdictText(step).toHtmlEscaped());
-        add(QStringLiteral("<table>\n%1</table>").arg(rows));
+        add(QStringLiteral("<p></p><table>\n%1</table>").arg(rows));
     }
 
     static QString classOf(const StepReport &step)
@@ -272,7 +272,9 @@ private:
                                   "what it started with. A law that keeps energy draws a straight "
                                   "line at 1; what lies above was made by the program, what lies "
                                   "below was lost."));
+        add(QStringLiteral("<p>"));
         draw(m_report.energies, 640, 320);
+        add(QStringLiteral("</p>"));
     }
 
     const LabReport &m_report;

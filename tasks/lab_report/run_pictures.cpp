@@ -66,7 +66,7 @@ private:
 
 bool isSeen(const Circle &circle, double halfWidth)
 {
-    const double most = 100.0 * halfWidth;
+    const double most = 1.05 * halfWidth; // the rest would be drawn outside
     return std::abs(circle.position.x) < most && std::abs(circle.position.y) < most;
 }
 
@@ -122,7 +122,6 @@ QByteArray sceneSvg(const Observation &run, const TellingMoment &moment)
                       Vec2{1.0, 1.0} * place.length(2.0 * scene.halfWidth), {}, {wallColour, 2.0});
     const auto circles = states.circles(moment.index);
     const std::size_t shown = std::min(circles.size(), mostCircles);
-    picture.beginClip({}, {sceneSize, sceneSize});
     for (std::size_t c = 0; c < shown; ++c) {
         std::vector<Vec2> way;
         const qint64 every = std::max<qint64>(1, moment.index / 200);
@@ -144,14 +143,13 @@ QByteArray sceneSvg(const Observation &run, const TellingMoment &moment)
                              + Vec2{0.0, -place.length(circles[c].radius) - 4.0},
                          QString::number(c + 1), 11.0, ink, SvgPicture::Anchor::Middle);
     }
-    picture.endClip();
     return picture.toSvg();
 }
 
 QByteArray momentumSvg(const Observation &run)
 {
     return chartSvg(420.0, 150.0, PictureText::tr("Momentum of all circles, kg m/s"),
-                    {{QStringLiteral("Σ pₓ"),
+                    {{QStringLiteral("Σ p_x"),
                       pointsOf(run, [](const Totals &t) { return t.momentum.x; }),
                       {along, 1.6}},
                      {QStringLiteral("Σ p_y"),

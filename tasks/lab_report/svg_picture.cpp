@@ -114,21 +114,6 @@ void SvgPicture::text(Vec2 baseline, const QString &text, double size, const QSt
                        anchors[static_cast<int>(anchor)], text.toHtmlEscaped());
 }
 
-void SvgPicture::beginClip(Vec2 corner, Vec2 size)
-{
-    // Of several drawings in one page no two clips may share a name: the title tells them apart.
-    const QString name =
-        QStringLiteral("c%1-%2").arg(qChecksum((m_title + m_body).toUtf8())).arg(++m_clips);
-    m_body += QStringLiteral("<clipPath id=\"%1\"><rect x=\"%2\" y=\"%3\" width=\"%4\" "
-                             "height=\"%5\"/></clipPath>\n<g clip-path=\"url(#%1)\">\n")
-                  .arg(name, px(corner.x), px(corner.y), px(size.x), px(size.y));
-}
-
-void SvgPicture::endClip()
-{
-    m_body += QStringLiteral("</g>\n");
-}
-
 QByteArray SvgPicture::toSvg() const
 {
     return QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1\" height=\"%2\" "

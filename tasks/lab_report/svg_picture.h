@@ -11,8 +11,8 @@
 
 namespace cradle {
 
-/// A drawing as SVG (1.1, what every viewer and Qt read), without any window system. Places are in
-/// px from the top left, colours "#rrggbb".
+/// A drawing as SVG (of 1.1 what every viewer and Qt read: no clips), without any window system.
+/// Places are in px from the top left, colours "#rrggbb".
 class SvgPicture
 {
 public:
@@ -36,10 +36,6 @@ public:
     /// \param baseline  the place of the text's start, middle or end
     void text(Vec2 baseline, const QString &text, double size, const QString &colour,
               Anchor anchor = Anchor::Start);
-    /// What is drawn until the end stays within a rectangle.
-    void beginClip(Vec2 corner, Vec2 size);
-    void endClip();
-
     [[nodiscard]] QByteArray toSvg() const;
 
 private:
@@ -47,7 +43,6 @@ private:
     QString m_title;
     double m_width;
     double m_height;
-    int m_clips = 0;
 };
 
 } // namespace cradle
