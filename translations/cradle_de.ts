@@ -1219,6 +1219,1150 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 </context>
 <context>
     <name>Findings</name>
+    <message>
+        <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
+        <translation>Die Ränder berühren sich, wo die Mittelpunkte r₁ + r₂ auseinander sind, hier %1 m.</translation>
+    </message>
+    <message>
+        <source>Only half of r₁ + r₂ counts in the test of contact</source>
+        <translation>Im Test auf Berührung zählt nur die Hälfte von r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
+        <translation>Im Test auf Berührung zählt nur ein Radius oder die Hälfte von r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>The circles answer only when their centres have met</source>
+        <translation>Die Kreise antworten erst, wenn ihre Mittelpunkte sich getroffen haben</translation>
+    </message>
+    <message>
+        <source>Boxes are compared, not circles</source>
+        <translation>Kästen werden verglichen, nicht Kreise</translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
+        <translation>Nebeneinander antworten sie rechtzeitig, auf einer Diagonalen aber schon, wenn ihre Mittelpunkte noch %2 m auseinander sind: Wer nach x und y je für sich fragt, fragt nach Quadraten. Mach aus den beiden Differenzen einen einzigen Abstand.</translation>
+    </message>
+    <message>
+        <source>|Δx| + |Δy| is not the distance</source>
+        <translation>|Δx| + |Δy| ist nicht der Abstand</translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal only when their centres are %2 m apart. A distance is the root of the sum of the squares.</source>
+        <translation>Nebeneinander antworten sie rechtzeitig, auf einer Diagonalen aber erst, wenn ihre Mittelpunkte %2 m auseinander sind. Ein Abstand ist die Wurzel aus der Summe der Quadrate.</translation>
+    </message>
+    <message>
+        <source>A squared distance is compared with a length</source>
+        <translation>Ein Quadrat eines Abstands wird mit einer Länge verglichen</translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
+        <translation>Sie antworten, wenn sie %2 m auseinander sind: Das Quadrat davon ist r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
+    </message>
+    <message>
+        <source>Diameters are added in the test of contact, not radii</source>
+        <translation>Im Test auf Berührung werden Durchmesser addiert, nicht Radien</translation>
+    </message>
+    <message>
+        <source>Contact is tested at %1, not at r₁ + r₂</source>
+        <translation>Als Abstand der Berührung gilt %1, nicht r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>the larger radius</source>
+        <translation>der größere Radius</translation>
+    </message>
+    <message>
+        <source>the smaller radius</source>
+        <translation>der kleinere Radius</translation>
+    </message>
+    <message>
+        <source>the difference of the radii</source>
+        <translation>die Differenz der Radien</translation>
+    </message>
+    <message>
+        <source>twice the larger radius</source>
+        <translation>das Doppelte des größeren Radius</translation>
+    </message>
+    <message>
+        <source>the sum of the diameters</source>
+        <translation>die Summe der Durchmesser</translation>
+    </message>
+    <message>
+        <source>The circles run through each other</source>
+        <translation>Die Kreise gehen durcheinander hindurch</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
+        <translation>Aus allen %1 Richtungen, in denen sie aufeinander geworfen wurden, änderte keiner von ihnen seine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The circles act on each other</source>
+        <translation>Die Kreise wirken aufeinander</translation>
+    </message>
+    <message>
+        <source>In this step they should still pass through each other.</source>
+        <translation>In diesem Schritt sollen sie noch durcheinander hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>The circles answer when they part, not when they meet</source>
+        <translation>Die Kreise antworten, wenn sie sich entfernen, nicht, wenn sie sich treffen</translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation>Sie liefen ineinander, bis ihre Mittelpunkte %1 m auseinander waren, und antworteten erst, als der Abstand wieder wuchs. Kreise, die sich nähern, haben eine positive Annäherungsgeschwindigkeit (v₁ − v₂)·n, wenn n von 1 nach 2 zeigt: Sieh dir den Vergleich an und wohin deine Normale zeigt.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie bei einem Treffen unter %3°, als ihre Mittelpunkte zwischen %4 und %5 m auseinander waren.</translation>
+    </message>
+    <message>
+        <source>A number stands for r₁ + r₂ in the test of contact</source>
+        <translation>Im Test auf Berührung steht eine Zahl für r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>Whatever the radii are, they answer at a distance of about %1 m.</source>
+        <translation>Wie groß die Radien auch sind, sie antworten bei einem Abstand von etwa %1 m.</translation>
+    </message>
+    <message>
+        <source>The circles answer before they touch</source>
+        <translation>Die Kreise antworten, bevor sie sich berühren</translation>
+    </message>
+    <message>
+        <source>The circles answer too late</source>
+        <translation>Die Kreise antworten zu spät</translation>
+    </message>
+    <message>
+        <source>A hit puts circle %1 somewhere else
+
+When they touched it was put to %2 m, far from where it came from. Each circle goes back to its *own* old place: look at which one it gets.</source>
+        <translation>Ein Stoß versetzt Kreis %1
+
+Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam. Jeder Kreis geht an seinen *eigenen* alten Ort zurück: Sieh nach, welchen er bekommt.</translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 2 that comes nearer</source>
+        <translation>Nichts geschieht, wenn es Kreis 2 ist, der näher kommt</translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 1 that comes nearer</source>
+        <translation>Nichts geschieht, wenn es Kreis 1 ist, der näher kommt</translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation>Nicht jedes Treffen wird beantwortet</translation>
+    </message>
+    <message>
+        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and nothing was answered; other meetings are. What counts is the velocity of one relative to the other.</source>
+        <translation>Längs der Linie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie näherten sich also mit %3 m/s, und nichts wurde beantwortet, andere Treffen aber schon. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
+    </message>
+    <message>
+        <source>Only the first hit is answered</source>
+        <translation>Nur der erste Stoß wird beantwortet</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
+        <translation>Kreis 2 wurde gestoßen, kam von der Wand dahinter zurück und lief durch Kreis 1 hindurch. Was dein Programm sich von einem Stoß merkt, muss vergessen sein, wenn sie sich getrennt haben.</translation>
+    </message>
+    <message>
+        <source>Circles that already part are hit again</source>
+        <translation>Kreise, die sich schon entfernen, werden noch einmal gestoßen</translation>
+    </message>
+    <message>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation>Sie überlappten und entfernten sich mit %1 m/s; der nächste Schritt machte daraus %2 und %3 m/s. Kreise, die sich entfernen, hatten ihren Stoß schon: Frag, ob sie sich nähern.</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>both circles</source>
+        <translation>beide Kreise</translation>
+    </message>
+    <message>
+        <source>all circles</source>
+        <translation>alle Kreise</translation>
+    </message>
+    <message>
+        <source>the circles %1</source>
+        <translation>die Kreise %1</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is set anew in every step</source>
+        <translation>Für %who wird die Geschwindigkeit in jedem Schritt neu gesetzt</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start: what a hit changes is lost at once. A start is set once, in `on_load`; a step works the new velocity out from the old one.</source>
+        <translation>Gestartet mit %1 m/s, hat der Kreis einen Schritt später %2 m/s, und so ist es bei jedem anderen Start: Was ein Stoß ändert, ist sofort verloren. Ein Start wird einmal gesetzt, in `on_load`; ein Schritt rechnet die neue Geschwindigkeit aus der alten aus.</translation>
+    </message>
+    <message>
+        <source>The velocity of circle %1 moves %who</source>
+        <translation>Die Geschwindigkeit von Kreis %1 bewegt %who</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, it is this circle that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>In einer Szene, in der allein Kreis %1 eine Geschwindigkeit hat, ist es dieser Kreis, der um v Δt weiterkommt. Jeder Kreis bewegt sich mit seiner eigenen Geschwindigkeit: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source>The new place of %who does not depend on the old one</source>
+        <translation>Für %who hängt der neue Ort nicht vom alten ab</translation>
+    </message>
+    <message>
+        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
+        <translation>Wo der Kreis auch startet, nach denselben zwei Schritten ist er am selben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt der Kreis in einem Schritt %3 m weit; v Δt ist %4 m.</translation>
+    </message>
+    <message>
+        <source>The x of %who never changes</source>
+        <translation>Für %who ändert sich x nie</translation>
+    </message>
+    <message>
+        <source>The y of %who never changes</source>
+        <translation>Für %who ändert sich y nie</translation>
+    </message>
+    <message>
+        <source> Both parts of the position change, each by its own part of the velocity.</source>
+        <translation> Beide Anteile des Ortes ändern sich, jeder durch seinen eigenen Anteil der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The way of %who is not multiplied by the timestep</source>
+        <translation>Für %who wird der Weg nicht mit dem Zeitschritt multipliziert</translation>
+    </message>
+    <message>
+        <source>A velocity says how far it gets in a whole second; a step lasts only Δt.</source>
+        <translation>Eine Geschwindigkeit sagt, wie weit ein Kreis in einer ganzen Sekunde kommt; ein Schritt dauert nur Δt.</translation>
+    </message>
+    <message>
+        <source>The way of %who is multiplied by the timestep twice</source>
+        <translation>Für %who wird der Weg zweimal mit dem Zeitschritt multipliziert</translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that moves it.</source>
+        <translation>Zähle, wie oft der Zeitschritt in der Zeile steht, die den Kreis bewegt.</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the way of %who</source>
+        <translation>Für %who steht im Weg eine feste Zahl statt des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation>Wie groß Δt auch ist, der Kreis kommt so weit wie in %1 s. Nimm den Parameter von `on_update`.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is not v Δt</source>
+        <translation>Für %who ist der Weg eines Schritts nicht v Δt</translation>
+    </message>
+    <message>
+        <source>Look at the line that changes the position.</source>
+        <translation>Sieh dir die Zeile an, die den Ort ändert.</translation>
+    </message>
+    <message>
+        <source>Nothing moves %who</source>
+        <translation>Nichts bewegt %who</translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added.</source>
+        <translation>In jedem Schritt kommt zum Ort v Δt hinzu.</translation>
+    </message>
+    <message>
+        <source>The way of %who is subtracted instead of added</source>
+        <translation>Für %who wird der Weg abgezogen statt addiert</translation>
+    </message>
+    <message>
+        <source>Look at the sign in the line that moves it.</source>
+        <translation>Sieh dir das Vorzeichen in der Zeile an, die den Kreis bewegt.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who twice</source>
+        <translation>Jeder Schritt bewegt %who zweimal</translation>
+    </message>
+    <message>
+        <source>Count the lines that change the position in a step without a hit.</source>
+        <translation>Zähle die Zeilen, die in einem Schritt ohne Stoß den Ort ändern.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is %1 times v Δt</source>
+        <translation>Für %who ist der Weg eines Schritts das %1-Fache von v Δt</translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that moves it.</source>
+        <translation>Sieh dir die Faktoren in der Zeile an, die den Kreis bewegt.</translation>
+    </message>
+    <message>
+        <source>A number stands for gravity in the motion of %who</source>
+        <translation>Für %who steht in der Bewegung eine Zahl statt der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation>In einer Szene mit der Schwerkraft %1 m/s² wird der Kreis mit %2 m/s² beschleunigt, wie in jeder anderen. Der Name `gravity` enthält den Wert der Szene; sieh nach, wo dein Programm einen eigenen hat.</translation>
+    </message>
+    <message>
+        <source>Gravity pulls %who in a wrong direction</source>
+        <translation>Die Schwerkraft zieht %who in eine falsche Richtung</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the velocity changes by %2 m/s in a step of %3 s; it should change by %4 m/s.</source>
+        <translation>Unter der Schwerkraft %1 m/s² ändert sich die Geschwindigkeit in einem Schritt von %3 s um %2 m/s; ändern sollte sie sich um %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Gravity moves %who at once and changes no velocity</source>
+        <translation>Die Schwerkraft bewegt %who sofort und ändert keine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
+        <translation>Unter der Schwerkraft %1 m/s² ist ein ruhender Kreis nach einem Schritt von %3 s um %2 m versetzt, und seine Geschwindigkeit ist immer noch 0. Die Schwerkraft ist eine Beschleunigung: Sie ändert die Geschwindigkeit, und die bewegt den Kreis.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who for a whole second in every step</source>
+        <translation>Die Schwerkraft wirkt auf %who in jedem Schritt eine ganze Sekunde</translation>
+    </message>
+    <message>
+        <source>An acceleration says what a second changes; a step lasts only Δt. Compare the units on both sides.</source>
+        <translation>Eine Beschleunigung sagt, was eine Sekunde ändert; ein Schritt dauert nur Δt. Vergleiche die Einheiten auf beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is multiplied by the timestep twice</source>
+        <translation>Für %who wird die Schwerkraft zweimal mit dem Zeitschritt multipliziert</translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that changes the velocity.</source>
+        <translation>Zähle, wie oft der Zeitschritt in der Zeile steht, die die Geschwindigkeit ändert.</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the fall of %who</source>
+        <translation>Für %who steht im Fall eine feste Zahl statt des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation>Wie groß Δt auch ist, die Schwerkraft wirkt %1 s lang. Nimm den Parameter von `on_update`.</translation>
+    </message>
+    <message>
+        <source>Gravity does not act on %who</source>
+        <translation>Die Schwerkraft wirkt nicht auf %who</translation>
+    </message>
+    <message>
+        <source>It needs a line that lets gravity change the velocity, in every step.</source>
+        <translation>Es braucht eine Zeile, die in jedem Schritt die Schwerkraft die Geschwindigkeit ändern lässt.</translation>
+    </message>
+    <message>
+        <source>Gravity pushes %who against its own direction</source>
+        <translation>Die Schwerkraft drückt %who gegen ihre eigene Richtung</translation>
+    </message>
+    <message>
+        <source>Look at the signs.</source>
+        <translation>Sieh dir die Vorzeichen an.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who twice in every step</source>
+        <translation>Die Schwerkraft wirkt in jedem Schritt zweimal auf %who</translation>
+    </message>
+    <message>
+        <source>Count the lines of a step that change the velocity.</source>
+        <translation>Zähle in einem Schritt die Zeilen, die die Geschwindigkeit ändern.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets only half of gravity</source>
+        <translation>Für %who bekommt die Geschwindigkeit nur die halbe Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Where a method takes two halves, both count.</source>
+        <translation>Nimmt ein Verfahren zwei Hälften, so zählen beide.</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is %1 times as strong as it should be</source>
+        <translation>Die Schwerkraft wirkt auf %who %1-mal so stark, wie sie soll</translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that changes the velocity.</source>
+        <translation>Sieh dir die Faktoren in der Zeile an, die die Geschwindigkeit ändert.</translation>
+    </message>
+    <message>
+        <source>The fall of %who is not that of the gravity in the scene</source>
+        <translation>Für %who ist der Fall nicht der mit der Schwerkraft der Szene</translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
+        <translation>In deiner eigenen Szene ist die Schwerkraft %1 m/s², und die Geschwindigkeit ändert sich in einer Sekunde um %2 m/s. Eine Kopie der Schwerkraft behält den Wert des Augenblicks, in dem sie gemacht wurde: bevor oder nachdem `on_load` sie gesetzt hat?</translation>
+    </message>
+    <message>
+        <source>The place of %who acts on its velocity otherwise than asked</source>
+        <translation>Für %who wirkt der Ort anders auf die Geschwindigkeit als verlangt</translation>
+    </message>
+    <message>
+        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
+        <translation>Mit jedem Meter weiter draußen ändert sich die Beschleunigung um %1 m/s²; richtig ist %2.</translation>
+    </message>
+    <message>
+        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
+        <translation>Je m/s an Geschwindigkeit beträgt die Beschleunigung %1 m/s²; richtig ist %2.</translation>
+    </message>
+    <message>
+        <source>Something slows %who down on the way</source>
+        <translation>Etwas bremst %who unterwegs</translation>
+    </message>
+    <message>
+        <source>Something makes %who faster on the way</source>
+        <translation>Etwas beschleunigt %who unterwegs</translation>
+    </message>
+    <message>
+        <source>Nothing slows %who down on the way</source>
+        <translation>Nichts bremst %who unterwegs</translation>
+    </message>
+    <message>
+        <source>Nothing makes %who faster on the way</source>
+        <translation>Nichts beschleunigt %who unterwegs</translation>
+    </message>
+    <message>
+        <source>What should slow %who down makes it faster</source>
+        <translation>Was %who bremsen sollte, beschleunigt</translation>
+    </message>
+    <message>
+        <source>What should make %who faster slows it down</source>
+        <translation>Was %who beschleunigen sollte, bremst</translation>
+    </message>
+    <message>
+        <source>What acts on the velocity of %who is %1 times as strong as it should be</source>
+        <translation>Für %who ist das, was auf die Geschwindigkeit wirkt, %1-mal so stark, wie es sein soll</translation>
+    </message>
+    <message>
+        <source>%1 is asked for.</source>
+        <translation>Verlangt ist %1.</translation>
+    </message>
+    <message>
+        <source>One of these is asked for.</source>
+        <translation>Verlangt ist eines davon.</translation>
+    </message>
+    <message>
+        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
+        <translation>Aus der Ruhe kommt der Kreis unter der Schwerkraft %1 m/s² in einem Schritt außer um v Δt noch um %2 a Δt² weiter. Euler bewegt mit der alten Geschwindigkeit, 0; der symplektische Euler mit der neuen, 1; die genauen Verfahren mit ½.</translation>
+    </message>
+    <message>
+        <source>The motion of %who is no known method</source>
+        <translation>Für %who ist die Bewegung kein bekanntes Verfahren</translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1, not %2</source>
+        <translation>Für %who ist das Verfahren: %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>The motion of %who is no known method; %1 is asked for</source>
+        <translation>Für %who ist die Bewegung kein bekanntes Verfahren; verlangt ist: %1</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation>symplektischer Euler</translation>
+    </message>
+    <message>
+        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
+        <translation>die genaue Parabel (Verlet, Runge-Kutta 4)</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Jeder Kreis hat das Verfahren des anderen
+
+Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 a Δt² weiter und Kreis 2 um %2 a Δt²; es sollte umgekehrt sein. Sieh nach, welcher Kreis zu welchem Verfahren gehört.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation>Die Kreise bewegen sich nach verschiedenen Verfahren
+
+Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 a Δt² weiter und Kreis 2 um %2 a Δt²; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 änderte der Stoß die Geschwindigkeit von Kreis 1 %5-mal so stark wie die von Kreis 2; richtig ist m₂/m₁ = %6.</translation>
+    </message>
+    <message>
+        <source>The masses are numbers, not those of the circles</source>
+        <translation>Die Massen sind Zahlen, nicht die der Kreise</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
+        <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Rechne die Massen aus `radius` und `density` aus, die sich in anderen Szenen ändern.</translation>
+    </message>
+    <message>
+        <source>The circles answer as if they were equally heavy</source>
+        <translation>Die Kreise antworten, als wären sie gleich schwer</translation>
+    </message>
+    <message>
+        <source>Look at where the masses of both enter your answer.</source>
+        <translation>Sieh nach, wo die Massen beider in deine Antwort eingehen.</translation>
+    </message>
+    <message>
+        <source>Each circle answers with the mass of the other</source>
+        <translation>Jeder Kreis antwortet mit der Masse des anderen</translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
+        <translation>Der schwerere wird schneller weggestoßen. Sieh nach, welche Masse wo steht.</translation>
+    </message>
+    <message>
+        <source>The radius is left out of the mass</source>
+        <translation>Der Radius fehlt in der Masse</translation>
+    </message>
+    <message>
+        <source>The mass grows with r to the power of %1, not %2</source>
+        <translation>Die Masse wächst mit r hoch %1, nicht hoch %2</translation>
+    </message>
+    <message>
+        <source>A ball that is twice as wide is also twice as high and as deep: its mass grows with r³.</source>
+        <translation>Eine Kugel, die doppelt so breit ist, ist auch doppelt so hoch und doppelt so tief: Ihre Masse wächst mit r³.</translation>
+    </message>
+    <message>
+        <source>The density is left out of the mass</source>
+        <translation>Die Dichte fehlt in der Masse</translation>
+    </message>
+    <message>
+        <source>The mass grows with the density to the power of %1, not %2</source>
+        <translation>Die Masse wächst mit der Dichte hoch %1, nicht hoch %2</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume.</source>
+        <translation>Masse ist Dichte mal Volumen.</translation>
+    </message>
+    <message>
+        <source>With e = %1: </source>
+        <translation>Mit e = %1: </translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocities after the hit</source>
+        <translation>e multipliziert die ganzen Geschwindigkeiten nach dem Stoß</translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
+        <translation>e gehört allein zum Rückprall längs der Linie der Mittelpunkte; der Gesamtimpuls bleibt.</translation>
+    </message>
+    <message>
+        <source>e also shortens the parts across the line of centres</source>
+        <translation>e verkürzt auch die Anteile quer zur Linie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>Nothing pushes there: they stay as they were.</source>
+        <translation>Dort drückt nichts: Sie bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Only circle 1 feels e</source>
+        <translation>Nur Kreis 1 spürt e</translation>
+    </message>
+    <message>
+        <source>Only circle 2 feels e</source>
+        <translation>Nur Kreis 2 spürt e</translation>
+    </message>
+    <message>
+        <source>e is not used in the hit of two circles</source>
+        <translation>e kommt im Stoß zweier Kreise nicht vor</translation>
+    </message>
+    <message>
+        <source>e is squared in the hit of two circles</source>
+        <translation>Im Stoß zweier Kreise wird e quadriert</translation>
+    </message>
+    <message>
+        <source>The root of e is used in the hit of two circles</source>
+        <translation>Im Stoß zweier Kreise steht die Wurzel aus e</translation>
+    </message>
+    <message>
+        <source>e works the wrong way round: the factor is 2 − e, not 1 + e</source>
+        <translation>e wirkt verkehrt herum: Der Faktor ist 2 − e, nicht 1 + e</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by 2 e instead of 1 + e</source>
+        <translation>Der Stoß wird mit 2 e statt mit 1 + e multipliziert</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e instead of 1 + e</source>
+        <translation>Der Stoß wird mit e statt mit 1 + e multipliziert</translation>
+    </message>
+    <message>
+        <source>The rebound is divided by e</source>
+        <translation>Der Rückprall wird durch e geteilt</translation>
+    </message>
+    <message>
+        <source>The sign of e is wrong in the hit of two circles</source>
+        <translation>Im Stoß zweier Kreise hat e das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>e does not act on the rebound as it should</source>
+        <translation>e wirkt nicht so auf den Rückprall, wie es soll</translation>
+    </message>
+    <message>
+        <source>A number stands for e in the hit of two circles</source>
+        <translation>Im Stoß zweier Kreise steht eine Zahl für e</translation>
+    </message>
+    <message>
+        <source>Whatever e is, the rebound is that of e = %1.</source>
+        <translation>Wie groß e auch ist, der Rückprall ist der von e = %1.</translation>
+    </message>
+    <message>
+        <source>Numbers stand for e in the hit of two circles</source>
+        <translation>Im Stoß zweier Kreise stehen Zahlen für e</translation>
+    </message>
+    <message>
+        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation>Wie groß e auch ist, Kreis 1 antwortet wie mit e = %1 und Kreis 2 wie mit e = %2.</translation>
+    </message>
+    <message>
+        <source>A hit acts on both circles.</source>
+        <translation>Ein Stoß wirkt auf beide Kreise.</translation>
+    </message>
+    <message>
+        <source>Nobody holds the other circle as a wall is held: look at whose part each circle gets.</source>
+        <translation>Niemand hält den anderen Kreis fest wie eine Wand: Sieh nach, wessen Anteil jeder Kreis bekommt.</translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 2 as it was</source>
+        <translation>Ein Stoß lässt Kreis 2, wie er war</translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 1 as it was</source>
+        <translation>Ein Stoß lässt Kreis 1, wie er war</translation>
+    </message>
+    <message>
+        <source>A hit stops both circles</source>
+        <translation>Ein Stoß hält beide Kreise an</translation>
+    </message>
+    <message>
+        <source>That was right in the step that only looked for the contact.</source>
+        <translation>Das war in dem Schritt richtig, der nur die Berührung suchte.</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and leaves circle 2 as it was</source>
+        <translation>Ein Stoß hält Kreis 1 an und lässt Kreis 2, wie er war</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and leaves circle 1 as it was</source>
+        <translation>Ein Stoß hält Kreis 2 an und lässt Kreis 1, wie er war</translation>
+    </message>
+    <message>
+        <source>Each circle is turned back on its own way</source>
+        <translation>Jeder Kreis kehrt auf seinem eigenen Weg um</translation>
+    </message>
+    <message>
+        <source>Each circle bounces as off a wall</source>
+        <translation>Jeder Kreis prallt ab wie von einer Wand</translation>
+    </message>
+    <message>
+        <source>Circle 1 bounces as off a wall</source>
+        <translation>Kreis 1 prallt ab wie von einer Wand</translation>
+    </message>
+    <message>
+        <source>Circle 2 bounces as off a wall</source>
+        <translation>Kreis 2 prallt ab wie von einer Wand</translation>
+    </message>
+    <message>
+        <source>Circle 1 bounces as off a wall, and circle 2 stays as it was</source>
+        <translation>Kreis 1 prallt ab wie von einer Wand, und Kreis 2 bleibt, wie er war</translation>
+    </message>
+    <message>
+        <source>Circle 2 bounces as off a wall, and circle 1 stays as it was</source>
+        <translation>Kreis 2 prallt ab wie von einer Wand, und Kreis 1 bleibt, wie er war</translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres turn round, not those along it</source>
+        <translation>Die Anteile quer zur Linie der Mittelpunkte kehren um, nicht die längs dazu</translation>
+    </message>
+    <message>
+        <source>The push acts along the line of centres.</source>
+        <translation>Der Stoß wirkt längs der Linie der Mittelpunkte.</translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation>Ein glatter Kreis stößt nur längs der Linie der Mittelpunkte; jeder behält seinen eigenen Anteil quer dazu.</translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
+        <translation>Beide neuen Geschwindigkeiten kommen aus denen *vor* dem Stoß: Sieh nach, welche Zeilen eine Geschwindigkeit lesen, die schon geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The whole velocities change hands, not only the parts along the normal</source>
+        <translation>Die ganzen Geschwindigkeiten wechseln, nicht nur die Anteile längs der Normalen</translation>
+    </message>
+    <message>
+        <source>The parts across change hands, and those along the normal stay</source>
+        <translation>Die Anteile quer wechseln, und die längs der Normalen bleiben</translation>
+    </message>
+    <message>
+        <source>The parts across the normal are lost</source>
+        <translation>Die Anteile quer zur Normalen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 2</source>
+        <translation>Beide Kreise gehen mit der Geschwindigkeit von Kreis 2</translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 1</source>
+        <translation>Beide Kreise gehen mit der Geschwindigkeit von Kreis 1</translation>
+    </message>
+    <message>
+        <source>The velocity of circle 2 is worked out from what circle 1 has become</source>
+        <translation>Die Geschwindigkeit von Kreis 2 wird aus dem berechnet, was aus Kreis 1 geworden ist</translation>
+    </message>
+    <message>
+        <source>The velocity of circle 1 is worked out from what circle 2 has become</source>
+        <translation>Die Geschwindigkeit von Kreis 1 wird aus dem berechnet, was aus Kreis 2 geworden ist</translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity along the normal</source>
+        <translation>Nach einem Stoß haben beide Kreise längs der Normalen dieselbe Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
+        <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die Hälfte der Änderung, die ein elastischer Stoß bringt. Sieh dir den Faktor davor an.</translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity</source>
+        <translation>Nach einem Stoß haben beide Kreise dieselbe Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The part of circle 2 along the normal is forgotten</source>
+        <translation>Der Anteil von Kreis 2 längs der Normalen wird vergessen</translation>
+    </message>
+    <message>
+        <source>Circle 1 gives its part away and gets nothing for it.</source>
+        <translation>Kreis 1 gibt seinen Anteil ab und bekommt nichts dafür.</translation>
+    </message>
+    <message>
+        <source>The part of circle 1 along the normal is forgotten</source>
+        <translation>Der Anteil von Kreis 1 längs der Normalen wird vergessen</translation>
+    </message>
+    <message>
+        <source>Circle 2 gives its part away and gets nothing for it.</source>
+        <translation>Kreis 2 gibt seinen Anteil ab und bekommt nichts dafür.</translation>
+    </message>
+    <message>
+        <source>Circle 1 keeps the part that it hands over</source>
+        <translation>Kreis 1 behält den Anteil, den er weitergibt</translation>
+    </message>
+    <message>
+        <source>What circle 2 gets, circle 1 must lose.</source>
+        <translation>Was Kreis 2 bekommt, muss Kreis 1 verlieren.</translation>
+    </message>
+    <message>
+        <source>The parts along the normal change hands and are turned round as well</source>
+        <translation>Die Anteile längs der Normalen wechseln und werden außerdem umgekehrt</translation>
+    </message>
+    <message>
+        <source>The exchange alone is the whole answer.</source>
+        <translation>Der Tausch allein ist die ganze Antwort.</translation>
+    </message>
+    <message>
+        <source>The push on circle 1 has the wrong sign</source>
+        <translation>Der Stoß auf Kreis 1 hat das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>It gains the part that it should lose.</source>
+        <translation>Er gewinnt den Anteil, den er verlieren sollte.</translation>
+    </message>
+    <message>
+        <source>The push on circle 2 has the wrong sign</source>
+        <translation>Der Stoß auf Kreis 2 hat das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>It loses the part that it should gain.</source>
+        <translation>Er verliert den Anteil, den er gewinnen sollte.</translation>
+    </message>
+    <message>
+        <source>Both pushes have the wrong sign</source>
+        <translation>Beide Stöße haben das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>The circles are drawn into each other.</source>
+        <translation>Die Kreise werden ineinander gezogen.</translation>
+    </message>
+    <message>
+        <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
+        <translation>Eine Richtung hat die Länge 1: Teile sie durch ihre eigene Länge, sonst geht diese in den Stoß ein, und zwar zweimal.</translation>
+    </message>
+    <message>
+        <source>The push acts along the line from centre to centre.</source>
+        <translation>Der Stoß wirkt längs der Linie von Mittelpunkt zu Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>The normal does not have length 1</source>
+        <translation>Die Normale hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>The normal has length 1 in one place and not in the other</source>
+        <translation>Die Normale hat an einer Stelle die Länge 1 und an der anderen nicht</translation>
+    </message>
+    <message>
+        <source>The perpendicular of the line of centres is taken for the normal</source>
+        <translation>Die Senkrechte zur Linie der Mittelpunkte wird für die Normale gehalten</translation>
+    </message>
+    <message>
+        <source>The parts x and y of the normal are exchanged</source>
+        <translation>Die Anteile x und y der Normalen sind vertauscht</translation>
+    </message>
+    <message>
+        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
+        <translation>Falls ein Winkel vorkommt: `math.atan` nimmt erst y, dann x.</translation>
+    </message>
+    <message>
+        <source>The normal is mirrored: the sign of its y is wrong</source>
+        <translation>Die Normale ist gespiegelt: Das Vorzeichen ihres y ist falsch</translation>
+    </message>
+    <message>
+        <source>The push acts along the velocity of circle 1</source>
+        <translation>Der Stoß wirkt längs der Geschwindigkeit von Kreis 1</translation>
+    </message>
+    <message>
+        <source>The x parts change hands, not those along the line of centres</source>
+        <translation>Die x-Anteile wechseln, nicht die längs der Linie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>The y parts change hands, not those along the line of centres</source>
+        <translation>Die y-Anteile wechseln, nicht die längs der Linie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>The new velocities are turned back by the wrong angle</source>
+        <translation>Die neuen Geschwindigkeiten werden um den falschen Winkel zurückgedreht</translation>
+    </message>
+    <message>
+        <source>Who turns by −φ before must turn by +φ afterwards.</source>
+        <translation>Wer vorher um −φ dreht, muss danach um +φ drehen.</translation>
+    </message>
+    <message>
+        <source>The new velocities are not turned back</source>
+        <translation>Die neuen Geschwindigkeiten werden nicht zurückgedreht</translation>
+    </message>
+    <message>
+        <source>They are still taken apart along the line of centres: put them together again.</source>
+        <translation>Sie sind noch in Anteile längs und quer zur Linie der Mittelpunkte zerlegt: Setz sie wieder zusammen.</translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres are changed</source>
+        <translation>Die Anteile quer zur Linie der Mittelpunkte ändern sich</translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only.</source>
+        <translation>Ein glatter Kreis stößt nur längs der Linie der Mittelpunkte.</translation>
+    </message>
+    <message>
+        <source>The pushes on the two circles are not equal and opposite</source>
+        <translation>Die Stöße auf die beiden Kreise sind nicht gleich groß und entgegengesetzt</translation>
+    </message>
+    <message>
+        <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
+        <translation>Was ein Kreis der gleichen Masse gewinnt, verliert der andere: Sonst ändert sich der Gesamtimpuls.</translation>
+    </message>
+    <message>
+        <source>The push does not act along the line of centres alone</source>
+        <translation>Der Stoß wirkt nicht allein längs der Linie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>The parts across it must stay as they were.</source>
+        <translation>Die Anteile quer dazu müssen bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>The push is %1 times as large as it should be</source>
+        <translation>Der Stoß ist %1-mal so groß, wie er sein soll</translation>
+    </message>
+    <message>
+        <source>The push along the line of centres has the wrong size</source>
+        <translation>Der Stoß längs der Linie der Mittelpunkte hat die falsche Größe</translation>
+    </message>
+    <message>
+        <source>The masses in your own scene are not those of its circles</source>
+        <translation>Die Massen in deiner eigenen Szene sind nicht die ihrer Kreise</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right, so the masses were worked out before radii and densities were set: look at the order in `on_load`.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. Andere Szenen stimmen, also wurden die Massen berechnet, bevor Radien und Dichten gesetzt waren: Sieh dir die Reihenfolge in `on_load` an.</translation>
+    </message>
+    <message>
+        <source>In your own scene the hit does not use the e that it has</source>
+        <translation>In deiner eigenen Szene benutzt der Stoß nicht das e, das sie hat</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right, so e was copied before it was set.</source>
+        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. Andere Szenen stimmen, also wurde e kopiert, bevor es gesetzt war.</translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, unequal ones do not</source>
+        <translation>Gleiche Kreise antworten richtig, ungleiche nicht</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: </source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4: </translation>
+    </message>
+    <message>
+        <source>Taken apart along the line of centres and across it, circle 1 came with %1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and %6 m/s are right.</source>
+        <translation>Zerlegt längs der Linie der Mittelpunkte und quer dazu, kamen Kreis 1 mit %1 und Kreis 2 mit %2 m/s; davon gingen sie mit %3 und %4 m/s, und richtig sind %5 und %6 m/s.</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
+        <translation>Die Schwerkraft ist %1 m/s², nicht %2
+
+So ist es, wenn der Lauf beginnt. Sieh nach, was `on_load` an `gravity` zuweist.</translation>
+    </message>
+    <message>
+        <source>
+
+Look at what `on_load` sets, and for which circle.</source>
+        <translation>
+
+Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
+    </message>
+    <message>
+        <source>e = %1 is not the value that is asked for
+
+The laws of your program are right; with another e your own scene would pass. Work out what e has to be, and look at how `on_load` writes it.</source>
+        <translation>e = %1 ist nicht der verlangte Wert
+
+Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eigene Szene bestehen. Rechne aus, wie groß e sein muss, und sieh nach, wie `on_load` es schreibt.</translation>
+    </message>
+    <message>
+        <source>No wall turns %who round</source>
+        <translation>Keine Wand kehrt %who um</translation>
+    </message>
+    <message>
+        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
+        <translation>Auf jede der vier Wände geworfen, %1 m/s schnell, geht der Kreis durch sie hindurch. Nach jeder Bewegung braucht jeder Kreis seine Fragen: Ist sein Rand hinter einer Wand?</translation>
+    </message>
+    <message>
+        <source>Nothing turns %who round here: %1</source>
+        <translation>Hier kehrt nichts %who um: an %1</translation>
+    </message>
+    <message>
+        <source>A circle that is thrown there leaves the square and never comes back. A square has four walls: look at the question that your program asks for each.</source>
+        <translation>Ein Kreis, der dorthin geworfen wird, verlässt das Quadrat und kommt nie zurück. Ein Quadrat hat vier Wände: Sieh dir die Frage an, die dein Programm für jede stellt.</translation>
+    </message>
+    <message>
+        <source>At the walls the centre of %who is asked for, not the rim</source>
+        <translation>An den Wänden wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
+    </message>
+    <message>
+        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Der Kreis kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
+    </message>
+    <message>
+        <source>At the walls %who has the radius of another circle</source>
+        <translation>An den Wänden gilt für %who der Radius eines anderen Kreises</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation>Der Radius ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene. Sieh nach, wessen Radius in den Fragen steht.</translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for the radius of %who</source>
+        <translation>An den Wänden steht für %who eine Zahl statt des Radius</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Der Radius ist in dieser Szene %1 m, und doch wird umgekehrt, wenn der Mittelpunkt 0.2 m von der Wand entfernt ist. Nimm den Radius, den der Kreis hat.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round too early</source>
+        <translation>Die Wände kehren %who zu früh um</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation>Der Radius ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: das Doppelte des Radius. Vom Mittelpunkt zum Rand ist es einer.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round at the far side of the rim</source>
+        <translation>Die Wände kehren %who erst am hinteren Rand um</translation>
+    </message>
+    <message>
+        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation>Der Kreis kehrt um, wenn sein Mittelpunkt einen Radius, %1 m, hinter der Wand ist. Von seinen beiden Enden berührt das nähere zuerst: Sieh dir das Vorzeichen vor dem Radius an.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round too late</source>
+        <translation>Die Wände kehren %who zu spät um</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and at the %2 it turns when its centre is between %3 and %4 m from the wall. It should turn when its rim is there.</source>
+        <translation>Der Radius ist %1 m, und an %2 wird umgekehrt, wenn der Mittelpunkt zwischen %3 und %4 m von der Wand entfernt ist. Umkehren sollte der Kreis, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>So it is here: %1. </source>
+        <translation>So ist es an %1. </translation>
+    </message>
+    <message>
+        <source>It came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
+        <translation>An %1 kam der Kreis mit %2 m/s an und ging mit %3 m/s davon; richtig ist %4 m/s.</translation>
+    </message>
+    <message>
+        <source>A smooth wall pushes along its normal only.</source>
+        <translation>Eine glatte Wand drückt nur längs ihrer Normalen.</translation>
+    </message>
+    <message>
+        <source>The walls hold %who and turn no velocity round</source>
+        <translation>Die Wände halten %who auf und kehren keine Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into the wall again.</source>
+        <translation>Der Kreis wird in jedem Schritt zurückgesetzt und läuft wieder in die Wand.</translation>
+    </message>
+    <message>
+        <source>The walls turn the wrong part of the velocity of %who</source>
+        <translation>Die Wände kehren für %who den falschen Anteil der Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
+        <translation>Die Normale der Seitenwände zeigt längs x, die von Boden und Decke längs y.</translation>
+    </message>
+    <message>
+        <source>The walls turn the whole velocity of %who round</source>
+        <translation>Die Wände kehren für %who die ganze Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>At the walls e also shortens the part of %who along the wall</source>
+        <translation>An den Wänden verkürzt e für %who auch den Anteil längs der Wand</translation>
+    </message>
+    <message>
+        <source>At the walls e acts on the wrong part of the velocity of %who</source>
+        <translation>An den Wänden wirkt e für %who auf den falschen Anteil der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The walls turn the part of %who along the wall round, too</source>
+        <translation>Die Wände kehren für %who auch den Anteil längs der Wand um</translation>
+    </message>
+    <message>
+        <source>The walls take the part of %who along the wall away</source>
+        <translation>Die Wände nehmen für %who den Anteil längs der Wand weg</translation>
+    </message>
+    <message>
+        <source>The walls change the part of %who along the wall</source>
+        <translation>Die Wände ändern für %who den Anteil längs der Wand</translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for e, for %who</source>
+        <translation>An den Wänden steht für %who eine Zahl statt e</translation>
+    </message>
+    <message>
+        <source>Whatever e is, %1 of the speed comes back.</source>
+        <translation>Wie groß e auch ist, zurück kommt das %1-Fache des Tempos.</translation>
+    </message>
+    <message>
+        <source>The walls give %who a speed of their own</source>
+        <translation>Die Wände geben für %who ein eigenes Tempo vor</translation>
+    </message>
+    <message>
+        <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Wie schnell der Kreis auch kommt, er verlässt die Wand mit %1 m/s: Rechne die neue Geschwindigkeit aus der alten aus.</translation>
+    </message>
+    <message>
+        <source>The walls do not turn %who round</source>
+        <translation>Die Wände kehren %who nicht um</translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at the sign.</source>
+        <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir das Vorzeichen an.</translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 of the speed back</source>
+        <translation>Von den Wänden kommt für %who das %1-Fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>Look at the factor in front of the part that you turn round.</source>
+        <translation>Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
+    </message>
+    <message>
+        <source>Look at the sign: the velocity still points into the wall.</source>
+        <translation>Sieh dir das Vorzeichen an: Die Geschwindigkeit zeigt immer noch in die Wand.</translation>
+    </message>
+    <message>
+        <source>The walls give %who all of the speed back</source>
+        <translation>Von den Wänden kommt für %who das ganze Tempo zurück</translation>
+    </message>
+    <message>
+        <source>e is not used at these walls.</source>
+        <translation>e wird an diesen Wänden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>At the walls e acts on %who twice</source>
+        <translation>An den Wänden wirkt e zweimal auf %who</translation>
+    </message>
+    <message>
+        <source>Heights go with e², speeds with e.</source>
+        <translation>Höhen gehen mit e², Geschwindigkeiten mit e.</translation>
+    </message>
+    <message>
+        <source>At the walls the root of e acts on %who</source>
+        <translation>An den Wänden wirkt die Wurzel aus e auf %who</translation>
+    </message>
+    <message>
+        <source>The walls stop %who</source>
+        <translation>Die Wände halten %who an</translation>
+    </message>
+    <message>
+        <source>Nothing brings it back.</source>
+        <translation>Nichts bringt den Kreis zurück.</translation>
+    </message>
+    <message>
+        <source>At the walls 1 − e stands where e belongs, for %who</source>
+        <translation>An den Wänden steht für %who 1 − e, wo e hingehört</translation>
+    </message>
+    <message>
+        <source>1 − e is what is lost; e is what is left.</source>
+        <translation>1 − e ist, was verloren geht; e ist, was bleibt.</translation>
+    </message>
+    <message>
+        <source>The walls make %who faster: 1 + e stands where e belongs</source>
+        <translation>Die Wände beschleunigen %who: 1 + e steht, wo e hingehört</translation>
+    </message>
+    <message>
+        <source>1 + e is the whole change of the velocity, e what comes back.</source>
+        <translation>1 + e ist die ganze Änderung der Geschwindigkeit, e das, was zurückkommt.</translation>
+    </message>
+    <message>
+        <source>The walls slow %who and turn nothing round</source>
+        <translation>Die Wände bremsen %who und kehren nichts um</translation>
+    </message>
+    <message>
+        <source>A hit at a wall puts %who somewhere else</source>
+        <translation>Ein Stoß an einer Wand versetzt %who</translation>
+    </message>
+    <message>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
+        <translation>An %1 wurde der Kreis %2 m von seiner eigenen Bahn weg gesetzt, auf %3 m. Jeder Kreis geht an seinen *eigenen* Ort zurück: Sieh nach, welchen alten Ort er bekommt.</translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also stops the other on its way</source>
+        <translation>Stößt ein Kreis an eine Wand, hält das auch den anderen unterwegs auf</translation>
+    </message>
+    <message>
+        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
+        <translation>Als %1 an %2 ankam, lief der andere Kreis, weit von jeder Wand, nicht frei weiter. Jeder Kreis wird für sich zurückgesetzt: Sieh nach, wessen Orte deine Wand ändert.</translation>
+    </message>
+    <message>
+        <source>In a corner only one part of the velocity of %who turns round</source>
+        <translation>In einer Ecke wird für %who nur ein Anteil der Geschwindigkeit umgekehrt</translation>
+    </message>
+    <message>
+        <source>It came with %1 m/s and left with %2 m/s, and the other part did not turn round later. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
+        <translation>Der Kreis kam mit %1 m/s und ging mit %2 m/s davon, und der andere Anteil kehrte auch später nicht um. Beide Wände werden im selben Schritt getroffen, und die zweite muss von dem ausgehen, was die erste gemacht hat, nicht von der Geschwindigkeit davor.</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
+        <translation>Der Boden trägt Kreis %1 nicht
+
+Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber nichts setzt ihn zurück, und die Schwerkraft zieht ihn in jedem Schritt tiefer. Setz den Kreis dorthin zurück, wo er berührt.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves the wall
+
+Its rim was still outside, it moved inward already, and it was turned into the wall once more (step %2 of a low drop or slow shot). Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
+
+Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch einmal in die Wand gedreht (Schritt %2 eines niedrigen Falls oder langsamen Wurfs). Setz ihn wieder nach drinnen, oder frag, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
+    </message>
 </context>
 <context>
     <name>Ghost</name>
@@ -1783,6 +2927,18 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>the check %1 allows %2, and the solution itself is off by %3 (%4): other right programs may fail; at least %5 is right</source>
         <translation>die Prüfung %1 erlaubt %2, und die Lösung selbst weicht um %3 ab (%4): Andere richtige Programme können scheitern; richtig ist mindestens %5</translation>
+    </message>
+    <message>
+        <source>the check %1 asks for the same as %2</source>
+        <translation>die Prüfung %1 verlangt dasselbe wie %2</translation>
+    </message>
+    <message>
+        <source>no mistake fails by the check %1 alone</source>
+        <translation>kein Fehler scheitert allein an der Prüfung %1</translation>
+    </message>
+    <message>
+        <source>by these checks alone no mistake fails: %1</source>
+        <translation>allein an diesen Prüfungen scheitert kein Fehler: %1</translation>
     </message>
 </context>
 <context>
@@ -2563,6 +3719,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 </context>
 <context>
     <name>MessageText</name>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>Klammern, Blöcke oder Terme sind zu tief ineinander geschachtelt</translation>
+    </message>
 </context>
 <context>
     <name>MomentumInset</name>
@@ -2951,6 +4111,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>The laws of the scene moved the circles.</source>
         <translation>Die Gesetze der Szene haben die Kreise bewegt.</translation>
+    </message>
+    <message>
+        <source>Look at %1:%2</source>
+        <translation>Sieh dir %1:%2 an</translation>
     </message>
 </context>
 <context>
@@ -3378,16 +4542,20 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>was das Bestehen der Prüfung wert ist, eine Zahl von 0 bis 1000</translation>
     </message>
     <message>
-        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, extra and locked</source>
-        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, extra und locked</translation>
-    </message>
-    <message>
         <source>a list of fields of the scene that the student may not change</source>
         <translation>eine Liste von Feldern der Szene, die nicht geändert werden dürfen</translation>
     </message>
     <message>
         <source>a field as gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing or circles/1/velocity</source>
         <translation>ein Feld wie gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing oder circles/1/velocity</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, moves, extra and locked</source>
+        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, moves, extra und locked</translation>
+    </message>
+    <message>
+        <source>one of program, laws, either</source>
+        <translation>eines von program, laws, either</translation>
     </message>
 </context>
 <context>
@@ -5368,6 +6536,14 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 </context>
 <context>
     <name>cradle::FindingCard</name>
+    <message>
+        <source>Show what was measured</source>
+        <translation>Zeigen, was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Show what was measured: %1</source>
+        <translation>Zeigen, was gemessen wurde: %1</translation>
+    </message>
 </context>
 <context>
     <name>cradle::FindingsList</name>

@@ -149,7 +149,7 @@ void TestCliCheck::outputGoesIntoAFile()
 void TestCliCheck::fullDiskLeavesTheOldReport()
 {
     const QString path = m_folder.filePath(text("kept.json"));
-    QStringList judge{text(CRADLE_CLI),
+    QStringList judge{cradle::cliProgram(),
                       text("check"),
                       text("L42T1"),
                       text("--preset"),

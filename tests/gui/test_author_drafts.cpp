@@ -5,6 +5,7 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_draft.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tests/test_paths.h"
 
 #include <QProcess>
 
@@ -62,7 +63,7 @@ void TestAuthorDrafts::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
     m_ball = m_folder->filePath(QStringLiteral("ball"));
-    const auto files = readLabFiles(QStringLiteral(CRADLE_SOURCE_DIR "/tasks/bouncing-ball"));
+    const auto files = readLabFiles(sourcePath("tasks/bouncing-ball"));
     QVERIFY(files && !saveLabFiles(*files, {}, m_ball));
 }
 
