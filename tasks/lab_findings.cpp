@@ -61,7 +61,8 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
         if (report.passed)
             return say(Kind::MistakePasses,
                        VerifyText::tr("passes; a mistake should fail by a check"));
-        if (!report.diagnosis())
+        // A measured law names it, but not in the words that it brings.
+        if (!report.diagnosis() || report.diagnosis()->mistake.isEmpty())
             return say(Kind::MistakeNotRecognised, VerifyText::tr("is not recognised"));
         return report.diagnosis()->mistake != program.name
                && say(Kind::MistakeTakenForAnother,

@@ -191,8 +191,8 @@ inline QByteArray say(const CheckReport &report)
         if (!check.passed)
             text += QStringLiteral("; %1 (%2): %3").arg(check.id, check.variant, check.message);
     }
-    text += QStringLiteral("; taken for ")
-            + (report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("nothing known"));
+    for (const Finding &finding : report.findings)
+        text += QStringLiteral("; found [%1] %2").arg(finding.mistake, finding.message);
     return text.toUtf8();
 }
 

@@ -12,6 +12,15 @@ using namespace cradle::programs;
 
 /// Known mistakes in other forms than the lab's own files: another integrator, other walls, other
 /// numbers, another structure.
+namespace {
+
+QString headlineOf(const Finding &finding)
+{
+    return finding.message.section(QLatin1Char('\n'), 0, 0);
+}
+
+} // namespace
+
 class TestDiagnosis : public QObject
 {
     Q_OBJECT
@@ -19,8 +28,8 @@ private slots:
     void initTestCase();
     void mistakeOfAnotherFormIsRecognised_data();
     void mistakeOfAnotherFormIsRecognised();
-    void unknownMistakeIsNotExplained_data();
-    void unknownMistakeIsNotExplained();
+    void unknownMistakeIsMeasured_data();
+    void unknownMistakeIsMeasured();
     void remarkIsMadeOnAnotherForm_data();
     void remarkIsMadeOnAnotherForm();
 
@@ -160,29 +169,31 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         [](OtherForm &f) { f.answer = parts::exchange; });
     row("L42T15", "density not asked for", "density-ignored",
         [](OtherForm &f) { f.mass = lab("c.radius ^ 3"); });
-    row("L42T16", "own e, squared", "e-squared",
+    row("L42T16", "own e, squared", "e is squared in the hit of two circles",
         [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 2"); });
     row("L42T16", "no e, centre of mass", "e-forgotten", [](OtherForm &f) {
         f.answer = centreOfMass;
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
     });
-    row("L42T16", "no e for circle 2", "e-on-one-circle", [](OtherForm &f) {
+    row("L42T16", "no e for circle 2", "Only circle 1 feels e", [](OtherForm &f) {
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });
-    row("L42T16", "normal parts times e", "final-velocities-times-e", [](OtherForm &f) {
-        f.answer.replace(lab("(1 + restitution)"), lab("2"));
-        edit(f.answer, "* n end",
-             "* n for _, c in ipairs({p, q}) do "
-             "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
-    });
-    row("L42T17", "elastic walls, clamped", "walls-still-elastic",
+    row("L42T16", "normal parts times e", "e does not act on the rebound as it should",
+        [](OtherForm &f) {
+            f.answer.replace(lab("(1 + restitution)"), lab("2"));
+            edit(f.answer, "* n end",
+                 "* n for _, c in ipairs({p, q}) do "
+                 "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
+        });
+    row("L42T17", "elastic walls, clamped", "The walls give both circles all of the speed back",
         [](OtherForm &f) { edit(f.walls, "local e = restitution", "local e = 1"); });
-    row("L42T17", "elastic walls, Euler and mirrored", "walls-still-elastic", [](OtherForm &f) {
-        f.integrate = euler;
-        f.walls = mirror;
-    });
-    row("L42T17", "e squared at the walls", "e-twice-at-the-walls",
+    row("L42T17", "elastic walls, Euler and mirrored",
+        "The walls give both circles all of the speed back", [](OtherForm &f) {
+            f.integrate = euler;
+            f.walls = mirror;
+        });
+    row("L42T17", "e squared at the walls", "At the walls e acts on both circles twice",
         [](OtherForm &f) { edit(f.walls, "e = restitution", "e = restitution * restitution"); });
     row("L42T17", "no gravity set", "gravity-forgotten",
         [](OtherForm &f) { edit(f.start, "gravity = vec(0, -9.81)", ""); });
@@ -195,63 +206,78 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised()
     QFETCH(QString, mistake);
     const CheckReport report = judged(step, form);
     QVERIFY2(!report.passed && !report.error, say(report).constData());
-    QVERIFY2(report.diagnosis() && report.diagnosis()->mistake == mistake, say(report).constData());
-    QVERIFY(!report.diagnosis()->message.isEmpty());
+    // By the mistake's own words, or where its law is another at some hit, by those of the law.
+    QVERIFY2(report.diagnosis()
+                 && (report.diagnosis()->mistake == mistake
+                     || headlineOf(*report.diagnosis()) == mistake),
+             say(report).constData());
 }
 
-void TestDiagnosis::unknownMistakeIsNotExplained_data()
+void TestDiagnosis::unknownMistakeIsMeasured_data()
 {
     QTest::addColumn<QString>("step");
     QTest::addColumn<OtherForm>("form");
+    QTest::addColumn<QString>("headline");
     using namespace parts;
-    const auto row = [](const char *step, const char *name, const Change &change) {
+    const auto row = [](const char *step, const char *name, const char *headline,
+                        const Change &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
-        QTest::addRow("%s %s", step, name) << lab(step) << form;
+        QTest::addRow("%s %s", step, name) << lab(step) << form << lab(headline);
     };
-    row("L42T2", "through the wall to the other side", [](OtherForm &f) {
-        f.walls = lab("local function wrapped(x) return math.abs(x) > 3.8 and -x or x end "
-                      "c.position = vec(wrapped(c.position.x), wrapped(c.position.y))");
-    });
-    row("L42T2", "turned by a right angle", [](OtherForm &f) {
-        f.walls = lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
-                      "or math.abs(c.position.y) > room then "
-                      "c.velocity = c.velocity:perpendicular() end");
-    });
-    row("L42T2", "the left-hand wall holds it", [](OtherForm &f) {
-        f.walls = lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
-                      "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
-                      "if math.abs(c.position.y) > room then "
-                      "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
-    });
-    row("L42T2", "no ceiling", [](OtherForm &f) {
+    row("L42T2", "through the wall to the other side",
+        "A hit at a wall puts circle 1 somewhere else", [](OtherForm &f) {
+            f.walls = lab("local function wrapped(x) return math.abs(x) > 3.8 and -x or x end "
+                          "c.position = vec(wrapped(c.position.x), wrapped(c.position.y))");
+        });
+    row("L42T2", "turned by a right angle", "The walls change the part of circle 1 along the wall",
+        [](OtherForm &f) {
+            f.walls =
+                lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
+                    "or math.abs(c.position.y) > room then "
+                    "c.velocity = c.velocity:perpendicular() end");
+        });
+    row("L42T2", "the left-hand wall holds it",
+        "Nothing turns circle 1 round here: left wall, floor", [](OtherForm &f) {
+            f.walls =
+                lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
+                    "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
+                    "if math.abs(c.position.y) > room then "
+                    "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
+        });
+    row("L42T2", "no ceiling", "Nothing turns circle 1 round here: ceiling", [](OtherForm &f) {
         f.walls = clamp;
         edit(f.walls, "y > room", "false");
     });
     row("L42T3", "gravity of the Moon",
+        "Gravity on circle 1 is 0.167 times as strong as it should be",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
-    row("L42T3", "air",
+    row("L42T3", "air", "Something slows circle 1 down on the way",
         [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });
-    row("L42T4", "circle 2 put where circle 1 is", [](OtherForm &f) {
-        f.integrate =
-            lab("if c.index == 1 then ") + euler + lab(" else c.position = circle1.position end");
-    });
-    row("L42T12", "turned by an angle", [](OtherForm &f) {
-        f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
-    });
-    row("L42T14", "a third of the impulse",
+    row("L42T4", "circle 2 put where circle 1 is", "The velocity of circle 1 moves circle 2",
+        [](OtherForm &f) {
+            f.integrate = lab("if c.index == 1 then ") + euler
+                          + lab(" else c.position = circle1.position end");
+        });
+    row("L42T12", "turned by an angle", "The pushes on the two circles are not equal and opposite",
+        [](OtherForm &f) {
+            f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
+        });
+    row("L42T14", "a third of the impulse", "The push is 0.35 times as large as it should be",
         [](OtherForm &f) { edit(f.answer, "(1 + restitution)", "0.7"); });
-    row("L42T16", "e by its root",
+    row("L42T16", "e by its root", "The root of e is used in the hit of two circles",
         [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 0.5"); });
 }
 
-void TestDiagnosis::unknownMistakeIsNotExplained()
+void TestDiagnosis::unknownMistakeIsMeasured()
 {
     QFETCH(QString, step);
     QFETCH(OtherForm, form);
     const CheckReport report = judged(step, form);
     QVERIFY2(!report.passed && !report.error, say(report).constData());
-    QVERIFY2(!report.diagnosis(), say(report).constData());
+    QFETCH(QString, headline);
+    QVERIFY2(report.diagnosis() && headlineOf(*report.diagnosis()) == headline,
+             say(report).constData());
 }
 
 void TestDiagnosis::remarkIsMadeOnAnotherForm_data()

@@ -134,10 +134,10 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     } else if (change == QLatin1String("mistake passes")) {
         task.mistakes[0].source = drift;
     } else if (change == QLatin1String("mistake not recognised")) {
-        // What it does with chance, it does not do again.
-        task.mistakes[0].source =
-            QStringLiteral("local n = 0\nfunction on_update(dt)\n  n = n + 1\n"
-                           "  circle1.position = circle1.position + vec(n * n * dt, 0)\nend\n");
+        // It goes wrong later than its laws are measured.
+        task.mistakes[0].source = QStringLiteral(
+            "function on_update(dt)\n  local share = step > 10 and 2 or 1\n"
+            "  circle1.position = circle1.position + share * circle1.velocity * dt\nend\n");
     } else if (change == QLatin1String("mistake like another")) {
         task.mistakes[1].source = twice;
     } else if (change == QLatin1String("remark fails")) {

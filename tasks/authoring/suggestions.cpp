@@ -3,6 +3,7 @@
 #include "tasks/authoring/mutations.h"
 
 #include "tasks/observation.h"
+#include "tasks/report_text.h"
 
 #include <QCryptographicHash>
 #include <QJsonArray>
@@ -177,7 +178,7 @@ std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const 
     std::vector<Suggestion> suggestions;
     for (Trial &trial : trials) {
         const CheckReport &report = *trial.report;
-        if (report.error || (!report.passed && report.diagnosis()))
+        if (report.error || (!report.passed && !mistakesOf(report).isEmpty()))
             continue;
         Suggestion suggestion;
         suggestion.kind = report.passed ? Suggestion::Kind::Passes : Suggestion::Kind::NotDiagnosed;

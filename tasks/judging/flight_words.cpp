@@ -162,14 +162,16 @@ private:
                                          "a step; v Δt is %4 m.")
                               .arg(brief(f.turnedInto), briefTimestep(timestep()), brief(f.wayMade),
                                    brief(timestep() * f.turnedInto));
-        if (isX != isY)
+        // A part that nobody asks for may stay; what is wrong with the other is said first.
+        const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
+        if (isX != isY && isRight(other))
             return said(isX ? FlightText::tr("The x of %who never changes")
                             : FlightText::tr("The y of %who never changes"),
                         seen
                             + FlightText::tr(" Both parts of the position change, each by its own "
                                              "part of the velocity."),
                         true);
-        const auto [headline, where] = wayWords(x);
+        const auto [headline, where] = wayWords(other);
         return said(headline, seen + QLatin1Char(' ') + where, true);
     }
 
