@@ -77,7 +77,8 @@ void TestDesktopFiles::desktopFileOpensThatType()
 {
     const QMap<QString, QString> entries = entriesOf(desktopFolder + text("cradle.desktop"));
     QCOMPARE(entries.value(text("Exec")), text("cradle %f"));
-    QCOMPARE(entries.value(text("MimeType")), text("application/x-cradle-lab;"));
+    QCOMPARE(entries.value(text("MimeType")),
+             text("application/x-cradle-lab;application/x-cradle-work;"));
     QCOMPARE(entries.value(text("Type")), text("Application"));
     QCOMPARE(entries.value(text("Icon")), text("cradle"));
     for (const char *key : {"Name", "Comment", "Comment[de]"})

@@ -252,7 +252,8 @@ void TestLabFiles::unwritableFolderIsSaid()
     const QString inside = folder.filePath(text("file/lab"));
     const std::optional<Error> error = saveLabFiles(small(), {}, inside);
     QVERIFY(error);
-    QCOMPARE(error->file, inside);
+    // What stands in the way is named, or what could not be made.
+    QVERIFY2(!error->file.isEmpty() && inside.startsWith(error->file), qPrintable(error->file));
 }
 
 void TestLabFiles::pictureIsJudgedByItsHeader_data()

@@ -58,7 +58,7 @@ void TestAuthorProof::otherStepsAreToldAndOpened()
     QVERIFY(author.window.proofTab().result()->findings.empty());
     waitForProof(author, QStringLiteral("Verify the lab"));
     QVERIFY(author.window.proofTab().result()->findings.empty());
-    QVERIFY2(others->text().contains(QStringLiteral(">3 · Half the height</a> (1)")),
+    QVERIFY2(others->text().contains(QStringLiteral(">3 · Half the height</a> (")),
              qPrintable(others->text()));
     emit others->linkActivated(QStringLiteral("BALL3"));
     QCOMPARE(author.document().step(), QStringLiteral("BALL3"));
