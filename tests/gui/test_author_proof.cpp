@@ -62,7 +62,7 @@ void TestAuthorProof::otherStepsAreToldAndOpened()
              qPrintable(others->text()));
     emit others->linkActivated(QStringLiteral("BALL3"));
     QCOMPARE(author.document().step(), QStringLiteral("BALL3"));
-    QCOMPARE(author.window.proofTab().result()->findings.size(), std::size_t{1});
+    QVERIFY(!author.window.proofTab().result()->findings.empty());
     QVERIFY(!others->isVisible());
 }
 
