@@ -5,6 +5,8 @@
 # only save time: every source still includes what it uses, as -DCRADLE_PRECOMPILE=OFF proves. Each
 # list adds to the one before it, as the folders do.
 option(CRADLE_PRECOMPILE "Compile with precompiled headers" ON)
+# One that does not fit is not used, which costs time; it is no fault of the source.
+set(CMAKE_PCH_WARN_INVALID OFF)
 
 # What Clang precompiles names the clone's folder, so every clone compiles it anew. For ccache to serve
 # what is compiled with it, the file is named by an option whose path ccache makes relative, and a

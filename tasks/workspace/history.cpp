@@ -125,7 +125,8 @@ Result<std::unique_ptr<History>> History::open(const QString &folder)
     if (const auto error = makeFolder(folder))
         return *error;
     const GitLibrary library;
-    git_repository_init_options options = GIT_REPOSITORY_INIT_OPTIONS_INIT;
+    git_repository_init_options options{};
+    git_repository_init_options_init(&options, GIT_REPOSITORY_INIT_OPTIONS_VERSION);
     options.flags = GIT_REPOSITORY_INIT_MKDIR | GIT_REPOSITORY_INIT_NO_REINIT;
     options.initial_head = "main";
     const auto made = makeGit<GitRepository>(git_repository_init_ext,

@@ -95,7 +95,8 @@ std::optional<Error> History::push()
     for (QByteArray &spec : specs)
         pointers.push_back(spec.data());
     const git_strarray all{pointers.data(), pointers.size()};
-    git_push_options options = GIT_PUSH_OPTIONS_INIT;
+    git_push_options options{};
+    git_push_options_init(&options, GIT_PUSH_OPTIONS_VERSION);
     QString refusal;
     CredentialAsker asker(refusal);
     options.callbacks.payload = &asker;
