@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+
+#include <QDateTime>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace cradle {
+
+/// What became of one step of one student.
+struct StepResult {
+    enum class Status {
+        Passed,
+        Failed,    ///< judged, or not to be read as a program at all: \c report says which
+        Missing,   ///< nothing was handed in
+        NotGraded, ///< no verdict could be reached, for which the student is not to blame
+    };
+
+    QString taskId;
+    Status status = Status::Missing;
+    QString reason{};                    ///< why it was not graded
+    std::optional<CheckReport> report{}; ///< if it was judged
+    QString program{};                   ///< its text, where it could be read
+    int attempts = 0;                    ///< checks in the history that was handed in; 0: none told
+    double minutes = 0.0;                ///< of work on it that the history shows
+
+    friend bool operator==(const StepResult &, const StepResult &) = default;
+};
+
+/// What became of all steps of one student, the steps in the lab's order; a plain value. One file,
+/// students/ID.json, holds it.
+struct StudentResult {
+    QString id;       ///< unlike all others of the class; fit for the name of a file
+    QString name{};   ///< of the person, as the roster or the folder has it
+    QString number{}; ///< of the learning platform or the university; may be empty
+    QString email{};
+    qint64 seed = 1; ///< of this student's scenes
+    double lateDays = 0.0;
+    QString remark{}; ///< what is strange about what was handed in; plain text
+    std::vector<StepResult> steps{};
+
+    friend bool operator==(const StudentResult &, const StudentResult &) = default;
+};
+
+} // namespace cradle
