@@ -24,9 +24,15 @@ struct Test {
     QString body;
 };
 
-Vec2 direction(const PairHit &hit)
+/// How much shorter a length along \p n is than the sum of its parts x and y.
+double partsOf(Vec2 n)
 {
-    return {std::abs(hit.normal.x), std::abs(hit.normal.y)};
+    return std::abs(n.x) + std::abs(n.y);
+}
+
+double largerPartOf(Vec2 n)
+{
+    return std::max(std::abs(n.x), std::abs(n.y));
 }
 
 std::vector<Test> tests(const Ground::Range &radii)
@@ -43,13 +49,15 @@ std::vector<Test> tests(const Ground::Range &radii)
         {[](const PairHit &) { return 0.0; },
          ContactText::tr("The circles answer only when their centres have met"), one},
         {[](const PairHit &h) {
-             return h.meeting.sum() / std::max(direction(h).x, direction(h).y);
+             return h.meeting.sum() / std::min(largerPartOf(h.normal), largerPartOf(h.nextNormal));
          },
          ContactText::tr("Boxes are compared, not circles"),
          ContactText::tr("Side by side they answer in time, but on a diagonal when their centres "
                          "are still %2 m apart: x and y each on its own ask for squares. Make one "
                          "distance out of the two differences.")},
-        {[](const PairHit &h) { return h.meeting.sum() / (direction(h).x + direction(h).y); },
+        {[](const PairHit &h) {
+             return h.meeting.sum() / std::min(partsOf(h.normal), partsOf(h.nextNormal));
+         },
          ContactText::tr("|Δx| + |Δy| is not the distance"),
          ContactText::tr("Side by side they answer in time, but on a diagonal only when their "
                          "centres are %2 m apart. A distance is the root of the sum of the "
@@ -99,12 +107,12 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
-        if (findNever())
+        if (findNever() || findParting())
             return std::move(m_found);
         findDistance();
         findLeap();
         // A wrong direction shows here, too; it is the response that is wrong.
-        if (pushesAlongCentres()) {
+        if (!isDirectionWrong()) {
             findModes();
             findPartings();
         }
@@ -131,20 +139,26 @@ private:
     {
         return std::equal(m_own.equals.begin(), m_own.equals.end(), m_right.equals.begin(),
                           m_right.equals.end(), [](const PairHit &a, const PairHit &b) {
-                              return a.answered == b.answered
-                                     && (!a.answered || isSameAnswer(a.leftParts(), b.leftParts()));
+                              return a.isMet() == b.isMet()
+                                     && (!a.isMet() || isSameAnswer(a.leftParts(), b.leftParts()));
                           });
     }
 
     /// Whether all pushes act along the line of centres.
-    [[nodiscard]] bool pushesAlongCentres() const
+    static bool pushesAlongCentres(const std::vector<PairHit> &hits)
     {
-        return std::all_of(m_own.equals.begin(), m_own.equals.end(), [](const PairHit &h) {
+        return std::all_of(hits.begin(), hits.end(), [](const PairHit &h) {
             const Vec2 t = perpendicular(h.normal);
             const double all = length(h.push1()) + length(h.push2());
-            return !h.answered
+            return !h.isMet()
                    || std::abs(dot(h.push1(), t)) + std::abs(dot(h.push2(), t)) < 0.02 * all;
         });
+    }
+
+    [[nodiscard]] bool isDirectionWrong() const
+    {
+        return !answersRightly() && !pushesAlongCentres(m_own.equals)
+               && pushesAlongCentres(m_right.equals);
     }
 
     /// Whether this program itself ever leaves two circles overlapping that move apart.
@@ -157,8 +171,9 @@ private:
 
     bool findNever()
     {
+        // With e = 1 a hit may come to nothing that is one with another e.
         const bool own =
-            answersAny(m_own.contacts) || answersAny(m_own.equals) || answersAny(m_own.rebounds);
+            answersAny(m_own.contacts) || (!answersAny(m_own.equals) && answersAny(m_own.rebounds));
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
             return !own;
@@ -179,8 +194,29 @@ private:
                                double margin = 0.0) const
     {
         return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), [&](const PairHit &hit) {
-            return !hit.answered || hit.fits(distance(hit) + margin);
+            return !hit.isMet() || hit.fits(distance(hit) + margin);
         });
+    }
+
+    /// All that are answered are answered when they leave each other.
+    bool findParting()
+    {
+        if (std::any_of(m_own.contacts.begin(), m_own.contacts.end(),
+                        [](const PairHit &h) { return h.isMet(); }))
+            return false;
+        const auto found = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
+                                        [](const PairHit &h) { return h.answered; });
+        if (found == m_own.contacts.end())
+            return false;
+        const PairHit &hit = *found;
+        add(ContactText::tr("The circles answer when they part, not when they meet"),
+            ContactText::tr("They ran into each other until their centres were %1 m apart, and "
+                            "were answered when that grew again. Circles that come nearer have "
+                            "a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at "
+                            "the comparison, and at which way your normal points.")
+                .arg(brief(hit.before)),
+            hit);
+        return true;
     }
 
     void findDistance()
@@ -189,19 +225,6 @@ private:
         if (fitsAll(sum))
             return;
         const PairHit &hit = farthestOff();
-        const bool late =
-            std::all_of(m_own.contacts.begin(), m_own.contacts.end(),
-                        [](const PairHit &h) { return !h.answered || h.isParting(); });
-        if (late) {
-            add(ContactText::tr("The circles answer when they part, not when they meet"),
-                ContactText::tr("They ran into each other until their centres were %1 m apart, and "
-                                "were answered when that grew again. Circles that come nearer have "
-                                "a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at "
-                                "the comparison, and at which way your normal points.")
-                    .arg(brief(hit.before)),
-                hit);
-            return;
-        }
         for (const Test &test : tests(m_ground.pair.radii)) {
             if (!fitsAll(test.distance))
                 continue;
@@ -216,13 +239,21 @@ private:
         findOtherDistance(hit);
     }
 
+    /// Unequal circles show best whose radius counts.
+    static double shows(const PairHit &h)
+    {
+        return h.meeting.radius1 == h.meeting.radius2 ? 0.1 : 1.0;
+    }
+
     /// The contact whose answer is farthest from the right place.
     [[nodiscard]] const PairHit &farthestOff() const
     {
         return *std::max_element(
             m_own.contacts.begin(), m_own.contacts.end(), [](const PairHit &a, const PairHit &b) {
                 const auto off = [](const PairHit &h) {
-                    return h.answered ? std::abs(h.before - h.meeting.sum()) : -1.0;
+                    return h.isMet() && !h.fits(h.meeting.sum())
+                               ? std::abs(h.before - h.meeting.sum()) * shows(h)
+                               : -1.0;
                 };
                 return off(a) < off(b);
             });
@@ -241,8 +272,8 @@ private:
     {
         const auto &all = m_own.contacts;
         // Who answers some in time and pushes in a wrong direction asks for approach along that.
-        if (!pushesAlongCentres() && std::any_of(all.begin(), all.end(), [](const PairHit &h) {
-                return h.answered && h.fits(h.meeting.sum());
+        if (isDirectionWrong() && std::any_of(all.begin(), all.end(), [](const PairHit &h) {
+                return h.isMet() && h.fits(h.meeting.sum());
             }))
             return;
         const auto fixed = [&](const PairHit &) { return 0.5 * (hit.before + hit.reached); };
@@ -300,8 +331,8 @@ private:
             const PairHit &hit = m_own.equals[i];
             if (!m_right.equals[i].answered)
                 continue;
-            (hit.answered ? answered : unanswered).insert(comingOf(hit));
-            left = hit.answered || left ? left : &hit;
+            (hit.isMet() ? answered : unanswered).insert(comingOf(hit));
+            left = hit.isMet() || left ? left : &hit;
         }
         if (!left || answered.empty())
             return;
@@ -319,8 +350,8 @@ private:
         const PairVelocities &v = hit.meeting.velocities;
         add(headline,
             ContactText::tr("Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so "
-                            "they came nearer with %3 m/s, and nothing was answered; other "
-                            "meetings are. What counts is the velocity of one relative to the "
+                            "they came nearer with %3 m/s, and ran into each other; other meetings "
+                            "are answered. What counts is the velocity of one relative to the "
                             "other.")
                 .arg(brief(hit.slowness * v.along1), brief(hit.slowness * v.along2),
                      brief(hit.slowness * hit.meeting.closing())),
@@ -331,7 +362,7 @@ private:
     {
         if (!m_found.empty() || !m_own.ranThrough || m_right.ownContacts < 2)
             return;
-        if (m_own.returning && !m_own.returning->answered)
+        if (m_own.returning && !m_own.returning->isMet())
             return addUnanswered(
                 ContactText::tr("Nothing happens when it is circle 2 that comes nearer"),
                 *m_own.returning);

@@ -79,7 +79,7 @@ private:
     {
         const Vec2 off =
             flight(h).growth - m_right.at(gravity(), m_ground.timesteps[h], m_i).growth;
-        return 1.01 * std::max(std::abs(off.x), std::abs(off.y)) * m_ground.timesteps[h];
+        return 1.1 * std::max(std::abs(off.x), std::abs(off.y)) * m_ground.timesteps[h];
     }
     [[nodiscard]] Moment moment(bool isPosition, Vec2 g) const
     {
@@ -129,6 +129,18 @@ private:
         return patternOf(factors);
     }
 
+    /// Where a number stands for the timestep, one that is another number shows it.
+    [[nodiscard]] std::size_t shownTimestep(const TimestepPattern &p) const
+    {
+        if (p.kind != Kind::Fixed)
+            return 0;
+        const auto &all = m_ground.timesteps;
+        const auto off = [&](double h) { return std::abs(std::log(h / p.value)); };
+        const auto most = std::max_element(all.begin(), all.end(),
+                                           [&](double a, double b) { return off(a) < off(b); });
+        return static_cast<std::size_t>(most - all.begin());
+    }
+
     [[nodiscard]] static bool isRight(const TimestepPattern &p)
     {
         return p.kind == Kind::Constant && std::abs(p.value - 1.0) < wrong;
@@ -155,13 +167,15 @@ private:
         if ((isRight(x) && isRight(y))
             || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
             return std::nullopt;
-        const Flight &f = flight(0);
+        const std::size_t at = shownTimestep(isRight(x) ? y : x);
+        const double h = m_ground.timesteps[at];
+        const Flight &f = flight(at);
         const bool isX = x.kind == Kind::Constant && x.value == 0.0;
         const bool isY = y.kind == Kind::Constant && y.value == 0.0;
         const auto seen = FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
                                          "a step; v Δt is %4 m.")
-                              .arg(brief(f.turnedInto), briefTimestep(timestep()), brief(f.wayMade),
-                                   brief(timestep() * f.turnedInto));
+                              .arg(brief(f.turnedInto), briefTimestep(h), brief(f.wayMade),
+                                   brief(h * f.turnedInto));
         // A part that nobody asks for may stay; what is wrong with the other is said first.
         const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
         if (isX != isY && isRight(other))
@@ -275,11 +289,12 @@ private:
                                  briefTimestep(timestep())),
                         moment(true, g)};
         const auto [headline, where] = fallWords(p);
+        const double h = m_ground.timesteps[shownTimestep(p)];
         return Said{headline,
                     FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
                                    "step of %3 s; it should change by %4 m/s.")
-                            .arg(brief(g), brief(timestep() * own), briefTimestep(timestep()),
-                                 brief(timestep() * right))
+                            .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration),
+                                 briefTimestep(h), brief(h * m_right.at(g, h, m_i).acceleration))
                         + QLatin1Char(' ') + where,
                     moment(false, g)};
     }

@@ -66,7 +66,7 @@ std::optional<double> massRatio(const PairHit &hit)
 {
     const double p1 = length(hit.push1());
     const double p2 = length(hit.push2());
-    if (!hit.answered || p1 < 1e-6 || p2 < 1e-6)
+    if (!hit.isMet() || p1 < 1e-6 || p2 < 1e-6)
         return std::nullopt;
     const Vec2 sum = hit.push1() / p1 + hit.push2() / p2;
     return length(sum) < antiparallel ? std::optional(p1 / p2) : std::nullopt;
@@ -82,7 +82,7 @@ std::optional<double> fixedMassRatio(const MeasuredPair &pair)
 {
     std::optional<double> ratio;
     for (const PairHit &hit : pair.equals) {
-        if (!hit.answered)
+        if (!hit.isMet())
             continue;
         const auto heavy = massRatio(hit);
         if (!heavy || (ratio && std::abs(*heavy - *ratio) > ratioBlur * *ratio))

@@ -45,6 +45,9 @@ public:
         return true;
     }
 
+    /// Whether they go as far as they should, so that the own scene can be read.
+    [[nodiscard]] bool isUsual() const { return isAlike(slowness(m_h), 1.0, 0.05); }
+
     /// Comes from far in steps of the usual length.
     [[nodiscard]] PairHit scan(const Meeting &meeting) const
     {
@@ -63,10 +66,12 @@ public:
             return hit;
         // It is not where it should be: where it is, scan() knows to a step.
         const PairHit coarse = scan(meeting);
-        if (!coarse.answered)
+        // Who answers too late may let them pass each other, but not when they come straight.
+        const PairHit found = coarse.answered ? coarse : scan(straight(meeting));
+        if (!found.answered)
             return coarse;
         const PairHit fine =
-            meet(meeting, coarse.before + way, 0.5 * (coarse.before + coarse.reached), shortStep);
+            meet(meeting, found.before + way, 0.5 * (found.before + found.reached), shortStep);
         if (!fine.answered)
             return coarse;
         // Once more, so that they stand along the same line when they are answered.
@@ -74,6 +79,12 @@ public:
         const PairHit exact =
             meet(meeting, m_seen[key] + 2.4 * way, m_seen[key], shortStep, fewSteps);
         return exact.answered ? exact : fine;
+    }
+
+    static Meeting straight(Meeting meeting)
+    {
+        meeting.velocities.across1 = meeting.velocities.across2 = 0.0;
+        return meeting;
     }
 
     [[nodiscard]] PairHit part(const Meeting &meeting) const
@@ -229,6 +240,8 @@ private:
         hit.before = length(d);
         hit.reached = dot(next, d) < 0.0 ? 0.0 : length(next);
         hit.normal = normalized(d);
+        hit.nextNormal = normalized(next);
+        hit.parting = dot(next, free1.velocity - free2.velocity) < 0.0;
         hit.came1 = free1.velocity / hit.slowness;
         hit.came2 = free2.velocity / hit.slowness;
         hit.left1 = now1.velocity / hit.slowness;
@@ -312,13 +325,29 @@ PairVelocities PairHit::leftParts() const
 bool PairHit::isAligned() const
 {
     const double angle = meeting.degrees * std::numbers::pi / 180.0;
-    return length(normal - Vec2{std::cos(angle), std::sin(angle)}) < 0.01;
+    return length(normal - Vec2{std::cos(angle), std::sin(angle)}) < 0.002;
 }
 
 bool PairHit::fits(double distance) const
 {
     return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
 }
+
+namespace {
+
+/// Of hits by the same circles: one that comes far deeper than another along the same line.
+void noteLate(std::vector<PairHit> &hits)
+{
+    for (PairHit &hit : hits) {
+        hit.late = hit.answered
+                   && std::any_of(hits.begin(), hits.end(), [&](const PairHit &other) {
+                          return other.isMet() && other.meeting.degrees == hit.meeting.degrees
+                                 && hit.before < 0.5 * other.reached;
+                      });
+    }
+}
+
+} // namespace
 
 MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
                            const MeasuredFlight &flight)
@@ -354,6 +383,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         for (const PairVelocities &v : all)
             equals.push_back(range.look({degrees, small, small, light, light, e, v}));
     }
+    noteLate(equals);
     modes = {equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(all.size())};
     const PairVelocities &both = all.size() > 4 ? all[4] : all.back();
     if (asked.radii.isVaried()) {
@@ -373,7 +403,8 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         PairVelocities apart{-0.9, 0.4, 0.8, 0.4};
         partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
     }
-    own = range.own();
+    if (range.isUsual())
+        own = range.own();
     range.meetAgain(*this);
 }
 
@@ -385,7 +416,7 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered
                && (!a.answered
-                   || (a.isParting() == b.isParting()
+                   || (a.parting == b.parting
                        && std::abs(a.reached - b.reached)
                               <= std::abs(a.before - a.reached) + std::abs(b.before - b.reached)));
     };

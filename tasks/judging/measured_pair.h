@@ -34,27 +34,30 @@ struct Meeting {
 /// What became of a meeting.
 struct PairHit {
     Meeting meeting{};
-    bool answered = false; ///< a velocity changed
-    double before = 0.0;   ///< distance of the centres in the state before it was answered, m
-    double reached = 0.0;  ///< and what it would have been after that step, m
-    Vec2 normal{1.0, 0.0}; ///< line of centres then, from 1 to 2
-    Vec2 came1{};          ///< velocities that it was answered with, m/s
+    bool answered = false;     ///< a velocity changed
+    double before = 0.0;       ///< distance of the centres in the state before it was answered, m
+    double reached = 0.0;      ///< and what it would have been after that step, m
+    Vec2 normal{1.0, 0.0};     ///< line of centres then, from 1 to 2
+    Vec2 nextNormal{1.0, 0.0}; ///< and after that step
+    Vec2 came1{};              ///< velocities that it was answered with, m/s
     Vec2 came2{};
     Vec2 left1{}; ///< and those that it made
     Vec2 left2{};
     double slowness = 1.0;    ///< velocities of the stage are these times so much
+    bool parting = false;     ///< they had passed each other, or moved apart already
+    bool late = false;        ///< others, coming along the same line, are answered long before
     int leaper = -1;          ///< the circle, from 0, that it put far from its own path
     Vec2 landed{};            ///< and where, m
     bool partsInside = false; ///< after that they overlap still, and move apart
     qint64 step = 0;          ///< in which it was answered, from 1
     Stage stage{};
 
+    /// Whether it was answered when they met, not while they ran through each other.
+    [[nodiscard]] bool isMet() const { return answered && !parting && !late; }
     [[nodiscard]] Vec2 push1() const { return left1 - came1; }
     [[nodiscard]] Vec2 push2() const { return left2 - came2; }
     [[nodiscard]] PairVelocities cameParts() const;
     [[nodiscard]] PairVelocities leftParts() const;
-    /// Whether they moved apart already when they were answered.
-    [[nodiscard]] bool isParting() const { return dot(came1 - came2, normal) < 0.0; }
     /// Whether they stood along the line that was asked for, so that other programs compare.
     [[nodiscard]] bool isAligned() const;
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.

@@ -29,7 +29,7 @@ struct Rebound {
 
 Rebound reboundOf(const PairHit &hit)
 {
-    if (!hit.answered)
+    if (!hit.isMet())
         return {.e = hit.meeting.restitution, .first = -1.0, .second = -1.0};
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
@@ -58,16 +58,11 @@ public:
 
     [[nodiscard]] ReboundReading read()
     {
-        const auto answered = [](const PairHit &hit) { return hit.answered && hit.isAligned(); };
+        const auto answered = [](const PairHit &hit) { return hit.isMet() && hit.isAligned(); };
         if (m_all.empty() || m_elastic.empty()
             || std::none_of(m_own.rebounds.begin(), m_own.rebounds.end(), answered))
             return {};
-        m_shown = static_cast<std::size_t>(std::min_element(m_all.begin(), m_all.end(),
-                                                            [](const Rebound &a, const Rebound &b) {
-                                                                return std::abs(a.e - 0.6)
-                                                                       < std::abs(b.e - 0.6);
-                                                            })
-                                           - m_all.begin());
+        m_shown = mostWrong();
         const auto one = [](double) { return 1.0; };
         m_isElastic =
             every(m_elastic, &Rebound::first, one) && every(m_elastic, &Rebound::second, one);
@@ -78,6 +73,23 @@ public:
     }
 
 private:
+    /// The hit that differs most from the right one.
+    [[nodiscard]] std::size_t mostWrong() const
+    {
+        std::size_t worst = 0;
+        double most = -1.0;
+        for (std::size_t i = 0; i < m_own.rebounds.size(); ++i) {
+            const PairHit &own = m_own.rebounds[i];
+            const PairHit &right = m_right.rebounds[i];
+            const double off = length(own.left1 - right.left1) + length(own.left2 - right.left2);
+            if (own.isMet() && off > most) {
+                most = off;
+                worst = i;
+            }
+        }
+        return worst;
+    }
+
     template <class Law>
     static bool every(const std::vector<Rebound> &all, double Rebound::*part, Law law)
     {

@@ -59,7 +59,7 @@ private:
     {
         std::vector<EqualHit> hits;
         for (std::size_t i = 0; i < own.size(); ++i) {
-            if (own[i].answered && right[i].answered && own[i].isAligned() && right[i].isAligned())
+            if (own[i].isMet() && right[i].isMet() && own[i].isAligned() && right[i].isAligned())
                 hits.push_back({own[i], own[i].cameParts(), right[i].leftParts()});
         }
         return hits;
@@ -82,7 +82,7 @@ private:
         for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
             const PairHit &own = m_own.equals[i];
             const PairHit &right = m_right.equals[i];
-            if (!own.answered || !right.answered || !own.isAligned() || !right.isAligned())
+            if (!own.isMet() || !right.isMet() || !own.isAligned() || !right.isAligned())
                 continue;
             if (isSameAnswer(own.leftParts(), right.leftParts()))
                 continue;
@@ -100,6 +100,13 @@ private:
             return;
         const PairHit &hit = m_own.equals[*worst];
         const PairHit &right = m_right.equals[*worst];
+        // Where both should stop, a law of exchange is not what is missed.
+        if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
+                return isSameAnswer(h.right, PairVelocities{});
+            })) {
+            add(ResponseText::tr("A hit does not stop both circles"), describeHit(hit, right), hit);
+            return;
+        }
         for (const ResponseLaw &law : knownResponses()) {
             if (!follows(law, hits))
                 continue;
@@ -250,8 +257,11 @@ QString describeHit(const PairHit &hit, const PairHit &right)
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
     const PairVelocities good = right.leftParts();
+    // The line of centres turns a little in a step: what that makes is no part of a velocity.
+    const double blur = 1e-3 * std::max(length(hit.came1), length(hit.came2));
+    const auto seen = [&](double part) { return std::abs(part) < blur ? 0.0 : part; };
     const auto pair = [&](double along, double across) {
-        return brief(hit.slowness * Vec2{along, across});
+        return brief(hit.slowness * Vec2{seen(along), seen(across)});
     };
     return ResponseText::tr(
                "Taken apart along the line of centres and across it, circle 1 came with "
@@ -265,7 +275,7 @@ QString describeHit(const PairHit &hit, const PairHit &right)
 std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,
                                              const Ground &ground)
 {
-    const auto answered = [](const PairHit &hit) { return hit.answered; };
+    const auto answered = [](const PairHit &hit) { return hit.isMet(); };
     if (!own.isJudged || !right.isJudged || !ground.pair.asked
         || (std::none_of(own.equals.begin(), own.equals.end(), answered)
             && std::none_of(own.rebounds.begin(), own.rebounds.end(), answered)))

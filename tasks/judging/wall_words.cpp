@@ -109,8 +109,8 @@ private:
                 return h.circle == same.front() && !h.turned && !h.held && !h.missed;
             });
             add(WallText::tr("Nothing turns %who round here: %1").arg(namesOf(open[i].second)),
-                WallText::tr("A circle that is thrown there leaves the square and never comes "
-                             "back. A square has four walls: look at the question that your "
+                WallText::tr("A circle that is thrown there leaves the square. A square has four "
+                             "walls: look at the question that your "
                              "program asks for each."),
                 *at, same, true);
         }
@@ -277,9 +277,9 @@ private:
     [[nodiscard]] std::size_t wallsLike(const WallHit &hit) const
     {
         std::set<Wall> walls;
-        for (const WallHit &other : m_own.hits) {
-            if (other.restitution == hit.restitution)
-                walls.insert(other.wall);
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            if (m_own.hits[i].restitution == hit.restitution && rightOf(i).turned)
+                walls.insert(m_own.hits[i].wall);
         }
         return walls.size();
     }
@@ -356,7 +356,7 @@ private:
         if (hit.back < 0.0)
             return {WallText::tr("The walls do not turn %who round"),
                     WallText::tr("Its velocity still points into the wall: look at the sign.")};
-        return {WallText::tr("The walls give %who %1 of the speed back").arg(brief(hit.back)),
+        return {WallText::tr("The walls give %who %1 times the speed back").arg(brief(hit.back)),
                 WallText::tr("Look at the factor in front of the part that you turn round.")};
     }
 

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/lab_list.h"
+#include "tests/other_forms.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What a failed submission is told: every fault, in the order in which to mend them, and nothing
+/// that is right.
+class TestFindings : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void faultsOfTwoAspectsAreBothNamed_data();
+    void faultsOfTwoAspectsAreBothNamed();
+    void aspectThatCannotBeMeasuredIsNotJudged_data();
+    void aspectThatCannotBeMeasuredIsNotJudged();
+    void mistakeOfOneAspectDoesNotExplainAnother();
+    void programThatStoppedHasNoWrongStart();
+    void labOfAnotherKindGetsFindings_data();
+    void labOfAnotherKindGetsFindings();
+
+private:
+    [[nodiscard]] CheckReport told(const QString &step, const OtherForm &form) const
+    {
+        return *judgeTask(m_lab, task(step), Submission(task(step).preset, form.source()), 1);
+    }
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+QStringList headlinesOf(const CheckReport &report)
+{
+    QStringList lines;
+    for (const Finding &finding : report.findings)
+        lines.append(finding.message.section(QLatin1Char('\n'), 0, 0));
+    return lines;
+}
+
+/// A lab with one step: air that brakes a circle by 0.5 v.
+Lab airLab(const Preset &preset)
+{
+    const auto program = [](const char *change) {
+        return QStringLiteral("function on_update(h)\n"
+                              "  circle1.velocity = circle1.velocity %1\n"
+                              "  circle1.position = circle1.position + circle1.velocity * h\n"
+                              "end\n")
+            .arg(QLatin1String(change));
+    };
+    Task task;
+    task.id = QStringLiteral("AIR1");
+    task.title = QStringLiteral("Air");
+    task.preset = preset;
+    task.checks.push_back(
+        {.id = QStringLiteral("brakes"),
+         .title = QStringLiteral("Air brakes by 0.5 v"),
+         .kind = QStringLiteral("script"),
+         .circles = {0},
+         .parameters = {},
+         .scene = {{QStringLiteral("kind"), QStringLiteral("flight")},
+                   {QStringLiteral("count"), 4},
+                   {QStringLiteral("duration"), 0.5},
+                   {QStringLiteral("timesteps"), QJsonArray{1.0 / 60.0, 1.0 / 120.0}}},
+         .source = text(R"lua(
+function check(run)
+  for k = 1, run.step_count do
+    local before, after = run:step(k - 1).circles[1].velocity, run:step(k).circles[1].velocity
+    local way = run:step(k).circles[1].position - run:step(k - 1).circles[1].position
+    if (after - (1 - 0.5 * run.timestep) * before):length() > 1e-9
+      or (way - run.timestep * after):length() > 1e-9 then
+      return false, "the velocity does not change by -0.5 v dt"
+    end
+  end
+  return true
+end
+)lua")});
+    task.moves = Mover::Program;
+    task.solution = program("- 0.5 * circle1.velocity * h");
+    task.mistakes.push_back({.name = QStringLiteral("drives"),
+                             .source = program("+ 0.5 * circle1.velocity * h"),
+                             .message = text("Your air drives the circle\n\nLook at the sign.")});
+    Lab lab;
+    lab.id = QStringLiteral("air");
+    lab.title = QStringLiteral("Air");
+    lab.tasks.push_back(task);
+    return lab;
+}
+
+} // namespace
+
+void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    QTest::addColumn<QStringList>("said");
+    using namespace parts;
+    const auto row = [](const char *step, const char *name, const QStringList &said,
+                        const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::addRow("%s %s", step, name) << lab(step) << form << said;
+    };
+    row("L42T4", "start and motion",
+        {text("The position of circle 2 is (-2, -2) m at the start; (-2, 2) m is asked for"),
+         text("The motion of both circles is symplectic Euler, not Euler")},
+        [](OtherForm &f) {
+            f.start += lab("circle2.position = vec(-2, -2) ");
+            f.integrate = symplectic;
+        });
+    row("L42T7", "motion and walls",
+        {text("Gravity acts on both circles twice in every step"),
+         text("At the walls the centre of both circles is asked for, not the rim")},
+        [](OtherForm &f) {
+            f.integrate = lab("c.velocity = c.velocity + 2 * gravity * h "
+                              "c.position = c.position + c.velocity * h");
+            edit(f.walls, "half_width - c.radius", "half_width");
+        });
+    row("L42T12", "walls and answer",
+        {text("The walls turn both circles round too early"),
+         text("The whole velocities change hands, not only the parts along the normal")},
+        [](OtherForm &f) {
+            edit(f.walls, "- c.radius", "- 2 * c.radius");
+            f.answer = lab("p.velocity, q.velocity = q.velocity, p.velocity");
+        });
+    row("L42T14", "contact and masses",
+        {text("Contact is tested at 2 r₁, not at r₁ + r₂"),
+         text("The mass grows with r to the power of 4, not 3")},
+        [](OtherForm &f) {
+            f.reach = lab("2 * p.radius");
+            f.mass = lab("c.density * c.radius ^ 4");
+        });
+    row("L42T16", "masses and e",
+        {text("The mass grows with r to the power of 2, not 3"),
+         text("e is squared in the hit of two circles")},
+        [](OtherForm &f) {
+            f.mass = lab("c.density * c.radius ^ 2");
+            f.answer.replace(lab("1 + restitution"), lab("1 + restitution ^ 2"));
+        });
+}
+
+void TestFindings::faultsOfTwoAspectsAreBothNamed()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    QFETCH(QStringList, said);
+    const CheckReport report = told(step, form);
+    QVERIFY(!report.passed);
+    QStringList lines = headlinesOf(report);
+    // A mistake of the lab may say the same in words of its own.
+    for (qsizetype i = 0; i < lines.size() && i < said.size(); ++i) {
+        if (!report.findings[static_cast<std::size_t>(i)].mistake.isEmpty())
+            lines[i] = said[i];
+    }
+    QCOMPARE(lines, said);
+    for (std::size_t i = 1; i < report.findings.size(); ++i)
+        QVERIFY(report.findings[i - 1].aspect <= report.findings[i].aspect);
+}
+
+void TestFindings::aspectThatCannotBeMeasuredIsNotJudged_data()
+{
+    QTest::addColumn<QString>("integrate");
+    for (const char *way :
+         {"vec(c.velocity.x * h, 0)", "-c.velocity * h", "circle1.velocity * h", "vec(0, 0)"})
+        QTest::newRow(way) << QStringLiteral("c.position = c.position + ") + text(way)
+                                  + QStringLiteral(" c.velocity = c.velocity + gravity * h");
+    QTest::newRow("velocity set anew")
+        << QStringLiteral("c.velocity = vec(1, 0) c.position = c.position + c.velocity * h");
+}
+
+void TestFindings::aspectThatCannotBeMeasuredIsNotJudged()
+{
+    QFETCH(QString, integrate);
+    OtherForm form = otherForm(QStringLiteral("L42T12"));
+    form.integrate = integrate;
+    const CheckReport report = told(QStringLiteral("L42T12"), form);
+    QVERIFY(!report.findings.empty());
+    for (const Finding &finding : report.findings) {
+        const bool isMotion = finding.aspect == Aspect::Motion;
+        QVERIFY2(isMotion || finding.message.contains(text("circle 1")),
+                 qPrintable(finding.message));
+    }
+}
+
+void TestFindings::mistakeOfOneAspectDoesNotExplainAnother()
+{
+    OtherForm form = otherForm(QStringLiteral("L42T12"));
+    edit(form.walls, "half_width - c.radius", "half_width - c.radius + 0.03");
+    const CheckReport report = told(QStringLiteral("L42T12"), form);
+    QCOMPARE(headlinesOf(report), QStringList(text("The walls turn both circles round too late")));
+}
+
+void TestFindings::programThatStoppedHasNoWrongStart()
+{
+    OtherForm form = otherForm(QStringLiteral("L42T12"));
+    form.integrate = QStringLiteral("c.position = c.position + c.velocity * h "
+                                    "steps = (steps or 0) + 1 "
+                                    "if steps > 20 then error('enough') end");
+    form.start += QStringLiteral("steps = 0 ");
+    const CheckReport report = told(QStringLiteral("L42T12"), form);
+    QVERIFY(report.error);
+    for (const Finding &finding : report.findings)
+        QVERIFY2(finding.aspect != Aspect::Start, qPrintable(finding.message));
+}
+
+void TestFindings::labOfAnotherKindGetsFindings_data()
+{
+    QTest::addColumn<QString>("change");
+    QTest::addColumn<QString>("way");
+    QTest::addColumn<QStringList>("said");
+    const auto row = [](const char *change, const char *way, const QStringList &said) {
+        QTest::addRow("%s, %s", change, way) << text(change) << text(way) << said;
+    };
+    const char *brakes = "- 0.5 * v * h";
+    row(brakes, "v * h", {});
+    row("+ 0.5 * v * h", "v * h", {text("Your air drives the circle")});
+    row("- 1 * v * h", "v * h",
+        {text("What acts on the velocity of circle 1 is 2 times as strong as it should be")});
+    row("", "v * h", {text("Nothing slows circle 1 down on the way")});
+    row(brakes, "v", {text("The way of circle 1 is not multiplied by the timestep")});
+    row("- 1 * v * h", "2 * v * h",
+        {text("The way of circle 1 in a step is not v Δt"),
+         text("What acts on the velocity of circle 1 is 2 times as strong as it should be")});
+}
+
+void TestFindings::labOfAnotherKindGetsFindings()
+{
+    QFETCH(QString, change);
+    QFETCH(QString, way);
+    QFETCH(QStringList, said);
+    const Lab lab = airLab(task(QStringLiteral("L42T2")).preset);
+    const QString program = QStringLiteral("function on_update(h)\n"
+                                           "  local v = circle1.velocity\n"
+                                           "  v = v %1\n"
+                                           "  circle1.velocity = v\n"
+                                           "  circle1.position = circle1.position + %2\n"
+                                           "end\n")
+                                .arg(change, way);
+    const CheckReport report =
+        *judgeTask(lab, lab.tasks.front(), Submission(lab.tasks.front().preset, program), 1);
+    QVERIFY2(!report.error, report.error ? qPrintable(report.error->message) : "");
+    QCOMPARE(report.passed, said.isEmpty());
+    QCOMPARE(headlinesOf(report), said);
+}
+
+QTEST_GUILESS_MAIN(TestFindings)
+#include "test_findings.moc"

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/lab_list.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What is measured of the free motion of a program is what the program does.
+class TestFlightLaw : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void lawIsMeasured_data();
+    void lawIsMeasured();
+    void rightMotionHasNoFault_data();
+    void rightMotionHasNoFault();
+    void faultIsNamed_data();
+    void faultIsNamed();
+    void ownSceneShowsACopyThatIsTooOld();
+
+private:
+    [[nodiscard]] LawBench bench(const char *step) const
+    {
+        return LawBench(task(QLatin1String(step)));
+    }
+};
+
+namespace {
+
+const QString euler = QStringLiteral("c.position = c.position + c.velocity * h "
+                                     "c.velocity = c.velocity + gravity * h");
+const QString symplectic = QStringLiteral("c.velocity = c.velocity + gravity * h "
+                                          "c.position = c.position + c.velocity * h");
+const QString verlet =
+    QStringLiteral("c.position = c.position + c.velocity * h + gravity * (h * h / 2) "
+                   "c.velocity = c.velocity + gravity * h");
+
+/// Of a motion, in terms of v h, a h² and g.
+struct Law {
+    double way = 1.0;
+    double share = 0.0;
+    double fall = 1.0;
+    double growth = 0.0; // 1/s
+};
+
+} // namespace
+
+void TestFlightLaw::lawIsMeasured_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<double>("way");
+    QTest::addColumn<double>("share");
+    QTest::addColumn<double>("fall");
+    QTest::addColumn<double>("growth");
+    const auto rows = [](const char *name, const QString &move, const Law &law) {
+        for (const Structure &structure : structures)
+            QTest::addRow("%s, %s", name, structure.name)
+                << written({.move = move}, structure) << law.way << law.share << law.fall
+                << law.growth;
+    };
+    rows("Euler", euler, {});
+    rows("symplectic Euler", symplectic, {.share = 1.0});
+    rows("Verlet", verlet, {.share = 0.5});
+    rows("half of the way",
+         QStringLiteral("c.position = c.position + c.velocity * h / 2 "
+                        "c.velocity = c.velocity + gravity * h"),
+         {.way = 0.5});
+    rows("gravity twice",
+         QStringLiteral("c.position = c.position + c.velocity * h "
+                        "c.velocity = c.velocity + 2 * gravity * h"),
+         {.fall = 2.0});
+    rows("air",
+         QStringLiteral("c.position = c.position + c.velocity * h "
+                        "c.velocity = c.velocity + (gravity - 0.3 * c.velocity) * h"),
+         {.growth = -0.3});
+}
+
+void TestFlightLaw::lawIsMeasured()
+{
+    QFETCH(QString, program);
+    QFETCH(double, way);
+    QFETCH(double, share);
+    QFETCH(double, fall);
+    QFETCH(double, growth);
+    const LawBench step = bench("L42T7");
+    const MeasuredFlight measured(&program, step.ground);
+    const Vec2 g{0.0, -9.81};
+    for (const double h : step.ground.timesteps) {
+        for (int circle = 0; circle < 2; ++circle) {
+            const Flight &flight = measured.at(g, h, circle);
+            QVERIFY(flight.isKnown);
+            QVERIFY(std::abs(flight.way.x - way) < 1e-9 && std::abs(flight.way.y - way) < 1e-9);
+            QVERIFY(std::abs(*flight.share(h) - share) < 1e-6);
+            QVERIFY(length(flight.acceleration - fall * g) < 1e-9);
+            QVERIFY(std::abs(flight.growth.x - growth) < 1e-9
+                    && std::abs(flight.growth.y - growth) < 1e-9);
+        }
+    }
+}
+
+void TestFlightLaw::rightMotionHasNoFault_data()
+{
+    QTest::addColumn<QString>("move");
+    QTest::newRow("Euler") << euler;
+    QTest::newRow("symplectic Euler") << symplectic;
+    QTest::newRow("Verlet") << verlet;
+    QTest::newRow("by components")
+        << QStringLiteral("local x, y, vx, vy = c.position.x, c.position.y, c.velocity.x, "
+                          "c.velocity.y + gravity.y * h "
+                          "c.position, c.velocity = vec(x + vx * h, y + vy * h), vec(vx, vy)");
+    QTest::newRow("two halves of a step")
+        << QStringLiteral("for k = 1, 2 do c.velocity = c.velocity + gravity * (h / 2) "
+                          "c.position = c.position + c.velocity * (h / 2) end");
+}
+
+void TestFlightLaw::rightMotionHasNoFault()
+{
+    QFETCH(QString, move);
+    const LawBench step = bench("L42T7");
+    const bool isMethod = !move.contains(QLatin1String("for k"));
+    for (const Structure &structure : structures) {
+        const QStringList said = step.flight(written({.move = move}, structure));
+        // Two halves of symplectic Euler fall by ¾ a h²: no method that the step knows.
+        QVERIFY2(isMethod == said.isEmpty(), qPrintable(said.join(QLatin1String("; "))));
+    }
+}
+
+void TestFlightLaw::faultIsNamed_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("move");
+    QTest::addColumn<QStringList>("said");
+    const auto row = [](const char *step, const char *name, const char *place, const char *velocity,
+                        const QStringList &said) {
+        QTest::addRow("%s, %s", step, name)
+            << QString::fromLatin1(step)
+            << QStringLiteral("c.position = c.position + %1 c.velocity = c.velocity + %2")
+                   .arg(QLatin1String(place), QLatin1String(velocity))
+            << said;
+    };
+    const char *way = "c.velocity * h";
+    const char *fall = "gravity * h";
+    const auto text = [](const char *utf8) { return QStringList{QString::fromUtf8(utf8)}; };
+    row("L42T4", "way without time", "c.velocity", fall,
+        text("The way of both circles is not multiplied by the timestep"));
+    row("L42T4", "way with time twice", "c.velocity * h * h", fall,
+        text("The way of both circles is multiplied by the timestep twice"));
+    row("L42T4", "way of a sixtieth", "c.velocity / 60", fall,
+        text("A fixed number stands for the timestep in the way of both circles"));
+    row("L42T4", "way back", "-c.velocity * h", fall,
+        text("The way of both circles is subtracted instead of added"));
+    row("L42T4", "way twice", "2 * c.velocity * h", fall,
+        text("Every step moves both circles twice"));
+    row("L42T4", "x only", "vec(c.velocity.x * h, 0)", fall,
+        text("The y of both circles never changes"));
+    row("L42T4", "fall without time", way, "gravity",
+        text("Gravity acts on both circles for a whole second in every step"));
+    row("L42T4", "fall with time twice", way, "gravity * h * h",
+        text("Gravity on both circles is multiplied by the timestep twice"));
+    row("L42T4", "half of the fall", way, "gravity * h / 2",
+        text("The velocity of both circles gets only half of gravity"));
+    row("L42T4", "fall upward", way, "-1 * gravity * h",
+        text("Gravity pushes both circles against its own direction"));
+    row("L42T4", "no fall", way, "vec(0, 0)", text("Gravity does not act on both circles"));
+    row("L42T4", "fall sideways", way, "vec(gravity.y, 0) * h",
+        text("Gravity pulls both circles in a wrong direction"));
+    row("L42T4", "gravity on the place", "c.velocity * h + gravity * h", "vec(0, 0)",
+        text("Gravity moves both circles at once and changes no velocity"));
+    row("L42T4", "other air", way, "gravity * h - 0.2 * c.velocity * h",
+        text("Something slows both circles down on the way"));
+    row("L42T4", "one does not fall", way, "(c.index == 2 and vec(0, 0) or gravity * h)",
+        text("Gravity does not act on circle 2"));
+    row("L42T4", "parabola", "c.velocity * h + gravity * (h * h / 2)", fall,
+        text(
+            "The motion of both circles is the exact parabola (Verlet, Runge-Kutta 4), not Euler"));
+    row("L42T17", "a number for gravity", way, "vec(0, -9.81) * h",
+        text("A number stands for gravity in the motion of both circles"));
+    // Two of them: both are named, and none besides.
+    row("L42T4", "way twice, fall half", "2 * c.velocity * h", "gravity * h / 2",
+        {QStringLiteral("Every step moves both circles twice"),
+         QStringLiteral("The velocity of both circles gets only half of gravity")});
+    row("L42T4", "fall twice, other order", "(c.velocity + 2 * gravity * h) * h", "2 * gravity * h",
+        {QStringLiteral("Gravity acts on both circles twice in every step"),
+         QStringLiteral("The motion of both circles is symplectic Euler, not Euler")});
+}
+
+void TestFlightLaw::faultIsNamed()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, move);
+    QFETCH(QStringList, said);
+    const LawBench judged(task(step));
+    for (const Structure &structure : structures)
+        QCOMPARE(judged.flight(written({.move = move}, structure)), said);
+}
+
+void TestFlightLaw::ownSceneShowsACopyThatIsTooOld()
+{
+    const LawBench step = bench("L42T17");
+    const LawProgram program{.start = QStringLiteral("pull = gravity gravity = vec(0, -9.81)"),
+                             .move = QStringLiteral("c.velocity = c.velocity + pull * h "
+                                                    "c.position = c.position + c.velocity * h")};
+    QCOMPARE(
+        step.flight(written(program, structures[3])),
+        QStringList(QStringLiteral("The fall of both circles is not that of the gravity in the "
+                                   "scene")));
+}
+
+QTEST_GUILESS_MAIN(TestFlightLaw)
+#include "test_flight_law.moc"

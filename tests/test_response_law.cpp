@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/judging/response_reading.h"
+
+#include <functional>
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What is measured of the answer to a hit: direction, masses, e.
+class TestResponseLaw : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void massesAreMeasured_data();
+    void massesAreMeasured();
+    void reboundIsMeasured_data();
+    void reboundIsMeasured();
+    void faultIsNamed_data();
+    void faultIsNamed();
+    void stepThatStopsBothSaysSo();
+    void contactAndAnswerAreNamedBoth_data();
+    void contactAndAnswerAreNamedBoth();
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+using Law = std::function<double(double)>; ///< of e
+
+LawProgram withHit(const QString &hit)
+{
+    return {.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hit};
+}
+
+const QString e = QStringLiteral("restitution");
+
+} // namespace
+
+void TestResponseLaw::massesAreMeasured_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("density");
+    const auto rows = [](const char *mass, double radius, double density) {
+        for (std::size_t i = 0; i < std::size(hitWays); ++i)
+            QTest::addRow("%s, %s, %s", mass, hitWays[i].name, structures[i].name)
+                << written(withHit(hitOf(hitWays[i], {.mass = text(mass), .e = e})), structures[i])
+                << radius << density;
+    };
+    rows("c.density * c.radius ^ 3", 3.0, 1.0);
+    rows("1000 * c.density * 4 / 3 * math.pi * c.radius ^ 3", 3.0, 1.0);
+    rows("c.density * math.pi * c.radius ^ 2", 2.0, 1.0);
+    rows("c.density * c.radius", 1.0, 1.0);
+    rows("c.radius ^ 3", 3.0, 0.0);
+    rows("c.radius ^ 3 / c.density", 3.0, -1.0);
+    rows("1 / (c.density * c.radius ^ 3)", -3.0, -1.0);
+    rows("1", 0.0, 0.0);
+}
+
+void TestResponseLaw::massesAreMeasured()
+{
+    QFETCH(QString, program);
+    QFETCH(double, radius);
+    QFETCH(double, density);
+    const LawBench step(task(QStringLiteral("L42T16")));
+    const MeasuredLaws own(&program, step.ground);
+    const MassExponents p(own.pair());
+    QVERIFY(p.radius && std::abs(*p.radius - radius) < 0.005);
+    QVERIFY(p.density && std::abs(*p.density - density) < 0.005);
+    QVERIFY(!fixedMassRatio(own.pair()));
+}
+
+void TestResponseLaw::reboundIsMeasured_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<Law>("law");
+    const auto rows = [](const char *factor, const Law &law) {
+        for (std::size_t i = 0; i < std::size(hitWays); ++i)
+            QTest::addRow("%s, %s", factor, hitWays[i].name)
+                << written(withHit(hitOf(hitWays[i], {.e = text(factor)})), structures[3 - i])
+                << law;
+    };
+    rows("restitution", [](double value) { return value; });
+    rows("restitution ^ 2", [](double value) { return value * value; });
+    rows("1 - restitution", [](double value) { return 1.0 - value; });
+    rows("0.6", [](double) { return 0.6; });
+}
+
+void TestResponseLaw::reboundIsMeasured()
+{
+    QFETCH(QString, program);
+    QFETCH(Law, law);
+    const LawBench step(task(QStringLiteral("L42T16")));
+    const MeasuredLaws own(&program, step.ground);
+    QVERIFY(own.pair().rebounds.size() >= 3);
+    for (const PairHit &hit : own.pair().rebounds) {
+        QVERIFY(hit.isMet() && hit.isAligned());
+        const PairVelocities in = hit.cameParts();
+        const PairVelocities out = hit.leftParts();
+        const double rebound = (out.along2 - out.along1) / (in.along1 - in.along2);
+        QVERIFY(std::abs(rebound - law(hit.meeting.restitution)) < 0.005);
+        QVERIFY(std::abs(out.across1 - in.across1) < 0.005);
+    }
+}
+
+void TestResponseLaw::faultIsNamed_data()
+{
+    QTest::addColumn<QString>("hit");
+    QTest::addColumn<QStringList>("said");
+    const auto rows = [](const char *name, const HitLaw &law, const QStringList &said) {
+        for (const HitWay &way : hitWays)
+            QTest::addRow("%s, %s", name, way.name) << hitOf(way, law) << said;
+    };
+    const auto answer = [&](const char *name, const char *lua, const char *said) {
+        rows(name, {.e = e, .answer = text(lua)}, {text(said)});
+    };
+    const QString area = text("The mass grows with r to the power of 2, not 3");
+    const QString squared = text("e is squared in the hit of two circles");
+    rows("area", {.mass = text("c.density * c.radius ^ 2"), .e = e}, {area});
+    rows("no density", {.mass = text("c.radius ^ 3"), .e = e},
+         {text("The density is left out of the mass")});
+    rows("inverted", {.mass = text("1 / (c.density * c.radius ^ 3)"), .e = e},
+         {text("Each circle answers with the mass of the other")});
+    rows("e squared", {.e = text("restitution ^ 2")}, {squared});
+    rows("no e", {}, {text("e is not used in the hit of two circles")});
+    rows("minus e", {.e = text("-restitution")},
+         {text("The sign of e is wrong in the hit of two circles")});
+    rows("area and e squared",
+         {.mass = text("c.density * c.radius ^ 2"), .e = text("restitution ^ 2")}, {area, squared});
+    answer("swap", "p.velocity, q.velocity = q.velocity, p.velocity",
+           "The whole velocities change hands, not only the parts along the normal");
+    answer("no temp", "p.velocity = q.velocity q.velocity = p.velocity",
+           "Both circles leave with the velocity of circle 2");
+    answer("stop", "p.velocity, q.velocity = vec(0, 0), vec(0, 0)", "A hit stops both circles");
+    answer("circle 1 alone",
+           "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n",
+           "A hit leaves circle 2 as it was");
+    answer("one as off a wall", "p.velocity = p.velocity - 2 * p.velocity:dot(n) * n",
+           "Circle 1 bounces as off a wall, and circle 2 stays as it was");
+    answer("twice the push",
+           "local j = 2 * (1 + e) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "The push is 2 times as large as it should be");
+    rows("mirrored", {.normal = text("vec(d.x, -d.y):normalized()"), .e = e},
+         {text("The normal is mirrored: the sign of its y is wrong")});
+    rows("x and y exchanged", {.normal = text("vec(d.y, d.x):normalized()"), .e = e},
+         {text("The parts x and y of the normal are exchanged")});
+    rows("along x", {.normal = text("vec(d.x > 0 and 1 or -1, 0)"), .e = e},
+         {text("The x parts change hands, not those along the line of centres")});
+}
+
+void TestResponseLaw::faultIsNamed()
+{
+    QFETCH(QString, hit);
+    QFETCH(QStringList, said);
+    const LawBench step(task(QStringLiteral("L42T16")));
+    const QString program = written(withHit(hit), structures[3]);
+    QCOMPARE(step.contact(program) + step.response(program), said);
+}
+
+void TestResponseLaw::stepThatStopsBothSaysSo()
+{
+    const LawBench step(task(QStringLiteral("L42T9")));
+    for (const char *answer : {"p.velocity, q.velocity = q.velocity, p.velocity",
+                               "p.velocity, q.velocity = -p.velocity, -q.velocity",
+                               "p.velocity = q.velocity q.velocity = p.velocity"}) {
+        const HitLaw law{.answer = text(answer)};
+        const QString program = written(withHit(hitOf(hitWays[0], law)), structures[0]);
+        QCOMPARE(step.response(program), QStringList(text("A hit does not stop both circles")));
+    }
+}
+
+void TestResponseLaw::contactAndAnswerAreNamedBoth_data()
+{
+    QTest::addColumn<QString>("reach");
+    QTest::addColumn<QString>("touch");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char *reach, const char *touch, const char *said) {
+        QTest::addRow("%s, %s", reach, touch) << text(reach) << text(touch) << text(said);
+    };
+    row("p.radius", "d:length() < reach", "Contact is tested at r₁, not at r₁ + r₂");
+    row("p.radius + q.radius + 0.06", "d:length() < reach", "The circles answer before they touch");
+    row("p.radius + q.radius", "math.max(math.abs(d.x), math.abs(d.y)) < reach",
+        "Boxes are compared, not circles");
+    row("p.radius + q.radius", "d.x ^ 2 + d.y ^ 2 < reach",
+        "A squared distance is compared with a length");
+}
+
+void TestResponseLaw::contactAndAnswerAreNamedBoth()
+{
+    QFETCH(QString, reach);
+    QFETCH(QString, touch);
+    QFETCH(QString, said);
+    const LawBench step(task(QStringLiteral("L42T16")));
+    for (const HitWay &way : hitWays) {
+        const HitLaw law{.reach = reach,
+                         .touch = touch,
+                         .mass = text("c.density * c.radius"),
+                         .e = text("restitution ^ 2")};
+        const QString program = written(withHit(hitOf(way, law)), structures[1]);
+        QCOMPARE(step.contact(program), QStringList(said));
+        QCOMPARE(step.response(program),
+                 (QStringList{text("The mass grows with r to the power of 1, not 3"),
+                              text("e is squared in the hit of two circles")}));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestResponseLaw)
+#include "test_response_law.moc"

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/lab_list.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What is measured of the walls of a program is what the program does at them.
+class TestWallLaw : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void lawIsMeasured_data();
+    void lawIsMeasured();
+    void rightWallsHaveNoFault_data();
+    void rightWallsHaveNoFault();
+    void faultIsNamed_data();
+    void faultIsNamed();
+    void wordsOfAStepWithoutLosesDoNotSpeakOfThem();
+    void wrongMotionIsNoFaultOfTheWalls_data();
+    void wrongMotionIsNoFaultOfTheWalls();
+    void oneCircleIsNamedForItsOwnWalls();
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+LawProgram withWalls(const QString &walls)
+{
+    return {.walls = walls};
+}
+
+} // namespace
+
+void TestWallLaw::lawIsMeasured_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<double>("radii");
+    QTest::addColumn<double>("power");
+    QTest::addColumn<double>("along");
+    struct Law {
+        const char *name;
+        const char *reach;
+        const char *back;
+        const char *along;
+        double radii; ///< of the circle, from its centre to the wall where it turns
+        double power; ///< p in back = e^p
+        double kept;
+    };
+    const Law laws[] = {{"right", "c.radius", "restitution", "1", 1.0, 1.0, 1.0},
+                        {"centre", "0", "restitution", "1", 0.0, 1.0, 1.0},
+                        {"diameter", "2 * c.radius", "restitution", "1", 2.0, 1.0, 1.0},
+                        {"far side", "-c.radius", "restitution", "1", -1.0, 1.0, 1.0},
+                        {"e squared", "c.radius", "restitution ^ 2", "1", 1.0, 2.0, 1.0},
+                        {"elastic", "c.radius", "1", "1", 1.0, 0.0, 1.0},
+                        {"friction", "c.radius", "restitution", "0.8", 1.0, 1.0, 0.8},
+                        {"along turned", "c.radius", "restitution", "-1", 1.0, 1.0, -1.0}};
+    for (const Law &law : laws) {
+        for (std::size_t i = 0; i < std::size(wallWays); ++i)
+            QTest::addRow("%s, %s, %s", law.name, wallWays[i].name, structures[i].name)
+                << written(withWalls(wallsOf(wallWays[i], law.reach, law.back, law.along)),
+                           structures[i])
+                << law.radii << law.power << law.kept;
+    }
+}
+
+void TestWallLaw::lawIsMeasured()
+{
+    QFETCH(QString, program);
+    QFETCH(double, radii);
+    QFETCH(double, power);
+    QFETCH(double, along);
+    const LawBench step(task(QStringLiteral("L42T17")));
+    const MeasuredLaws own(&program, step.ground);
+    const MeasuredWalls &walls = own.walls();
+    QCOMPARE(walls.judged, (std::vector<int>{0, 1}));
+    QVERIFY(walls.hits.size() >= 16);
+    for (const WallHit &hit : walls.hits) {
+        // A circle that loses all its speed may lie where it turned.
+        QVERIFY(hit.turned && !hit.missed);
+        QVERIFY(hit.fits(radii * hit.radius));
+        QVERIFY(std::abs(hit.back - std::pow(hit.restitution, power)) < 1e-6);
+        QVERIFY(std::abs(hit.along - along) < 1e-6);
+        QVERIFY(!hit.disturbs && hit.again == 0);
+    }
+}
+
+void TestWallLaw::rightWallsHaveNoFault_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("program");
+    for (const char *step : {"L42T2", "L42T3", "L42T7", "L42T12", "L42T17"}) {
+        const int number = QString::fromLatin1(step).mid(4).toInt();
+        for (const WallWay &way : wallWays) {
+            for (const Structure &structure : structures)
+                QTest::addRow("%s, %s, %s", step, way.name, structure.name)
+                    << QString::fromLatin1(step)
+                    << written(
+                           withWalls(wallsOf(way, "c.radius", number == 17 ? "restitution" : "1")),
+                           structure);
+        }
+    }
+}
+
+void TestWallLaw::rightWallsHaveNoFault()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, program);
+    QCOMPARE(LawBench(task(step)).walls(program), QStringList());
+}
+
+void TestWallLaw::faultIsNamed_data()
+{
+    QTest::addColumn<QString>("walls");
+    QTest::addColumn<QStringList>("said");
+    const auto rows = [](const char *name, const char *reach, const char *back, const char *along,
+                         const QStringList &said) {
+        for (const WallWay &way : wallWays)
+            QTest::addRow("%s, %s", name, way.name) << wallsOf(way, reach, back, along) << said;
+    };
+    const QString centre =
+        text("At the walls the centre of both circles is asked for, not the rim");
+    const QString twice = text("At the walls e acts on both circles twice");
+    rows("centre", "0", "restitution", "1", {centre});
+    rows("diameter", "2 * c.radius", "restitution", "1",
+         {text("The walls turn both circles round too early")});
+    rows("far side", "-c.radius", "restitution", "1",
+         {text("The walls turn both circles round at the far side of the rim")});
+    rows("a little late", "c.radius - 0.03", "restitution", "1",
+         {text("The walls turn both circles round too late")});
+    rows("e squared", "c.radius", "restitution ^ 2", "1", {twice});
+    rows("root of e", "c.radius", "math.sqrt(restitution)", "1",
+         {text("At the walls the root of e acts on both circles")});
+    rows("1 - e", "c.radius", "1 - restitution", "1",
+         {text("At the walls 1 − e stands where e belongs, for both circles")});
+    rows("elastic", "c.radius", "1", "1",
+         {text("The walls give both circles all of the speed back")});
+    rows("a number", "c.radius", "0.75", "1",
+         {text("At the walls a number stands for e, for both circles")});
+    rows("e along, too", "c.radius", "restitution", "restitution",
+         {text("At the walls e also shortens the part of both circles along the wall")});
+    rows("whole velocity", "c.radius", "restitution", "-restitution",
+         {text("The walls turn the whole velocity of both circles round")});
+    rows("nothing along", "c.radius", "restitution", "0",
+         {text("The walls take the part of both circles along the wall away")});
+    rows("centre and e squared", "0", "restitution ^ 2", "1", {centre, twice});
+}
+
+void TestWallLaw::faultIsNamed()
+{
+    QFETCH(QString, walls);
+    QFETCH(QStringList, said);
+    const LawBench step(task(QStringLiteral("L42T17")));
+    for (const std::size_t structure : {0, 2})
+        QCOMPARE(step.walls(written(withWalls(walls), structures[structure])), said);
+}
+
+void TestWallLaw::wordsOfAStepWithoutLosesDoNotSpeakOfThem()
+{
+    const LawBench step(task(QStringLiteral("L42T7")));
+    const auto said = [&](const char *back) {
+        const QString walls = wallsOf(wallWays[1], "c.radius", back);
+        return step.walls(written(withWalls(walls), structures[3]));
+    };
+    QCOMPARE(said("0"), QStringList(text("The walls stop both circles")));
+    QCOMPARE(said("0.9"),
+             QStringList(text("The walls give both circles 0.9 times the speed back")));
+    QCOMPARE(said("2 / math.abs(v)"),
+             QStringList(text("The walls give both circles a speed of their own")));
+}
+
+void TestWallLaw::wrongMotionIsNoFaultOfTheWalls_data()
+{
+    QTest::addColumn<QString>("move");
+    for (const char *way :
+         {"c.velocity", "c.velocity / 60", "c.velocity * h * h", "2 * c.velocity * h",
+          "-c.velocity * h", "c.velocity * h + gravity * h", "vec(c.velocity.x, 0) * h"})
+        QTest::newRow(way) << QStringLiteral("c.position = c.position + %1 "
+                                             "c.velocity = c.velocity + gravity * h")
+                                  .arg(QLatin1String(way));
+    for (const char *fall : {"gravity", "2 * gravity * h", "-1 * gravity * h", "vec(0, -9.81) * h",
+                             "gravity * h - 0.3 * c.velocity * h"})
+        QTest::newRow(fall) << QStringLiteral("c.velocity = c.velocity + %1 "
+                                              "c.position = c.position + c.velocity * h")
+                                   .arg(QLatin1String(fall));
+}
+
+void TestWallLaw::wrongMotionIsNoFaultOfTheWalls()
+{
+    QFETCH(QString, move);
+    for (const char *step : {"L42T7", "L42T12"}) {
+        const LawBench judged(task(QLatin1String(step)));
+        for (const WallWay &way : wallWays) {
+            const LawProgram program{.move = move, .walls = wallsOf(way, "c.radius", "1")};
+            QCOMPARE(judged.walls(written(program, structures[1])), QStringList());
+        }
+    }
+}
+
+void TestWallLaw::oneCircleIsNamedForItsOwnWalls()
+{
+    const LawBench step(task(QStringLiteral("L42T14")));
+    const QString good = wallsOf(wallWays[0], "c.radius", "1");
+    const QString late = wallsOf(wallWays[0], "(c.index == 2 and 0 or c.radius)", "1");
+    const QString first = wallsOf(wallWays[0], "circle1.radius", "1");
+    QCOMPARE(step.walls(written(withWalls(good), structures[1])), QStringList());
+    QCOMPARE(step.walls(written(withWalls(late), structures[1])),
+             QStringList(text("At the walls the centre of circle 2 is asked for, not the rim")));
+    QCOMPARE(step.walls(written(withWalls(first), structures[3])),
+             QStringList(text("At the walls circle 2 has the radius of another circle")));
+    const QString open = QStringLiteral("if c.index == 1 then ") + good + QStringLiteral(" end");
+    QCOMPARE(step.walls(written(withWalls(open), structures[3])),
+             QStringList(text("No wall turns circle 2 round")));
+}
+
+QTEST_GUILESS_MAIN(TestWallLaw)
+#include "test_wall_law.moc"
