@@ -8,8 +8,9 @@ Probe::Probe(const QString *program, const Stage &stage)
     : m_scene(stage.preset)
 {
     if (program) {
-        m_program.emplace(
-            *program, StudentScript::Options{.pinned = stage.pinned, .quiet = true, .locked = {}});
+        m_program.emplace(*program,
+                          StudentScript::Options{
+                              .pinned = stage.pinned, .quiet = true, .silent = true, .locked = {}});
         if (m_program->begin(m_scene))
             return;
         if (!m_program->moves())

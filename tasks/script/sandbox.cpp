@@ -199,7 +199,8 @@ void noteError(lua_State *L)
 
 int catchError(lua_State *L)
 {
-    noteError(L);
+    if (!ScriptHost::of(L).silent)
+        noteError(L);
     return 1;
 }
 

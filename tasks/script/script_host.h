@@ -41,7 +41,8 @@ struct ScriptHost {
     std::map<QString, QString> locked{};
 
     // What was shown.
-    bool quiet = false; ///< nobody looks: count it and drop it
+    bool quiet = false;  ///< nobody looks: count it and drop it
+    bool silent = false; ///< nobody reads what errors say
     ProgramOutput output{};
     qint64 outputBytes = 0; ///< of this step
 

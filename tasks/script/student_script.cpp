@@ -62,6 +62,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.source = m_source;
     host.pinned = m_options.pinned;
     host.quiet = m_options.quiet;
+    host.silent = m_options.silent;
     host.timed = m_options.timed;
     host.stop = m_options.stop;
     host.gravity = scene.gravity;
@@ -142,8 +143,10 @@ std::optional<ProgramError> StudentScript::checkScene(const Preset &scene) const
 ProgramError StudentScript::errorOf(lua_State *L, int status)
 {
     ScriptHost &host = m_engine->host;
-    ProgramError error =
-        errorAtTop(L, host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status, m_source);
+    ProgramError error;
+    if (!host.silent)
+        error = errorAtTop(L, host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status,
+                           m_source);
     if (host.aborted)
         error.kind = *host.aborted;
     if (error.kind == ProgramError::Kind::Memory)
