@@ -1352,10 +1352,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Nicht jedes Treffen wird beantwortet</translation>
     </message>
     <message>
-        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and nothing was answered; other meetings are. What counts is the velocity of one relative to the other.</source>
-        <translation>Längs der Linie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie näherten sich also mit %3 m/s, und nichts wurde beantwortet, andere Treffen aber schon. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
-    </message>
-    <message>
         <source>Only the first hit is answered</source>
         <translation>Nur der erste Stoß wird beantwortet</translation>
     </message>
@@ -2136,10 +2132,6 @@ Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eige
         <translation>Hier kehrt nichts %who um: an %1</translation>
     </message>
     <message>
-        <source>A circle that is thrown there leaves the square and never comes back. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Ein Kreis, der dorthin geworfen wird, verlässt das Quadrat und kommt nie zurück. Ein Quadrat hat vier Wände: Sieh dir die Frage an, die dein Programm für jede stellt.</translation>
-    </message>
-    <message>
         <source>At the walls the centre of %who is asked for, not the rim</source>
         <translation>An den Wänden wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
     </message>
@@ -2264,10 +2256,6 @@ Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eige
         <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir das Vorzeichen an.</translation>
     </message>
     <message>
-        <source>The walls give %who %1 of the speed back</source>
-        <translation>Von den Wänden kommt für %who das %1-Fache des Tempos zurück</translation>
-    </message>
-    <message>
         <source>Look at the factor in front of the part that you turn round.</source>
         <translation>Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
     </message>
@@ -2362,6 +2350,22 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
 
 Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch einmal in die Wand gedreht (Schritt %2 eines niedrigen Falls oder langsamen Wurfs). Setz ihn wieder nach drinnen, oder frag, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
+    </message>
+    <message>
+        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
+        <translation>Entlang der Verbindungslinie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie kamen sich also mit %3 m/s näher und liefen ineinander, während andere Begegnungen beantwortet werden. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
+    </message>
+    <message>
+        <source>A hit does not stop both circles</source>
+        <translation>Ein Stoß hält nicht beide Kreise an</translation>
+    </message>
+    <message>
+        <source>A circle that is thrown there leaves the square. A square has four walls: look at the question that your program asks for each.</source>
+        <translation>Ein Kreis, der dorthin geworfen wird, verlässt das Quadrat. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 times the speed back</source>
+        <translation>Von den Wänden kommt für %who das %1-fache des Tempos zurück</translation>
     </message>
 </context>
 <context>

@@ -339,11 +339,10 @@ namespace {
 void noteLate(std::vector<PairHit> &hits)
 {
     for (PairHit &hit : hits) {
-        hit.late = hit.answered
-                   && std::any_of(hits.begin(), hits.end(), [&](const PairHit &other) {
-                          return other.isMet() && other.meeting.degrees == hit.meeting.degrees
-                                 && hit.before < 0.5 * other.reached;
-                      });
+        hit.late = hit.answered && std::any_of(hits.begin(), hits.end(), [&](const PairHit &other) {
+                       return other.isMet() && other.meeting.degrees == hit.meeting.degrees
+                              && hit.before < 0.5 * other.reached;
+                   });
     }
 }
 
