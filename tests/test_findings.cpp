@@ -21,6 +21,7 @@ private slots:
     void aspectThatCannotBeMeasuredIsNotJudged();
     void mistakeOfOneAspectDoesNotExplainAnother();
     void programThatStoppedHasNoWrongStart();
+    void wrongStartNamesTheLineThatSetsIt();
     void labOfAnotherKindGetsFindings_data();
     void labOfAnotherKindGetsFindings();
 
@@ -209,6 +210,25 @@ void TestFindings::programThatStoppedHasNoWrongStart()
     QVERIFY(report.error);
     for (const Finding &finding : report.findings)
         QVERIFY2(finding.aspect != Aspect::Start, qPrintable(finding.message));
+}
+
+void TestFindings::wrongStartNamesTheLineThatSetsIt()
+{
+    const auto line = [&](const char *step, QString program, const char *from, const char *to) {
+        const auto at = program.indexOf(QLatin1String(from));
+        if (at < 0)
+            return -1;
+        program.replace(at, qsizetype(qstrlen(from)), QLatin1String(to));
+        const Task &of = task(QLatin1String(step));
+        const CheckReport report = *judgeTask(m_lab, of, Submission(of.preset, program), 1);
+        const int wanted = int(program.left(at).count(QLatin1Char('\n'))) + 1;
+        return report.findings.empty() ? 0 : report.findings.front().line - wanted;
+    };
+    const auto solution = [&](const char *step) { return task(QLatin1String(step)).solution; };
+    QCOMPARE(line("L42T3", solution("L42T3"), "vec(0, -9.81)", "vec(0, -9)"), 0);
+    QCOMPARE(
+        line("L42T4", solution("L42T4"), "circle2.position = vec(-2", "circle2.position = vec(-1"),
+        0);
 }
 
 void TestFindings::labOfAnotherKindGetsFindings_data()

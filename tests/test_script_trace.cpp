@@ -19,6 +19,7 @@ private slots:
     void traceOfVeryManyAssignmentsEndsWithTheLast();
     void linesOfAnUpdateAreThoseThatRan();
     void traceOfAFailingStepIsWhatItDid();
+    void startTellsWhatOnLoadSets();
 
 private:
     void start(const char *source);
@@ -174,6 +175,28 @@ void TestScriptTrace::traceOfAFailingStepIsWhatItDid()
     start("function on_update(dt)\n  circle1.position = vec(0, 0)\n  circle1.position = 5\nend");
     QCOMPARE(m_program->trace(m_world, 0.5),
              (std::vector<Assignment>{{0, 2, Field::Position, true, {}}}));
+}
+
+void TestScriptTrace::startTellsWhatOnLoadSets()
+{
+    StudentScript program(QStringLiteral("local function place(c)\n"
+                                         "  c.position = vec(1, 2)\n"
+                                         "end\n"
+                                         "function on_load()\n"
+                                         "  gravity = vec(0, -9.81)\n"
+                                         "  restitution = 0.5\n"
+                                         "  place(circle1)\n"
+                                         "  error('enough')\n"
+                                         "  gravity = vec(0, 0)\n"
+                                         "end\n"));
+    Preset scene;
+    scene.circles.resize(1);
+    using enum Assignment::Field;
+    const std::vector<Assignment> wanted{
+        {.circle = -1, .line = 5, .field = Gravity, .changed = true, .calls = {}},
+        {.circle = -1, .line = 6, .field = Restitution, .changed = true, .calls = {}},
+        {.circle = 0, .line = 2, .field = Position, .changed = true, .calls = {7}}};
+    QCOMPARE(program.traceStart(scene), wanted);
 }
 
 QTEST_GUILESS_MAIN(TestScriptTrace)

@@ -13,6 +13,8 @@ struct Moment {
     qint64 step = 1;            ///< from 1
     std::vector<int> circles{}; ///< that show it, from 0
     bool isPosition = false;    ///< the place is wrong, not the velocity
+    /// The value that was wrong from the start, of the circles or, without one, of the scene.
+    std::optional<Assignment::Field> start{};
 };
 
 /// One thing in which a program's law is not the one that is asked for.

@@ -167,6 +167,8 @@ private:
     /// The assignment that last changed what is wrong, and the calls that led there.
     void mark(Finding &finding, const Moment &moment) const
     {
+        if (moment.start)
+            return markStart(finding, moment);
         if (!m_submission.script || moment.circles.empty())
             return;
         Probe probe(m_submission.program(), moment.stage);
@@ -190,10 +192,27 @@ private:
         }
     }
 
+    /// The assignment that gave a circle or the scene a wrong value before the first step.
+    void markStart(Finding &finding, const Moment &moment) const
+    {
+        if (!m_submission.script)
+            return;
+        StudentScript script(*m_submission.script,
+                             {.quiet = true, .silent = true, .locked = m_task.locked});
+        const int circle = moment.circles.empty() ? -1 : moment.circles.front();
+        for (const Assignment &assignment : script.traceStart(m_submission.preset)) {
+            if (assignment.field != moment.start || assignment.circle != circle)
+                continue;
+            finding.line = assignment.line;
+            finding.calls = assignment.calls;
+        }
+    }
+
     /// A line in which a small change mends this very fault is better than the last that ran.
     void prove(Finding &finding, const LawDeviation &deviation) const
     {
-        if (!m_provesLines || !m_submission.script || deviation.moment.circles.empty()
+        const Moment &moment = deviation.moment;
+        if (!m_provesLines || !m_submission.script || moment.start || moment.circles.empty()
             || m_findings.size() >= mostProven)
             return;
         const QString headline = headlineOf(deviation);

@@ -107,13 +107,6 @@ bool isLike(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const G
 
 const KnownScript *knownMistake(const MistakeQuery &query)
 {
-    // No answer at all looks the same whatever it comes of.
-    const auto answered = [](const PairHit &hit) { return hit.answered; };
-    const bool isPair = query.aspect == Aspect::Contact || query.aspect == Aspect::Response;
-    if (isPair
-        && std::none_of(query.own.pair().contacts.begin(), query.own.pair().contacts.end(),
-                        answered))
-        return nullptr;
     for (const KnownScript &mistake : query.task.mistakes) {
         if (explains(query, mistake))
             return &mistake;

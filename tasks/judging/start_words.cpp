@@ -4,6 +4,7 @@
 
 #include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
+#include "tasks/checks/motion.h"
 #include "tasks/observation.h"
 
 #include <QCoreApplication>
@@ -37,6 +38,34 @@ bool failed(const CheckSpec &check, const std::vector<CheckOutcome> &checks)
     });
 }
 
+/// The first value that is not as \p check, of the kind start, asks for.
+Moment momentOf(const CheckSpec &check, const Preset &start)
+{
+    using enum Assignment::Field;
+    const double tolerance = motion::toleranceOf(check, motion::samePosition);
+    const auto isOff = [&](const char *key, Vec2 value) {
+        const QJsonValue wanted = check.parameters.value(QLatin1String(key));
+        const QJsonArray list = wanted.toArray();
+        const Vec2 asked{(list.isEmpty() ? wanted : list[0]).toDouble(), list.at(1).toDouble()};
+        return !wanted.isUndefined() && length(value - asked) > tolerance * (1.0 + length(asked));
+    };
+    for (const int i : check.circles) {
+        if (i >= static_cast<int>(start.circles.size()))
+            break;
+        const Circle &c = start.circles[static_cast<std::size_t>(i)].body;
+        const std::pair<bool, Assignment::Field> values[]{
+            {isOff("position", c.position), Position},
+            {isOff("velocity", c.velocity), Velocity},
+            {isOff("radius", {c.radius, 0.0}), Radius},
+            {isOff("density", {c.density, 0.0}), Density}};
+        for (const auto &[off, field] : values) {
+            if (off)
+                return {.circles = {i}, .start = field};
+        }
+    }
+    return {};
+}
+
 /// A number of the scene that is not as the checks have it.
 std::optional<LawDeviation> wrongGravity(const Task &task, const Preset &start,
                                          const std::vector<CheckOutcome> &checks)
@@ -49,7 +78,7 @@ std::optional<LawDeviation> wrongGravity(const Task &task, const Preset &start,
                             StartText::tr("Gravity is %1 m/s², not %2\n\nSo it is when the run "
                                           "begins. Look at what `on_load` assigns to `gravity`.")
                                 .arg(brief(start.gravity), brief(*asked)),
-                            {}};
+                            {.start = Assignment::Field::Gravity}};
     }
     return std::nullopt;
 }
@@ -74,7 +103,7 @@ std::vector<LawDeviation> startDeviations(const Task &task, const Submission &su
                 {Aspect::Start,
                  outcome.message
                      + StartText::tr("\n\nLook at what `on_load` sets, and for which circle."),
-                 {}});
+                 momentOf(check, start)});
         }
     }
     if (isSeen) {
@@ -141,7 +170,7 @@ std::optional<LawDeviation> restitutionDeviation(const Task &task, const Submiss
                       "Work out what e has to be, and look at how `on_load` writes "
                       "it.")
             .arg(brief(own.start().restitution)),
-        {}};
+        {.start = Assignment::Field::Restitution}};
 }
 
 } // namespace cradle

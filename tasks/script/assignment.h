@@ -6,11 +6,11 @@
 
 namespace cradle {
 
-/// An assignment of a program to a circle, as it was made in one update.
+/// An assignment of a program to a circle or to a value of the scene, as it was made.
 struct Assignment {
-    enum class Field { Position, Velocity, Radius, Density };
+    enum class Field { Position, Velocity, Radius, Density, Gravity, Restitution };
 
-    int circle = 0; ///< from 0
+    int circle = 0; ///< from 0; -1 for a value of the scene
     int line = 0;   ///< from 1
     Field field = Field::Position;
     /// Another value is there than before, however near; 0 and -0 are the same. False as well where

@@ -65,6 +65,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.silent = m_options.silent;
     host.timed = m_options.timed;
     host.stop = m_options.stop;
+    host.trace = m_startTrace;
     host.gravity = scene.gravity;
     host.restitution = scene.restitution;
     host.halfWidth = scene.halfWidth;

@@ -62,6 +62,17 @@ Trace StudentScript::traced(World world, double dt)
     return trace;
 }
 
+std::vector<Assignment> StudentScript::traceStart(Preset scene)
+{
+    Trace trace;
+    m_startTrace = &trace;
+    (void)begin(scene);
+    m_startTrace = nullptr;
+    if (m_engine)
+        m_engine->host.trace = nullptr;
+    return trace.assignments;
+}
+
 std::vector<Assignment> StudentScript::trace(const World &world, double dt)
 {
     return traced(world, dt).assignments;

@@ -10,7 +10,7 @@
 
 namespace cradle {
 
-/// What is written down of one update.
+/// What is written down of one update, or of the start.
 struct Trace {
     std::vector<Assignment> assignments{}; ///< in order; of very many the last
     std::set<int> lines{};                 ///< of the program, that ran

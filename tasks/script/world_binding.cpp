@@ -157,6 +157,7 @@ void setGravity(lua_State *L)
         raise(L, WorldText::tr("gravity would be %1 m/s²; at most %2 is right")
                      .arg(describeValue(L, 3))
                      .arg(limits::maxAcceleration));
+    noteAssignment(L, -1, Assignment::Field::Gravity, !host.pinned && *v != host.gravity);
     if (host.pinned)
         return;
     if (*v != host.gravity)
@@ -173,6 +174,8 @@ void setRestitution(lua_State *L)
         raise(
             L,
             WorldText::tr("restitution must be a number from 0 to 1, not %1").arg(nameValue(L, 3)));
+    noteAssignment(L, -1, Assignment::Field::Restitution,
+                   !host.pinned && value != host.restitution);
     if (host.pinned)
         return;
     if (value != host.restitution)
