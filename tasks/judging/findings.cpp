@@ -215,22 +215,38 @@ private:
         if (!m_provesLines || !m_submission.script || moment.start || moment.circles.empty()
             || m_findings.size() >= mostProven)
             return;
-        const QString headline = headlineOf(deviation);
+        const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
+        const std::vector<LawDeviation> before = deviationsOf(m_own, aspect);
         const int line = lineAtFault(
-            {*m_submission.script, m_task.solution, deviation.moment, [&](const QString &program) {
+            {*m_submission.script, m_task.solution, moment, [&](const QString &program) {
                  const MeasuredLaws laws(&program, m_ground);
-                 const Aspect aspect =
-                     deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
-                 const std::vector<LawDeviation> left = deviationsOf(laws, aspect);
                  return seesAsMuch(laws, aspect)
-                        && std::none_of(left.begin(), left.end(), [&](const LawDeviation &d) {
-                               return headlineOf(d) == headline;
-                           });
+                            ? mendingOf(deviation, before, deviationsOf(laws, aspect))
+                            : Mending::None;
              }});
         if (line == 0 || line == finding.line)
             return;
         finding.line = line;
         finding.calls.clear();
+    }
+
+    /// What became of \p fault: gone, or less of it, with nothing new instead.
+    static Mending mendingOf(const LawDeviation &fault, const std::vector<LawDeviation> &before,
+                             const std::vector<LawDeviation> &left)
+    {
+        const auto hasHeadline = [](const std::vector<LawDeviation> &all, const QString &line) {
+            return std::any_of(all.begin(), all.end(),
+                               [&](const LawDeviation &d) { return headlineOf(d) == line; });
+        };
+        if (!hasHeadline(left, headlineOf(fault)))
+            return Mending::All;
+        const bool isNew = std::any_of(left.begin(), left.end(), [&](const LawDeviation &d) {
+            return !hasHeadline(before, headlineOf(d));
+        });
+        const bool isSame = std::any_of(left.begin(), left.end(), [&](const LawDeviation &d) {
+            return d.message == fault.message;
+        });
+        return isNew || isSame ? Mending::None : Mending::Part;
     }
 
     /// Whether as much can be told of a changed program: what cannot be measured is not mended.

@@ -16,7 +16,7 @@ namespace cradle {
 namespace {
 
 /// Changed programs that pass the first look and are measured.
-constexpr int mostMeasured = 5;
+constexpr int mostMeasured = 6;
 /// Steps after the moment, in which an answer that comes a step later has come.
 constexpr qint64 later = 2;
 /// Of velocities: a step earlier or later gravity has changed a little.
@@ -87,13 +87,36 @@ std::set<int> suspects(const FaultQuery &query)
     return lines;
 }
 
+/// Lines that mend, and how often.
+class Mended
+{
+public:
+    void note(int line)
+    {
+        if (m_times[line]++ == 0)
+            m_order.push_back(line);
+    }
+    /// The line that mends most often, of equal ones the first; 0 if there is none.
+    [[nodiscard]] int most() const
+    {
+        const auto at = std::max_element(m_order.begin(), m_order.end(), [&](int a, int b) {
+            return m_times.at(a) < m_times.at(b);
+        });
+        return at == m_order.end() ? 0 : *at;
+    }
+
+private:
+    std::map<int, int> m_times;
+    std::vector<int> m_order;
+};
+
 } // namespace
 
 int lineAtFault(const FaultQuery &query)
 {
     const Look look(query);
-    std::map<int, int> mended;
-    std::vector<int> order;
+    Mended all;
+    Mended parts;
     int measured = 0;
     for (const Repair &repair : repairsOf(query.program, suspects(query))) {
         if (measured >= mostMeasured)
@@ -101,14 +124,11 @@ int lineAtFault(const FaultQuery &query)
         if (!look.isRight(repair.source))
             continue;
         ++measured;
-        if (!query.isMended(repair.source))
-            continue;
-        if (mended[repair.line]++ == 0)
-            order.push_back(repair.line);
+        const Mending mending = query.mending(repair.source);
+        if (mending != Mending::None)
+            (mending == Mending::All ? all : parts).note(repair.line);
     }
-    const auto most = std::max_element(order.begin(), order.end(),
-                                       [&](int a, int b) { return mended[a] < mended[b]; });
-    return most == order.end() ? 0 : *most;
+    return all.most() != 0 ? all.most() : parts.most();
 }
 
 } // namespace cradle

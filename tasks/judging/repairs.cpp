@@ -259,8 +259,11 @@ private:
         if (isRate) {
             for (const QString &timestep : m_timesteps)
                 insert(last, QStringLiteral(" * ") + timestep);
-            insert(last, QStringLiteral(" * restitution"));
         }
+        // Something that is turned round.
+        const bool isTurned = i > 1 && m_tokens[i - 1].is("-") && !m_tokens[i - 2].endsOperand();
+        if (isRate || isTurned)
+            insert(last, QStringLiteral(" * restitution"));
         if (last.is("radius") && after >= 3) {
             const QString body = m_tokens[after - 3].text;
             insert(last, QStringLiteral(" * %1.radius").arg(body));
