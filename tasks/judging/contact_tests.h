@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/measured_pair.h"
+
+#include <QCoreApplication>
+
+#include <functional>
+
+namespace cradle {
+
+struct ContactText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// A test of contact that a program may have in place of the sum of the radii.
+struct ContactTest {
+    std::function<double(const PairHit &)> distance; ///< at which it says that they touch, m
+    QString headline;
+    QString body;
+};
+
+/// Those that students write, as far as such \p radii tell them apart.
+[[nodiscard]] std::vector<ContactTest> contactTests(const Ground::Range &radii);
+
+} // namespace cradle

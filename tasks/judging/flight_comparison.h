@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/measured_flight.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace cradle {
+
+struct FlightText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// What is said of one circle; the same of several is said once, with their names in place of %who.
+struct FlightSaid {
+    QString headline;
+    QString body;
+    Moment moment{};
+    bool isMethod = false; ///< it is about the integrator
+};
+
+/// The flight of one circle beside that of the reference.
+class FlightComparison
+{
+public:
+    /// Relative: what is more is another law, not another rounding.
+    static constexpr double wrong = 1e-4;
+
+    FlightComparison(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground,
+                     int circle)
+        : m_own(own)
+        , m_right(right)
+        , m_ground(ground)
+        , m_i(circle)
+    {
+    }
+
+protected:
+    using Part = std::function<double(const Flight &)>;
+
+    [[nodiscard]] Vec2 gravity() const { return m_ground.gravities.front(); }
+    [[nodiscard]] double timestep() const { return m_ground.timesteps.front(); }
+    [[nodiscard]] const Flight &flight(std::size_t h) const
+    {
+        return m_own.at(gravity(), m_ground.timesteps[h], m_i);
+    }
+    /// Of the reference, under the same conditions as flight(0).
+    [[nodiscard]] const Flight &right() const { return m_right.at(gravity(), timestep(), m_i); }
+    /// How far a growth of the velocity that nobody asked for shows in a step, relative.
+    [[nodiscard]] double growthBlur(std::size_t h) const
+    {
+        const Vec2 off =
+            flight(h).growth - m_right.at(gravity(), m_ground.timesteps[h], m_i).growth;
+        return 1.1 * std::max(std::abs(off.x), std::abs(off.y)) * m_ground.timesteps[h];
+    }
+    [[nodiscard]] Moment moment(bool isPosition, Vec2 g) const
+    {
+        return {flightStage(m_ground, g, timestep()), 2, {m_i}, isPosition};
+    }
+    [[nodiscard]] FlightSaid said(const QString &headline, const QString &body,
+                                  bool isPosition) const
+    {
+        return {headline, body, moment(isPosition, gravity())};
+    }
+
+    /// \p part divided by that of the reference, for every timestep.
+    [[nodiscard]] TimestepPattern pattern(Vec2 g, const Part &part) const
+    {
+        std::vector<std::pair<double, double>> factors;
+        for (const double h : m_ground.timesteps)
+            factors.emplace_back(h, part(m_own.at(g, h, m_i)) / part(m_right.at(g, h, m_i)));
+        return patternOf(factors);
+    }
+
+    /// Where a number stands for the timestep, one that is another number shows it.
+    [[nodiscard]] std::size_t shownTimestep(const TimestepPattern &p) const
+    {
+        if (p.kind != TimestepPattern::Kind::Fixed)
+            return 0;
+        const auto &all = m_ground.timesteps;
+        const auto off = [&](double h) { return std::abs(std::log(h / p.value)); };
+        const auto most = std::max_element(all.begin(), all.end(),
+                                           [&](double a, double b) { return off(a) < off(b); });
+        return static_cast<std::size_t>(most - all.begin());
+    }
+
+    [[nodiscard]] static bool isRight(const TimestepPattern &p)
+    {
+        return p.kind == TimestepPattern::Kind::Constant && std::abs(p.value - 1.0) < wrong;
+    }
+
+    /// What brakes or drives the velocity shows in \p part of the same step as well.
+    [[nodiscard]] bool isBlurred(Vec2 g, const Part &part) const
+    {
+        for (std::size_t h = 0; h < m_ground.timesteps.size(); ++h) {
+            const double step = m_ground.timesteps[h];
+            const double factor = part(m_own.at(g, step, m_i)) / part(m_right.at(g, step, m_i));
+            if (!(std::abs(factor - 1.0) <= growthBlur(h)))
+                return false;
+        }
+        return growthBlur(0) > 0.0;
+    }
+
+    const MeasuredFlight &m_own;
+    const MeasuredFlight &m_right;
+    const Ground &m_ground;
+    int m_i;
+};
+
+/// What is wrong with the fall of a circle under gravity; the first that is found.
+[[nodiscard]] std::optional<FlightSaid> fallSaid(const FlightComparison &comparison);
+/// Whether the circle moves by another integrator than those that are asked for.
+/// \param isFallRight  else only a method that is known and is none of those asked for
+[[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,
+                                                   bool isFallRight);
+/// What is wrong with the methods of all circles together.
+[[nodiscard]] std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own,
+                                                          const Ground &ground);
+
+} // namespace cradle

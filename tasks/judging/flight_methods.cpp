@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_comparison.h"
+
+namespace cradle {
+
+namespace {
+
+class MethodJudge : FlightComparison
+{
+public:
+    explicit MethodJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+    {
+    }
+
+    [[nodiscard]] std::optional<FlightSaid> method(bool isFallRight) const
+    {
+        const auto shares = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
+        for (const Vec2 g : m_ground.gravities) {
+            const auto share = m_own.at(g, timestep(), m_i).share(timestep());
+            if (!share)
+                continue;
+            const auto is = [&](double s) { return std::abs(*share - s) < 1e-3; };
+            if (std::any_of(shares.begin(), shares.end(), is)
+                || (!isFallRight && !isOtherMethod(g, *share)))
+                return std::nullopt;
+            const QString asked =
+                shares.size() == 1 ? FlightText::tr("%1 is asked for.").arg(brief(shares.front()))
+                                   : FlightText::tr("One of these is asked for.");
+            return FlightSaid{
+                headlineOf(*share, shares),
+                FlightText::tr("From rest under gravity %1 m/s² it goes on by %2 a Δt² in "
+                               "a step besides v Δt. Euler moves with the old velocity, 0; "
+                               "symplectic Euler with the new one, 1; the exact methods "
+                               "with ½.")
+                        .arg(brief(g), brief(*share))
+                    + QLatin1Char(' ') + asked,
+                moment(true, g), true};
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// Whether that share is a method of its own, and not the right drift beside a wrong fall.
+    [[nodiscard]] bool isOtherMethod(Vec2 g, double share) const
+    {
+        const Vec2 a = m_right.at(g, timestep(), m_i).acceleration;
+        const Vec2 drift = m_own.at(g, timestep(), m_i).drift;
+        const double asked = dot(drift, a) / (lengthSquared(a) * timestep() * timestep());
+        const auto &shares = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
+        return lengthSquared(a) > 0.0 && (std::abs(share) < 1e-3 || std::abs(share - 1.0) < 1e-3)
+               && std::none_of(shares.begin(), shares.end(),
+                               [&](double s) { return std::abs(asked - s) < 1e-3; });
+    }
+
+    static QString headlineOf(double share, const std::vector<double> &wanted)
+    {
+        const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
+        if (wanted.size() > 1)
+            return FlightText::tr("The motion of %who is no known method");
+        const QString asked = shareName(wanted.front());
+        if (is(0.0) || is(0.5) || is(1.0))
+            return FlightText::tr("The motion of %who is %1, not %2").arg(shareName(share), asked);
+        return FlightText::tr("The motion of %who is no known method; %1 is asked for").arg(asked);
+    }
+
+    static QString shareName(double share)
+    {
+        if (std::abs(share) < 1e-3)
+            return FlightText::tr("Euler");
+        if (std::abs(share - 1.0) < 1e-3)
+            return FlightText::tr("symplectic Euler");
+        return FlightText::tr("the exact parabola (Verlet, Runge-Kutta 4)");
+    }
+};
+
+} // namespace
+
+std::optional<FlightSaid> methodSaid(const FlightComparison &comparison, bool isFallRight)
+{
+    return MethodJudge(comparison).method(isFallRight);
+}
+
+std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Ground &ground)
+{
+    const double h = ground.timesteps.front();
+    std::vector<double> shares;
+    std::vector<int> circles;
+    for (std::size_t i = 0; i < ground.flights.size(); ++i) {
+        const int circle = static_cast<int>(i);
+        for (const Vec2 g : ground.gravities) {
+            if (const auto share = own.at(g, h, circle).share(h)) {
+                shares.push_back(*share);
+                circles.push_back(circle);
+                break;
+            }
+        }
+    }
+    if (shares.size() != ground.flights.size() || shares.size() < 2)
+        return std::nullopt;
+    const auto asks = [&](std::size_t i, double share) {
+        const auto &all = ground.flights[i].shares;
+        return std::any_of(all.begin(), all.end(),
+                           [&](double s) { return std::abs(s - share) < 1e-3; });
+    };
+    LawDeviation deviation{
+        Aspect::Motion, {}, {flightStage(ground, ground.gravities.front(), h), 2, circles, true}};
+    const bool exchanged =
+        asks(0, shares[1]) && asks(1, shares[0]) && !asks(0, shares[0]) && !asks(1, shares[1]);
+    if (exchanged) {
+        deviation.message =
+            FlightText::tr("The circles have each other's method\n\nUnder gravity circle 1 goes on "
+                           "by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it "
+                           "should be the other way round. Look at which circle goes with which "
+                           "method.")
+                .arg(brief(shares[0]), brief(shares[1]));
+        return deviation;
+    }
+    if (ground.sameIntegrator && std::abs(shares[0] - shares[1]) > 1e-3 && asks(0, shares[0])
+        && asks(1, shares[1])) {
+        deviation.message =
+            FlightText::tr("The circles move by different methods\n\nUnder gravity circle 1 goes "
+                           "on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both "
+                           "need the same. Look at which lines move which circle.")
+                .arg(brief(shares[0]), brief(shares[1]));
+        return deviation;
+    }
+    return std::nullopt;
+}
+
+} // namespace cradle

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_range.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr double kick = 1e-6;      ///< of a velocity, relative: what no rounding makes
+constexpr double shortStep = 1e-4; ///< s, so that the line of centres hardly turns in a step
+constexpr int fewSteps = 8;
+constexpr double secondsOfOwn = 6.0;
+
+} // namespace
+
+PairRange::PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight)
+    : m_program(program)
+    , m_ground(ground)
+    , m_flight(flight)
+    , m_h(ground.timesteps.empty() ? 1.0 / 60.0 : ground.timesteps.front())
+{
+}
+
+bool PairRange::isKnown() const
+{
+    for (const double h : {m_h, shortStep}) {
+        const auto &flights = m_flight.at({}, h);
+        for (const Flight &f : {flights[0], flights[1]}) {
+            if (!f.isKnown || f.way.x <= 0.0 || !isAlike(f.way.x, f.way.y)
+                || !isAlike(f.way.x, flights[0].way.x)
+                || length(f.drift) > 0.1 * f.way.x * h * slowness(h))
+                return false;
+        }
+    }
+    return true;
+}
+
+PairHit PairRange::scan(const Meeting &meeting) const
+{
+    return meet(meeting, 2.2137 * meeting.sum(), meeting.sum(), m_h);
+}
+
+PairHit PairRange::look(const Meeting &meeting) const
+{
+    const double way = std::abs(meeting.closing()) * shortStep;
+    const std::array key{meeting.radius1, meeting.radius2, meeting.degrees};
+    const auto seen = m_seen.find(key);
+    const double guess = seen == m_seen.end() ? meeting.sum() : seen->second;
+    const PairHit hit = meet(meeting, guess + 2.4 * way, guess, shortStep, fewSteps);
+    if (hit.answered && hit.step > 1)
+        return hit;
+    // It is not where it should be: where it is, scan() knows to a step.
+    const PairHit coarse = scan(meeting);
+    // Who answers too late may let them pass each other, but not when they come straight.
+    const PairHit found = coarse.answered ? coarse : scan(straight(meeting));
+    if (!found.answered)
+        return coarse;
+    const PairHit fine =
+        meet(meeting, found.before + way, 0.5 * (found.before + found.reached), shortStep);
+    if (!fine.answered)
+        return coarse;
+    // Once more, so that they stand along the same line when they are answered.
+    m_seen[key] = 0.5 * (fine.before + fine.reached);
+    const PairHit exact = meet(meeting, m_seen[key] + 2.4 * way, m_seen[key], shortStep, fewSteps);
+    return exact.answered ? exact : fine;
+}
+
+Meeting PairRange::straight(Meeting meeting)
+{
+    meeting.velocities.across1 = meeting.velocities.across2 = 0.0;
+    return meeting;
+}
+
+PairHit PairRange::part(const Meeting &meeting) const
+{
+    const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
+    const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
+    return meet(meeting, distance, distance, m_h, 1);
+}
+
+std::optional<PairHit> PairRange::own() const
+{
+    PairHit hit;
+    hit.stage = {m_ground.own, false};
+    Probe probe(m_program, hit.stage);
+    if (!probe.runs() || probe.start().circles.size() < 2)
+        return std::nullopt;
+    const Preset &scene = probe.start();
+    const std::vector<Flight> &flights = m_flight.at(scene.gravity, scene.timestep);
+    const auto steps = static_cast<int>(secondsOfOwn / scene.timestep);
+    for (int k = 1; k <= steps; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            return std::nullopt;
+        const double distance = length(before[1].position - before[0].position);
+        if (distance > 1.5 * (before[0].radius + before[1].radius))
+            continue;
+        note(hit, before, probe, flights, k);
+        if (!hit.answered)
+            continue;
+        hit.meeting = {.radius1 = before[0].radius,
+                       .radius2 = before[1].radius,
+                       .density1 = before[0].density,
+                       .density2 = before[1].density,
+                       .restitution = scene.restitution,
+                       .velocities = hit.cameParts()};
+        return hit;
+    }
+    return std::nullopt;
+}
+
+void PairRange::meetAgain(MeasuredPair &pair) const
+{
+    Preset preset = m_ground.stage();
+    preset.timestep = m_h;
+    preset.circles[0].body.position = {2.57, 0.41};
+    preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
+    preset.circles[1].body.position = {3.13, 0.41};
+    Probe probe(m_program, {preset, true});
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    PairHit hit{.slowness = slowness(m_h)};
+    bool was = false;
+    for (int k = 1; k * m_h < 1.3; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            break;
+        hit.answered = false;
+        const Vec2 d = before[1].position - before[0].position;
+        if (length(d) < 0.5)
+            note(hit, before, probe, flights, k);
+        const bool is = hit.answered && length(hit.push1()) > 0.1;
+        pair.ownContacts += is && !was ? 1 : 0;
+        was = is;
+        const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
+        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < 0.2;
+    }
+    if (pair.ranThrough)
+        pair.returning = scan({.velocities = {.along2 = -1.2}});
+}
+
+Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h) const
+{
+    Preset preset = m_ground.stage();
+    preset.timestep = h;
+    preset.restitution = m.restitution;
+    const double angle = m.degrees * std::numbers::pi / 180.0;
+    const Vec2 n{std::cos(angle), std::sin(angle)};
+    const Vec2 t = perpendicular(n);
+    const Vec2 middle{0.17, -0.23};
+    Circle &a = preset.circles[0].body;
+    Circle &b = preset.circles[1].body;
+    const PairVelocities &v = m.velocities;
+    const double time = m.closing() > 0.0 ? (distance - aim) / m.closing() : 0.0;
+    const auto place = [&](double along, double across) {
+        return middle + along * distance * n - time * across * t;
+    };
+    const auto velocity = [&](double along, double across) {
+        return slowness(h) * (along * n + across * t);
+    };
+    a = {place(-0.5, v.across1), velocity(v.along1, v.across1), m.radius1, m.density1};
+    b = {place(0.5, v.across2), velocity(v.along2, v.across2), m.radius2, m.density2};
+    for (std::size_t i = 2; i < preset.circles.size(); ++i)
+        preset.circles[i].body.position = {-3.1, -3.1 + static_cast<double>(i - 2)};
+    return {preset, true};
+}
+
+PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, double h,
+                        int most) const
+{
+    PairHit hit{.meeting = meeting, .slowness = slowness(h)};
+    hit.stage = stageOf(meeting, distance, aim, h);
+    Probe probe(m_program, hit.stage);
+    const std::vector<Flight> &flights = m_flight.at({}, h);
+    for (int k = 1; k <= most && probe.runs(); ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        const Vec2 d = before[1].position - before[0].position;
+        // A wall is not their affair.
+        if (isNearWall(before[0]) || isNearWall(before[1]))
+            break;
+        // They have run through each other.
+        if (k > 2 && dot(d, before[0].velocity - before[1].velocity) < 0.0
+            && length(d) > 0.3 * meeting.sum())
+            break;
+        if (!probe.step())
+            break;
+        note(hit, before, probe, flights, k);
+        if (hit.answered)
+            break;
+    }
+    return hit;
+}
+
+bool PairRange::isNearWall(const Circle &c)
+{
+    return std::max(std::abs(c.position.x), std::abs(c.position.y)) > 3.7 - c.radius;
+}
+
+void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+                     const std::vector<Flight> &flights, int k)
+{
+    const double h = probe.start().timestep;
+    const Motion free1 = flights[0].after(before[0], h);
+    const Motion free2 = flights[1].after(before[1], h);
+    const auto turned = [&](Vec2 made, Vec2 free) {
+        return length(made - free) > kick * (hit.slowness + length(free));
+    };
+    const Circle &now1 = probe.circle(0);
+    const Circle &now2 = probe.circle(1);
+    if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity))
+        return;
+    hit.answered = true;
+    hit.step = k;
+    const Vec2 d = before[1].position - before[0].position;
+    const Vec2 next = free2.position - free1.position;
+    hit.before = length(d);
+    hit.reached = dot(next, d) < 0.0 ? 0.0 : length(next);
+    hit.normal = normalized(d);
+    hit.nextNormal = normalized(next);
+    hit.parting = dot(next, free1.velocity - free2.velocity) < 0.0;
+    hit.came1 = free1.velocity / hit.slowness;
+    hit.came2 = free2.velocity / hit.slowness;
+    hit.left1 = now1.velocity / hit.slowness;
+    hit.left2 = now2.velocity / hit.slowness;
+    noteLeap(hit, 0, before[0].position, free1.position, now1.position);
+    noteLeap(hit, 1, before[1].position, free2.position, now2.position);
+    const Vec2 then = now2.position - now1.position;
+    hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
+                      && dot(then, now2.velocity - now1.velocity) > 0.0;
+}
+
+void PairRange::noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, Vec2 now)
+{
+    const double leap = std::min(length(now - before), length(now - free));
+    if (leap > 0.6 * hit.meeting.sum() + 4.0 * length(free - before)) {
+        hit.leaper = circle;
+        hit.landed = now;
+    }
+}
+
+} // namespace cradle

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/likeness.h"
+#include "tasks/judging/measured_pair.h"
+
+#include <array>
+#include <map>
+
+namespace cradle {
+
+/// Throws circles at each other and looks.
+class PairRange
+{
+public:
+    PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight);
+
+    /// Whether both circles go as far as their velocities, one as the other.
+    [[nodiscard]] bool isKnown() const;
+
+    /// Whether they go as far as they should, so that the own scene can be read.
+    [[nodiscard]] bool isUsual() const { return isAlike(slowness(m_h), 1.0, 0.05); }
+
+    /// Comes from far in steps of the usual length.
+    [[nodiscard]] PairHit scan(const Meeting &meeting) const;
+
+    /// The same in so short steps that the answer can be read exactly.
+    [[nodiscard]] PairHit look(const Meeting &meeting) const;
+
+    /// Overlaps and moves apart: one step.
+    [[nodiscard]] PairHit part(const Meeting &meeting) const;
+
+    /// The first hit of the pair in the student's own scene.
+    [[nodiscard]] std::optional<PairHit> own() const;
+
+    /// Circle 2, pushed, comes back from the wall behind it: how often they meet, and whether it
+    /// runs through circle 1.
+    void meetAgain(MeasuredPair &pair) const;
+
+private:
+    /// The same without what does not bring them nearer.
+    static Meeting straight(Meeting meeting);
+    /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
+    [[nodiscard]] double slowness(double h) const { return 1.0 / m_flight.at({}, h)[0].way.x; }
+
+    /// \param distance  of the centres at the start, m
+    /// \param aim       when they are so far apart, they stand along the line that is asked for, m
+    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h) const;
+
+    [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
+                               int most = 400) const;
+
+    static bool isNearWall(const Circle &c);
+
+    static void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+                     const std::vector<Flight> &flights, int k);
+
+    /// Whether a circle was put farther from its path than any way of parting two puts it.
+    static void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, Vec2 now);
+
+    const QString *m_program;
+    const Ground &m_ground;
+    const MeasuredFlight &m_flight;
+    double m_h;
+    /// Where circles of these radii were answered at that angle, if not where their rims meet, m.
+    mutable std::map<std::array<double, 3>, double> m_seen{};
+};
+
+} // namespace cradle

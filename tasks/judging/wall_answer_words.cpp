@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_comparison.h"
+
+#include "tasks/checks/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+/// Two programs may differ by so much at a wall under gravity or without: see MeasuredWalls::blur.
+bool isNear(double a, double b, double blur)
+{
+    return std::abs(a - b) <= blur * (1.0 + std::abs(b));
+}
+
+class AnswerJudge : WallComparison
+{
+public:
+    explicit AnswerJudge(const WallComparison &walls)
+        : WallComparison(walls)
+    {
+    }
+
+    [[nodiscard]] std::optional<LawDeviation> find() const
+    {
+        std::vector<std::size_t> odd;
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            const WallHit &hit = m_own.hits[i];
+            const WallHit &right = rightOf(i);
+            // It may have come to another place, and have been hit there.
+            if ((hit.isLeap() && !right.isLeap()) || (hit.kicks && !right.kicks))
+                continue;
+            if (hit.held && right.turned)
+                odd.push_back(i);
+            else if (hit.turned && right.turned
+                     && (!isNear(hit.back, right.back, blur())
+                         || !isNear(hit.along, right.along, blur())))
+                odd.push_back(i);
+        }
+        if (odd.empty())
+            return std::nullopt;
+        std::set<int> circles;
+        std::set<Wall> walls;
+        for (const std::size_t i : odd) {
+            circles.insert(m_own.hits[i].circle);
+            walls.insert(m_own.hits[i].wall);
+        }
+        // The hit that shows most: one with losses, if those are what is wrong.
+        const std::size_t at = *std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
+            const auto rank = [&](std::size_t i) {
+                const double e = m_own.hits[i].restitution;
+                return std::abs(e - 0.5);
+            };
+            return rank(a) < rank(b);
+        });
+        const WallHit &hit = m_own.hits[at];
+        const WallHit &right = rightOf(at);
+        const auto [headline, why] = answerWords(odd, hit, right);
+        const QString where = walls.size() < wallsLike(hit)
+                                  ? WallText::tr("So it is here: %1. ").arg(namesOf(walls))
+                                  : QString();
+        return deviation(headline, seenAt(hit, right) + QLatin1Char(' ') + where + why, hit,
+                         {circles.begin(), circles.end()}, hit.held);
+    }
+
+private:
+    [[nodiscard]] double blur() const { return std::max(m_own.blur, m_right.blur); }
+
+    [[nodiscard]] QString seenAt(const WallHit &hit, const WallHit &right) const
+    {
+        const Vec2 n = outwardNormal(hit.wall);
+        const Vec2 t = perpendicular(n);
+        const Vec2 good = -right.back * dot(hit.came, n) * n + right.along * dot(hit.came, t) * t;
+        return (rebounds() ? WallText::tr("With e = %1: ").arg(brief(hit.restitution)) : QString())
+               + WallText::tr("It came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is "
+                              "right.")
+                     .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
+                          brief(good));
+    }
+
+    /// At how many walls circles were shot under the same conditions as \p hit.
+    [[nodiscard]] std::size_t wallsLike(const WallHit &hit) const
+    {
+        std::set<Wall> walls;
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            if (m_own.hits[i].restitution == hit.restitution && rightOf(i).turned)
+                walls.insert(m_own.hits[i].wall);
+        }
+        return walls.size();
+    }
+
+    /// Whether the ratio \p part is \p law of the restitution in all hits by those circles and at
+    /// those walls of which some are at \p odd.
+    template <class Part, class Law>
+    bool follows(const std::vector<std::size_t> &odd, Part part, Law law) const
+    {
+        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            const bool isMeant = std::any_of(odd.begin(), odd.end(), [&](std::size_t i) {
+                return m_own.hits[i].circle == hit.circle && m_own.hits[i].wall == hit.wall;
+            });
+            return !isMeant || hit.isLeap() || !(hit.turned || hit.held)
+                   || isNear(part(hit), law(hit.restitution), blur());
+        });
+    }
+
+    [[nodiscard]] std::pair<QString, QString>
+    answerWords(const std::vector<std::size_t> &odd, const WallHit &hit, const WallHit &right) const
+    {
+        const auto back = [](const WallHit &h) { return h.back; };
+        const auto along = [](const WallHit &h) { return h.along; };
+        const auto one = [](double) { return 1.0; };
+        const auto minusOne = [](double) { return -1.0; };
+        const auto zero = [](double) { return 0.0; };
+        const auto same = [](double e) { return e; };
+        const QString normalOnly = WallText::tr("A smooth wall pushes along its normal only.");
+        if (hit.held)
+            return {WallText::tr("The walls hold %who and turn no velocity round"),
+                    WallText::tr("It is put back in every step and runs into the wall again.")};
+        if (follows(odd, back, minusOne) && follows(odd, along, minusOne))
+            return {WallText::tr("The walls turn the wrong part of the velocity of %who"),
+                    WallText::tr("The normal of the side walls points along x, that of floor and "
+                                 "ceiling along y.")};
+        if (follows(odd, along, [&](double e) { return rebounds() ? -e : -1.0; })
+            && follows(odd, back, [&](double e) { return rebounds() ? e : 1.0; }))
+            return {WallText::tr("The walls turn the whole velocity of %who round"), normalOnly};
+        if (rebounds() && follows(odd, along, same) && follows(odd, back, same))
+            return {WallText::tr("At the walls e also shortens the part of %who along the wall"),
+                    normalOnly};
+        if (rebounds() && follows(odd, along, same) && follows(odd, back, one))
+            return {WallText::tr("At the walls e acts on the wrong part of the velocity of %who"),
+                    normalOnly};
+        if (follows(odd, along, minusOne))
+            return {WallText::tr("The walls turn the part of %who along the wall round, too"),
+                    normalOnly};
+        if (follows(odd, along, zero))
+            return {WallText::tr("The walls take the part of %who along the wall away"),
+                    normalOnly};
+        if (!isNear(hit.along, right.along, blur()))
+            return {WallText::tr("The walls change the part of %who along the wall"), normalOnly};
+        return backWords(odd, hit);
+    }
+
+    [[nodiscard]] std::pair<QString, QString> backWords(const std::vector<std::size_t> &odd,
+                                                        const WallHit &hit) const
+    {
+        const auto back = [](const WallHit &h) { return h.back; };
+        for (const BackLaw &law : backLaws()) {
+            if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
+                return {law.headline, law.why};
+        }
+        const auto number = [&](double) { return hit.back; };
+        if (odd.size() > 2 && rebounds() && follows(odd, back, number))
+            return {
+                WallText::tr("At the walls a number stands for e, for %who"),
+                WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
+        if (const auto speed = ownSpeed(odd))
+            return {WallText::tr("The walls give %who a speed of their own"),
+                    WallText::tr("However fast it comes, it leaves the wall with %1 m/s: work the "
+                                 "new velocity out from the old one.")
+                        .arg(brief(*speed))};
+        if (hit.back < 0.0)
+            return {WallText::tr("The walls do not turn %who round"),
+                    WallText::tr("Its velocity still points into the wall: look at the sign.")};
+        return {WallText::tr("The walls give %who %1 times the speed back").arg(brief(hit.back)),
+                WallText::tr("Look at the factor in front of the part that you turn round.")};
+    }
+
+    /// What may stand where the speed that comes back does.
+    struct BackLaw {
+        double (*back)(double e);
+        bool hasE; ///< it says something of e
+        QString headline;
+        QString why;
+    };
+
+    static std::vector<BackLaw> backLaws()
+    {
+        const QString look = WallText::tr("Look at the sign: the velocity still points into the "
+                                          "wall.");
+        return {{[](double) { return 1.0; }, true,
+                 WallText::tr("The walls give %who all of the speed back"),
+                 WallText::tr("e is not used at these walls.")},
+                {[](double e) { return e * e; }, true,
+                 WallText::tr("At the walls e acts on %who twice"),
+                 WallText::tr("Heights go with e², speeds with e.")},
+                {[](double e) { return std::sqrt(e); }, true,
+                 WallText::tr("At the walls the root of e acts on %who"),
+                 WallText::tr("Heights go with e², speeds with e.")},
+                {[](double) { return 0.0; }, false, WallText::tr("The walls stop %who"),
+                 WallText::tr("Nothing brings it back.")},
+                {[](double e) { return 1.0 - e; }, true,
+                 WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
+                 WallText::tr("1 − e is what is lost; e is what is left.")},
+                {[](double e) { return 1.0 + e; }, true,
+                 WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
+                 WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
+                {[](double) { return -1.0; }, false,
+                 WallText::tr("The walls do not turn %who round"), look},
+                {[](double e) { return -e; }, true,
+                 WallText::tr("The walls slow %who and turn nothing round"), look}};
+    }
+
+    /// The speed that all leave a wall with, though they came with several.
+    [[nodiscard]] std::optional<double> ownSpeed(const std::vector<std::size_t> &odd) const
+    {
+        const auto speedOf = [](Vec2 v, const WallHit &hit) {
+            return std::abs(dot(v, outwardNormal(hit.wall)));
+        };
+        const WallHit &first = m_own.hits[odd.front()];
+        const double left = speedOf(first.left, first);
+        bool several = false;
+        for (const std::size_t i : odd) {
+            const WallHit &hit = m_own.hits[i];
+            if (std::abs(speedOf(hit.left, hit) - left) > 0.02 * left)
+                return std::nullopt;
+            several |= std::abs(speedOf(hit.came, hit) / speedOf(first.came, first) - 1.0) > 0.1;
+        }
+        return several ? std::optional(left) : std::nullopt;
+    }
+};
+
+} // namespace
+
+std::optional<LawDeviation> answerDeviation(const WallComparison &walls)
+{
+    return AnswerJudge(walls).find();
+}
+
+} // namespace cradle

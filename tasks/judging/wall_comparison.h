@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/measured_wall.h"
+
+#include <QCoreApplication>
+
+#include <set>
+
+namespace cradle {
+
+struct WallText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// The walls of a program beside those of the reference.
+class WallComparison
+{
+public:
+    WallComparison(const MeasuredWalls &own, const MeasuredWalls &right, const Ground &ground)
+        : m_own(own)
+        , m_right(right)
+        , m_ground(ground)
+    {
+    }
+
+protected:
+    [[nodiscard]] LawDeviation deviation(const QString &headline, const QString &body,
+                                         const WallHit &hit, const std::vector<int> &circles,
+                                         bool isPosition = false) const;
+    static QString namesOf(const std::set<Wall> &walls);
+
+    /// The hit of the reference in the same stage.
+    [[nodiscard]] const WallHit &rightOf(std::size_t i) const { return m_right.hits[i]; }
+    /// e is a word of the steps that ask for it.
+    [[nodiscard]] bool rebounds() const { return m_ground.walls.restitutions.size() > 1; }
+
+    const MeasuredWalls &m_own;
+    const MeasuredWalls &m_right;
+    const Ground &m_ground;
+};
+
+/// Where walls turn circles at another place than their rim.
+[[nodiscard]] std::vector<LawDeviation> reachDeviations(const WallComparison &walls);
+/// What walls make of a velocity that they should not.
+[[nodiscard]] std::optional<LawDeviation> answerDeviation(const WallComparison &walls);
+
+} // namespace cradle

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/measured_wall.h"
+
+namespace cradle {
+
+/// Shoots circles at walls and looks.
+class WallRange
+{
+public:
+    WallRange(const QString *program, const Ground &ground, const MeasuredFlight &flight);
+
+    /// Whether shots of that circle can be aimed: it comes to a wall by its velocity.
+    [[nodiscard]] bool isKnown(int circle) const;
+    /// By how much what falls in the step of a hit blurs ratios of velocities.
+    [[nodiscard]] double blur() const { return !m_falls ? 1e-3 : m_h < m_usual ? 0.01 : 0.05; }
+    [[nodiscard]] bool canDrop(int circle) const;
+
+    [[nodiscard]] const Flight &flightOf(int circle) const;
+
+    /// \param place  which of some places and speeds, from 0
+    [[nodiscard]] WallHit shoot(int circle, Wall wall, double e, int place, bool corner) const;
+
+    /// A slow throw at the ceiling, in the longest steps: it comes back by less than it overshot.
+    [[nodiscard]] Drop lob(int circle, double e, double speed) const;
+
+    [[nodiscard]] Drop drop(int circle, double e, double height) const;
+
+    /// The strongest downward gravity of the checks; zero if there is none.
+    [[nodiscard]] Vec2 fall() const;
+
+private:
+    /// One of them slow, so that the place where it turns is known well. Who goes too far in a
+    /// step is thrown more gently: it comes to the wall in as many.
+    [[nodiscard]] double speedOf(int circle, int place) const;
+
+    Stage stageOf(const WallHit &hit, double speed, double share, bool corner) const;
+
+    /// Moves it along t so that it comes as far past that wall as past the wall of \p n, in the
+    /// same step.
+    void aimAtCorner(Circle &c, int circle, Vec2 n, double halfWidth) const;
+
+    /// Whether \p c is so near one of the two walls that \p direction points to that it may be hit.
+    static bool isNearWall(const Circle &c, Vec2 direction, double halfWidth);
+
+    void watch(WallHit &hit, bool corner) const;
+
+    void note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
+              const Motion &free, int k) const;
+
+    /// What happens in the steps after the answer.
+    void follow(WallHit &hit, Probe &probe) const;
+
+    /// What became of the other circles, if they are away from all walls, in the same step.
+    void lookAtOthers(WallHit &hit, const std::vector<Circle> &before, const Probe &probe) const;
+
+    const QString *m_program;
+    const Ground &m_ground;
+    const MeasuredFlight &m_flight;
+    Vec2 m_gravity;
+    double m_usual; ///< timestep of the checks, s
+    double m_h;     ///< of the shots, s
+    bool m_falls = false;
+};
+
+} // namespace cradle

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_comparison.h"
+
+#include "tasks/checks/motion.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace cradle {
+
+namespace {
+
+class ReachJudge : WallComparison
+{
+public:
+    explicit ReachJudge(const WallComparison &walls)
+        : WallComparison(walls)
+    {
+    }
+
+    [[nodiscard]] std::vector<LawDeviation> find() const
+    {
+        const Reach rim{[](const WallHit &hit) { return hit.radius; }, {}, {}};
+        std::vector<std::pair<QString, std::vector<int>>> said;
+        std::vector<std::pair<QString, const WallHit *>> bodies;
+        for (const int circle : m_own.judged) {
+            if (fitsAll(rim, circle))
+                continue;
+            const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
+                return h.circle == circle && (h.turned || h.held) && !h.fits(h.radius);
+            });
+            if (!m_right.hits[static_cast<std::size_t>(at - m_own.hits.begin())].fits(at->radius))
+                continue; // the reference does not turn at the rim either
+            const auto [headline, body] = reachWords(*at, circle);
+            const auto same =
+                std::find_if(said.begin(), said.end(),
+                             [&, h = headline](const auto &s) { return s.first == h; });
+            if (same != said.end()) {
+                same->second.push_back(circle);
+                continue;
+            }
+            said.push_back({headline, {circle}});
+            bodies.push_back({body, &*at});
+        }
+        std::vector<LawDeviation> found;
+        for (std::size_t i = 0; i < said.size(); ++i)
+            found.push_back(
+                deviation(said[i].first, bodies[i].first, *bodies[i].second, said[i].second));
+        return found;
+    }
+
+private:
+    /// A length that a program may take for the radius.
+    struct Reach {
+        std::function<double(const WallHit &)> distance;
+        QString headline;
+        QString body;
+    };
+
+    [[nodiscard]] bool fitsAll(const Reach &reach, int circle) const
+    {
+        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            return hit.circle != circle || !(hit.turned || hit.held)
+                   || hit.fits(reach.distance(hit));
+        });
+    }
+
+    static std::vector<Reach> reaches()
+    {
+        const auto fixed = [](double length) {
+            return [length](const WallHit &) { return length; };
+        };
+        return {
+            {fixed(0.0), WallText::tr("At the walls the centre of %who is asked for, not the rim"),
+             WallText::tr("It turns only when its centre is past the wall, with its rim one "
+                          "radius, %1 m, outside. A wall meets a body where the body ends.")},
+            {[](const WallHit &hit) { return hit.otherRadius; },
+             WallText::tr("At the walls %who has the radius of another circle"),
+             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+                          "the radius of the other circle in that scene. Look at whose radius "
+                          "stands in the questions.")},
+            {fixed(0.2), WallText::tr("At the walls a number stands for the radius of %who"),
+             WallText::tr("Its radius is %1 m in that scene, and yet it turns when its centre is "
+                          "0.2 m from the wall. Take the radius that the circle has.")},
+            {[](const WallHit &hit) { return 2.0 * hit.radius; },
+             WallText::tr("The walls turn %who round too early"),
+             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+                          "twice the radius. From the centre to the rim it is one.")},
+            {[](const WallHit &hit) { return -hit.radius; },
+             WallText::tr("The walls turn %who round at the far side of the rim"),
+             WallText::tr("It turns when its centre is one radius, %1 m, past the wall. Of its two "
+                          "ends the near one touches first: look at the sign in front of the "
+                          "radius.")}};
+    }
+
+    [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
+    {
+        for (const Reach &reach : reaches()) {
+            if (fitsAll(reach, circle)) {
+                QString body = reach.body;
+                body.replace(QLatin1String("%1"), brief(hit.radius));
+                body.replace(QLatin1String("%2"), brief(reach.distance(hit)));
+                return {reach.headline, body};
+            }
+        }
+        const bool early = hit.reached > hit.radius;
+        return {early ? WallText::tr("The walls turn %who round too early")
+                      : WallText::tr("The walls turn %who round too late"),
+                WallText::tr("Its radius is %1 m, and at the %2 it turns when its centre is "
+                             "between %3 and %4 m from the wall. It should turn when its rim is "
+                             "there.")
+                    .arg(brief(hit.radius), motion::wallName(hit.wall), brief(hit.reached),
+                         brief(hit.before))};
+    }
+};
+
+} // namespace
+
+std::vector<LawDeviation> reachDeviations(const WallComparison &walls)
+{
+    return ReachJudge(walls).find();
+}
+
+} // namespace cradle
