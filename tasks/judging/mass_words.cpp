@@ -62,6 +62,13 @@ LawDeviation say(const QString &headline, const QString &why, const std::vector<
 
 } // namespace
 
+bool isHeadOn(const PairHit &hit)
+{
+    const PairVelocities in = hit.cameParts();
+    return std::abs(in.across1) + std::abs(in.across2)
+           < 1e-9 * (std::abs(in.along1) + std::abs(in.along2));
+}
+
 std::optional<double> massRatio(const PairHit &hit)
 {
     const double p1 = length(hit.push1());
@@ -76,6 +83,12 @@ MassExponents::MassExponents(const MeasuredPair &pair)
     : radius(exponentOf(pair.radii, [](const Meeting &m) { return m.radius2 / m.radius1; }))
     , density(exponentOf(pair.densities, [](const Meeting &m) { return m.density2 / m.density1; }))
 {
+}
+
+double MassExponents::ratioOf(const Meeting &m) const
+{
+    return std::pow(m.radius2 / m.radius1, rounded(radius.value_or(3.0)))
+           * std::pow(m.density2 / m.density1, rounded(density.value_or(1.0)));
 }
 
 std::optional<double> fixedMassRatio(const MeasuredPair &pair)

@@ -14,6 +14,9 @@ namespace cradle {
 /// What came, what left, and what is right, in words.
 [[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
 
+/// Whether all came along the line of centres, so that nothing depends on where exactly they met.
+[[nodiscard]] bool isHeadOn(const PairHit &hit);
+
 /// How many times as heavy circle 2 is, by what the pushes did: |Δv₁| / |Δv₂|; nothing if they
 /// are not opposite.
 [[nodiscard]] std::optional<double> massRatio(const PairHit &hit);
@@ -22,6 +25,8 @@ namespace cradle {
 /// follow none, or it was not asked for.
 struct MassExponents {
     explicit MassExponents(const MeasuredPair &pair);
+    /// m₂/m₁ of such circles; where an exponent is not known, as for balls.
+    [[nodiscard]] double ratioOf(const Meeting &meeting) const;
 
     std::optional<double> radius;
     std::optional<double> density;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/motion.h"
 #include "tasks/judging/likeness.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/response_laws.h"
@@ -182,17 +183,17 @@ private:
         const auto heavy = massRatio(hit);
         const MassExponents p(m_own);
         if (heavy && (p.radius || p.density)) {
-            const double wanted = std::pow(m.radius2 / m.radius1, p.radius.value_or(3.0))
-                                  * std::pow(m.density2 / m.density1, p.density.value_or(1.0));
-            if (std::abs(*heavy - wanted) > 0.02 * wanted) {
+            const double wanted = p.ratioOf(m);
+            if (std::abs(*heavy - wanted) > (isHeadOn(hit) ? 1e-5 : 0.02) * wanted) {
                 add(ResponseText::tr("The masses in your own scene are not those of its circles"),
                     ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
                                      "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
                                      "it is %6 times. Other scenes come out right, so the masses "
                                      "were worked out before radii and densities were set: look at "
                                      "the order in `on_load`.")
-                        .arg(brief(*heavy), brief(m.radius1), brief(m.radius2), brief(m.density1),
-                             brief(m.density2), brief(wanted)),
+                        .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1),
+                             brief(m.radius2), brief(m.density1), brief(m.density2),
+                             motion::figureBeside(wanted, *heavy)),
                     hit);
                 return;
             }
