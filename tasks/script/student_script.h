@@ -74,8 +74,8 @@ public:
     /// very many assignments the last. The program has made that update then: its own variables
     /// have gone on.
     [[nodiscard]] std::vector<Assignment> trace(const World &world, double dt);
-    /// What the file and on_load assign when they begin with \p scene, until they end or fail; it is
-    /// a begin().
+    /// What the file and on_load assign when they begin with \p scene, until they end or fail; it
+    /// is a begin().
     [[nodiscard]] std::vector<Assignment> traceStart(Preset scene);
     /// The lines that run in one update of \p world, in the order of the file. As trace().
     [[nodiscard]] std::vector<int> linesOf(const World &world, double dt);
