@@ -239,14 +239,14 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
                     "c.velocity = c.velocity:perpendicular() end");
         });
     row("L42T2", "the left-hand wall holds it",
-        "Nothing turns circle 1 round here: left wall, floor", [](OtherForm &f) {
+        "These walls do not turn circle 1 round: left wall, floor", [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
                     "if math.abs(c.position.y) > room then "
                     "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
         });
-    row("L42T2", "no ceiling", "Nothing turns circle 1 round here: ceiling", [](OtherForm &f) {
+    row("L42T2", "no ceiling", "These walls do not turn circle 1 round: ceiling", [](OtherForm &f) {
         f.walls = clamp;
         edit(f.walls, "y > room", "false");
     });
@@ -255,7 +255,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
     row("L42T3", "air", "Something slows circle 1 down on the way",
         [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });
-    row("L42T4", "circle 2 put where circle 1 is", "The velocity of circle 1 moves circle 2",
+    row("L42T4", "circle 2 put where circle 1 is", "Every step puts circle 2 where circle 1 is",
         [](OtherForm &f) {
             f.integrate = lab("if c.index == 1 then ") + euler
                           + lab(" else c.position = circle1.position end");

@@ -126,7 +126,7 @@ void TestResponseLaw::faultIsNamed_data()
     const QString squared = text("e is squared in the hit of two circles");
     rows("area", {.mass = text("c.density * c.radius ^ 2"), .e = e}, {area});
     rows("no density", {.mass = text("c.radius ^ 3"), .e = e},
-         {text("The density is left out of the mass")});
+         {text("The hits do not depend on the densities")});
     rows("inverted", {.mass = text("1 / (c.density * c.radius ^ 3)"), .e = e},
          {text("Each circle answers with the mass of the other")});
     rows("e squared", {.e = text("restitution ^ 2")}, {squared});

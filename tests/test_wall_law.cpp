@@ -217,7 +217,7 @@ void TestWallLaw::oneCircleIsNamedForItsOwnWalls()
              QStringList(text("At the walls circle 2 has the radius of another circle")));
     const QString open = QStringLiteral("if c.index == 1 then ") + good + QStringLiteral(" end");
     QCOMPARE(step.walls(written(withWalls(open), structures[3])),
-             QStringList(text("No wall turns circle 2 round")));
+             QStringList(text("None of the four walls turns circle 2 round")));
 }
 
 QTEST_GUILESS_MAIN(TestWallLaw)

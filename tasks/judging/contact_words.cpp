@@ -99,7 +99,15 @@ private:
         if (own == right || m_own.contacts.empty())
             return !own;
         const PairHit &hit = m_own.contacts.front();
-        if (right)
+        const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
+                                       [](const PairHit &h) { return h.held; });
+        if (right && held != m_own.contacts.end())
+            add(ContactText::tr("The circles are put back and keep their velocities"),
+                ContactText::tr("When they touch a place changes and no velocity, so that the next "
+                                "step brings them there again. A hit changes velocities: look at "
+                                "whether those lines run, and at what they ask."),
+                *held);
+        else if (right)
             add(ContactText::tr("The circles run through each other"),
                 ContactText::tr("From all %1 directions in which they were thrown at each other, "
                                 "neither of them changed its velocity.")
@@ -202,8 +210,9 @@ private:
             std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
         if (m_ground.pair.radii.isVaried() && answersAll && fitsAll(fixed)) {
             add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
-                ContactText::tr("Whatever the radii are, they answer at a distance of about %1 m.")
-                        .arg(brief(fixed(hit)))
+                ContactText::tr("Whatever the radii are, they answer at the same distance, "
+                                "between %1 and %2 m.")
+                        .arg(brief(hit.reached), brief(hit.before))
                     + QLatin1Char(' ') + seen(hit),
                 hit);
             return;

@@ -84,6 +84,17 @@ private:
                     .arg(brief(g), brief(m_own.at(g, timestep(), m_i).drift),
                          briefTimestep(timestep())),
                 moment(true, g)};
+        const auto heavier = m_own.heavierFall(g, timestep(), m_i);
+        if (heavier && !isAlike(*heavier, own, 0.01))
+            return FlightSaid{FlightText::tr("Gravity does not act alike on light and heavy ones "
+                                             "(%who)"),
+                              FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², "
+                                             "and by %3 m/s² when its radius is 1.25 times and its "
+                                             "density 1.5 times as large. Gravity is an "
+                                             "acceleration already: all bodies fall alike, "
+                                             "whatever they weigh.")
+                                  .arg(brief(g), brief(own), brief(*heavier)),
+                              moment(false, g)};
         const auto [headline, where] = fallWords(p);
         const double h = m_ground.timesteps[shownTimestep(p)];
         return FlightSaid{

@@ -29,6 +29,22 @@ public:
             if (!said.empty() && !flight(0).isKnown)
                 return said;
         }
+        if (hasPull() || flight(0).isTurnLinear)
+            judgeTurn(said);
+        else
+            said.push_back(oddTurn());
+        return said;
+    }
+
+private:
+    /// Where a place pulls, its flights are not alike for that reason alone.
+    [[nodiscard]] bool hasPull() const
+    {
+        return flight(0).pull != Vec2{} || right().pull != Vec2{};
+    }
+
+    void judgeTurn(std::vector<FlightSaid> &said) const
+    {
         const bool isWayRight = said.empty();
         for (const auto &fault : {fallSaid(*this), growth()}) {
             if (fault)
@@ -39,26 +55,33 @@ public:
             if (auto fault = methodSaid(*this, said.empty()))
                 said.push_back(*fault);
         }
-        return said;
     }
 
-private:
     /// Velocity and place must follow from those before, and from the circle's own.
     [[nodiscard]] std::optional<FlightSaid> carriedOn() const
     {
         const Flight &f = flight(0);
+        if (f.follows >= 0 && right().follows < 0)
+            return said(
+                FlightText::tr("Every step puts %who where circle %1 is").arg(f.follows + 1),
+                FlightText::tr("Wherever the two start, one step later they are at the "
+                               "same place. Each circle has a place and a velocity of its "
+                               "own and goes on from those: look at what the lines for "
+                               "one take from the other."),
+                true);
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
-                                       "it has from every other start: what a hit changes is lost "
-                                       "at once. A start is set once, in `on_load`; a step works "
-                                       "the new velocity out from the old one.")
+                                       "it has from every other start. A step works the new "
+                                       "velocity out from the one that the circle has, which a "
+                                       "hit may have changed; a start is set once, in "
+                                       "`on_load`.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
                         FlightText::tr("In a scene in which circle %1 alone has a velocity, it is "
-                                       "this circle that goes on by v Δt. Each circle moves with "
+                                       "%who that goes on by v Δt. Each circle moves with "
                                        "its own velocity: look at the names in the line that "
                                        "moves it.")
                             .arg(f.leader + 1),
@@ -73,6 +96,8 @@ private:
 
     [[nodiscard]] std::optional<FlightSaid> way() const
     {
+        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear)
+            return oddWay();
         const auto partX = [](const Flight &f) { return f.way.x; };
         const auto partY = [](const Flight &f) { return f.way.y; };
         const auto x = pattern(gravity(), partX);
@@ -95,11 +120,62 @@ private:
             return said(isX ? FlightText::tr("The x of %who never changes")
                             : FlightText::tr("The y of %who never changes"),
                         seen
-                            + FlightText::tr(" Both parts of the position change, each by its own "
-                                             "part of the velocity."),
+                            + FlightText::tr(" Both parts of the position must change, each by "
+                                             "its own part of the velocity."),
                         true);
         const auto [headline, where] = wayWords(other);
         return said(headline, seen + QLatin1Char(' ') + where, true);
+    }
+
+    /// A way that is no share of the own velocity.
+    [[nodiscard]] FlightSaid oddWay() const
+    {
+        const auto &[a, b] = flight(0).seen;
+        const double h = timestep();
+        const QString seen =
+            FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with "
+                           "%4 m/s %5 m; v Δt is %6 and %7 m.")
+                .arg(brief(a.velocity), briefTimestep(h), brief(a.way), brief(b.velocity),
+                     brief(b.way), brief(h * a.velocity), brief(h * b.velocity));
+        const auto tell = [&](const QString &headline, const QString &why) {
+            return said(headline, seen + QLatin1Char(' ') + why, true);
+        };
+        const QString own =
+            FlightText::tr("Each part of the position changes by its own part of the velocity.");
+        switch (flight(0).crossing) {
+        case Flight::Crossing::XMovesY:
+            return tell(FlightText::tr("The x part of the velocity moves %who in y"), own);
+        case Flight::Crossing::YMovesX:
+            return tell(FlightText::tr("The y part of the velocity moves %who in x"), own);
+        case Flight::Crossing::Exchanged:
+            return tell(FlightText::tr("x and y of the velocity are exchanged where %who moves"),
+                        own);
+        case Flight::Crossing::None:
+            break;
+        }
+        return tell(FlightText::tr("The way of %who in a step is not v Δt"),
+                    FlightText::tr("Look at what the line that changes the position takes, and at "
+                                   "the conditions in front of it."));
+    }
+
+    /// A change of the velocity that depends on it otherwise than by a share.
+    [[nodiscard]] FlightSaid oddTurn() const
+    {
+        const auto &[a, b] = flight(0).seen;
+        const auto asked = [&](Vec2 velocity) {
+            return right().after({.position = {}, .velocity = velocity}, timestep()).velocity
+                   - velocity;
+        };
+        return said(
+            FlightText::tr("What changes the velocity of %who asks how it moves"),
+            FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
+                           "m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are "
+                           "right. Look at the conditions in front of the lines that change the "
+                           "velocity.")
+                .arg(brief(gravity()), brief(a.velocity), brief(a.turn), briefTimestep(timestep()),
+                     brief(b.velocity), brief(b.turn), brief(asked(a.velocity)),
+                     brief(asked(b.velocity))),
+            false);
     }
 
     static std::pair<QString, QString> wayWords(const TimestepPattern &p)

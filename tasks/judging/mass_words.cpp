@@ -4,6 +4,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <array>
+
 namespace cradle {
 
 namespace {
@@ -45,6 +48,12 @@ double rounded(double p)
     return std::round(p * 50.0) / 50.0;
 }
 
+/// Whether a student would write that exponent.
+bool isPower(double p)
+{
+    return std::abs(2.0 * p - std::round(2.0 * p)) < 0.08;
+}
+
 LawDeviation say(const QString &headline, const QString &why, const std::vector<PairHit> &hits,
                  const std::vector<PairHit> &right)
 {
@@ -52,12 +61,65 @@ LawDeviation say(const QString &headline, const QString &why, const std::vector<
     const Meeting &m = hit.meeting;
     const QString what =
         MassText::tr(
-            "With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity "
-            "of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.")
+            "With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 "
+            "times that of v₂; m₂/m₁ = %6 is right.")
             .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
-                 brief(massRatio(hit).value_or(0.0)),
-                 brief(massRatio(right.front()).value_or(0.0)));
+                 brief(massRatio(hit).value_or(0.0)), brief(massRatio(right.front()).value_or(0.0)),
+                 brief(m.restitution));
     return responseDeviation(headline, what + QLatin1Char(' ') + why, hit);
+}
+
+/// m₂/m₁ in a hit of two equal circles among \p hits.
+std::optional<double> equalRatioOf(const std::vector<PairHit> &hits)
+{
+    for (const PairHit &hit : hits) {
+        const Meeting &m = hit.meeting;
+        if (m.radius1 == m.radius2 && m.density1 == m.density2)
+            return massRatio(hit);
+    }
+    return std::nullopt;
+}
+
+/// One circle always leaves as it should, and the other does not where the masses differ.
+std::optional<LawDeviation> pushOnOne(const MeasuredPair &own, const MeasuredPair &right)
+{
+    std::array<bool, 2> isRight{true, true};
+    const PairHit *shown = nullptr;
+    const PairHit *good = nullptr;
+    const auto same = [](const PairHit &a, const PairHit &b) {
+        return length(a.left1 - b.left1) + length(a.left2 - b.left2)
+               < 0.01 * (length(b.left1) + length(b.left2));
+    };
+    if (!std::equal(own.equals.begin(), own.equals.end(), right.equals.begin(), right.equals.end(),
+                    same))
+        return std::nullopt;
+    const double e = own.equals.front().meeting.restitution;
+    const auto look = [&](const std::vector<PairHit> &mine, const std::vector<PairHit> &theirs) {
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            if (mine[i].meeting.restitution != e || !mine[i].isMet() || !theirs[i].isMet()
+                || !mine[i].isAligned() || !theirs[i].isAligned())
+                continue;
+            const double slack = 0.01 * (length(theirs[i].left1) + length(theirs[i].left2));
+            const bool one = length(mine[i].left1 - theirs[i].left1) < slack;
+            const bool two = length(mine[i].left2 - theirs[i].left2) < slack;
+            isRight = {isRight[0] && one, isRight[1] && two};
+            if (!shown && one != two) {
+                shown = &mine[i];
+                good = &theirs[i];
+            }
+        }
+    };
+    look(own.radii, right.radii);
+    look(own.densities, right.densities);
+    if (!shown || isRight[0] == isRight[1])
+        return std::nullopt;
+    return responseDeviation(
+        MassText::tr("Where the masses differ, only circle %1 leaves as it should")
+            .arg(isRight[0] ? 1 : 2),
+        describeHit(*shown, *good) + QLatin1Char(' ')
+            + MassText::tr("Look at which mass the other one is pushed with: each change of a "
+                           "velocity is the push divided by the circle's own mass."),
+        *shown);
 }
 
 } // namespace
@@ -113,7 +175,19 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
 {
     if (own.radii.empty() && own.densities.empty())
         return {};
-    if (const auto ratio = fixedMassRatio(own))
+    if (const auto one = pushOnOne(own, right))
+        return {*one};
+    const auto ratio = fixedMassRatio(own);
+    if (const auto other = ratio ? equalRatioOf(own.densities) : std::nullopt;
+        other && std::abs(*other / *ratio - 1.0) > ratioBlur)
+        return {responseDeviation(
+            MassText::tr("The two masses are not worked out in the same way"),
+            MassText::tr("Two circles of the same radius and density answer as if circle 2 were "
+                         "%1 times as heavy as circle 1, and with another density that both have "
+                         "%2 times. Compare the lines for the two masses.")
+                .arg(brief(*ratio), brief(*other)),
+            own.equals.front())};
+    if (ratio)
         return {responseDeviation(
             MassText::tr("The masses are numbers, not those of the circles"),
             MassText::tr("Two circles of the same radius and density answer as if circle 2 were "
@@ -143,20 +217,24 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
             p.density = -*p.density;
     }
     if (isOff(p.radius, good.radius))
-        found.push_back(say(
-            is(p.radius, 0.0) ? MassText::tr("The radius is left out of the mass")
-                              : MassText::tr("The mass grows with r to the power of %1, not %2")
-                                    .arg(brief(rounded(*p.radius)), brief(rounded(*good.radius))),
-            MassText::tr("A ball that is twice as wide is also twice as high and as deep: its "
-                         "mass grows with r³."),
-            own.radii, right.radii));
+        found.push_back(
+            say(is(p.radius, 0.0) ? MassText::tr("The hits do not depend on the radii")
+                : isPower(*p.radius)
+                    ? MassText::tr("The mass grows with r to the power of %1, not %2")
+                          .arg(brief(rounded(*p.radius)), brief(rounded(*good.radius)))
+                    : MassText::tr("The masses do not follow the radii as those of balls do"),
+                MassText::tr("A ball that is twice as wide is also twice as high and as deep: its "
+                             "mass grows with r³."),
+                own.radii, right.radii));
     if (isOff(p.density, good.density))
         found.push_back(
-            say(is(p.density, 0.0)
-                    ? MassText::tr("The density is left out of the mass")
-                    : MassText::tr("The mass grows with the density to the power of %1, not %2")
-                          .arg(brief(rounded(*p.density)), brief(rounded(*good.density))),
-                MassText::tr("Mass is density times volume."), own.densities, right.densities));
+            say(is(p.density, 0.0) ? MassText::tr("The hits do not depend on the densities")
+                : isPower(*p.density)
+                    ? MassText::tr("The mass grows with the density to the power of %1, not %2")
+                          .arg(brief(rounded(*p.density)), brief(rounded(*good.density)))
+                    : MassText::tr("The masses do not follow the densities"),
+                MassText::tr("Mass is density times volume, for each circle its own."),
+                own.densities, right.densities));
     return found;
 }
 

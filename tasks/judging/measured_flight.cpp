@@ -110,7 +110,13 @@ public:
         flight.pull = {pulled.x / (shift.x * m_h), pulled.y / (shift.y * m_h)};
         if (std::abs(flight.pull.x) + std::abs(flight.pull.y) < 1e-6)
             flight.pull = {};
-        flight.isKnown = !flight.resets && !flight.jumps && isLinear(flight);
+        const Motion next = flight.after(m_second.before[m_i], m_h);
+        flight.isWayLinear = isClose(next.position, m_second.after[m_i].position);
+        flight.isTurnLinear = isClose(next.velocity, m_second.after[m_i].velocity);
+        flight.isKnown = !flight.resets && !flight.jumps && flight.pull == Vec2{}
+                         && flight.isWayLinear && flight.isTurnLinear;
+        flight.seen = {seen(m_first), seen(m_second)};
+        flight.crossing = crossing();
         return flight;
     }
 
@@ -125,14 +131,26 @@ private:
     }
     static bool isNear(Vec2 a, Vec2 b) { return length(a - b) <= 1e-9 * (1.0 + length(b)); }
 
-    /// The second flight must follow from what the first and the one from rest say.
-    [[nodiscard]] bool isLinear(const Flight &flight) const
+    static bool isClose(Vec2 a, Vec2 b) { return length(a - b) <= 1e-8; }
+
+    [[nodiscard]] Flight::Step seen(const Steps &s) const
     {
-        if (flight.pull != Vec2{})
-            return false;
-        const Motion next = flight.after(m_second.before[m_i], m_h);
-        return length(next.position - m_second.after[m_i].position) <= 1e-8
-               && length(next.velocity - m_second.after[m_i].velocity) <= 1e-8;
+        return {s.before[m_i].velocity, way(s), turn(s)};
+    }
+
+    [[nodiscard]] Flight::Crossing crossing() const
+    {
+        const auto crosses = [&](const Steps &s, bool x, bool y) {
+            const Vec2 v = s.before[m_i].velocity - m_rest.before[m_i].velocity;
+            return isClose(way(s) - way(m_rest), m_h * Vec2{x ? v.y : v.x, y ? v.x : v.y});
+        };
+        const auto both = [&](bool x, bool y) {
+            return crosses(m_first, x, y) && crosses(m_second, x, y);
+        };
+        return both(false, true)   ? Flight::Crossing::XMovesY
+               : both(true, false) ? Flight::Crossing::YMovesX
+               : both(true, true)  ? Flight::Crossing::Exchanged
+                                   : Flight::Crossing::None;
     }
 
     const Steps &m_rest;
@@ -157,6 +175,24 @@ int leaderOf(const QString *program, const Ground &ground, Vec2 gravity, double 
                            - (rest.after[i].position - rest.before[i].position);
         const Vec2 v = alone.before[j].velocity - rest.before[j].velocity;
         if (length(moved - h * v) <= 1e-9 + 1e-6 * length(moved) && length(v) > 0.0)
+            return static_cast<int>(j);
+    }
+    return -1;
+}
+
+/// The circle at whose place circle \p i is after the first step, though it started elsewhere.
+int followedBy(const Steps &steps, std::size_t i)
+{
+    const auto isAt = [](const Circle &a, const Circle &b) {
+        return length(a.position - b.position) < 1e-6;
+    };
+    for (std::size_t j = 0; j < steps.start.size(); ++j) {
+        // The one that leapt is the one that follows.
+        const auto leap = [&](std::size_t k) {
+            return length(steps.before[k].position - steps.start[k].position);
+        };
+        if (j != i && isAt(steps.before[i], steps.before[j])
+            && !isAt(steps.start[i], steps.start[j]) && leap(i) > leap(j))
             return static_cast<int>(j);
     }
     return -1;
@@ -194,6 +230,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         return flights;
     for (std::size_t i = 0; i < flights.size(); ++i) {
         flights[i] = Reading(rest, first, second, shifted, h, i).read();
+        flights[i].follows = followedBy(first, i);
+        flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0;
         if (!flights[i].isKnown || flights[i].way == Vec2{})
             flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
     }
@@ -233,6 +271,19 @@ const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
     return m_measured.back()->flights;
 }
 
+std::optional<Vec2> MeasuredFlight::heavierFall(Vec2 gravity, double h, int i) const
+{
+    Preset preset = flightPreset(m_ground, gravity, h, Scene::Rest);
+    for (auto &circle : preset.circles) {
+        circle.body.radius *= 1.25;
+        circle.body.density *= 1.5;
+    }
+    const Steps steps = fly(m_program, preset);
+    const auto k = static_cast<std::size_t>(i);
+    return steps.made ? std::optional((steps.after[k].velocity - steps.before[k].velocity) / h)
+                      : std::nullopt;
+}
+
 bool MeasuredFlight::isLike(const MeasuredFlight &other) const
 {
     for (const Vec2 gravity : m_ground.gravities) {
@@ -244,7 +295,8 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                 if (!isAlike(a.way, b.way) || !isAlike(a.acceleration, b.acceleration)
                     || !isAlike(a.growth, b.growth) || !isAlike(a.pull, b.pull)
                     || !isAlike(a.drift / (h * h), b.drift / (h * h)) || a.jumps != b.jumps
-                    || a.resets != b.resets || a.leader != b.leader
+                    || a.resets != b.resets || a.leader != b.leader || a.follows != b.follows
+                    || a.isWayLinear != b.isWayLinear || a.isTurnLinear != b.isTurnLinear
                     || !isAlike(a.turnedInto, b.turnedInto) || !isAlike(a.wayMade, b.wayMade))
                     return false;
             }

@@ -102,13 +102,16 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     isJudged = range.isKnown();
     if (!isJudged)
         return;
+    // Of two digits, so that a reader can reckon with them.
     const auto within = [](const Ground::Range &r, double share) {
-        return r.low + share * (r.high - r.low);
+        const double value = r.low + share * (r.high - r.low);
+        const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+        return r.isVaried() ? std::round(value / digit) * digit : value;
     };
-    const double small = within(asked.radii, 0.25);
+    const double small = within(asked.radii, 0.3);
     const double large = within(asked.radii, 0.75);
     const double light = within(asked.densities, 0.25);
-    const double dense = within(asked.densities, 0.75);
+    const double dense = within(asked.densities, 0.8);
     const double e = *std::max_element(asked.restitutions.begin(), asked.restitutions.end());
     PairVelocities slow =
         asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
@@ -137,6 +140,9 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     if (asked.densities.isVaried()) {
         densities.push_back(range.look({33.0, small, small, light, dense, e, both}));
         densities.push_back(range.look({33.0, small, small, dense, light, e, both}));
+        densities.push_back(range.look({33.0, small, small, dense, dense, e, both}));
+        if (asked.restitutions.size() > 1)
+            densities.push_back(range.look({33.0, small, small, light, dense, 0.5 * e, both}));
     }
     for (const double other : asked.restitutions) {
         if (other != e)
@@ -146,6 +152,10 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         PairVelocities apart{-0.9, 0.4, 0.8, 0.4};
         partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
     }
+    // What is said of a program that stopped is its error.
+    const auto stopped = [](const PairHit &hit) { return hit.stopped; };
+    for (const auto *hits : {&contacts, &equals, &radii, &densities, &rebounds})
+        isJudged = isJudged && std::none_of(hits->begin(), hits->end(), stopped);
     if (range.isUsual())
         own = range.own();
     range.meetAgain(*this);
@@ -157,7 +167,7 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
         || modes.size() != other.modes.size())
         return false;
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
-        return a.answered == b.answered
+        return a.answered == b.answered && a.held == b.held
                && (!a.answered
                    || (a.parting == b.parting
                        && std::abs(a.reached - b.reached)

@@ -45,6 +45,8 @@ struct PairHit {
     Vec2 left2{};
     double slowness = 1.0;    ///< velocities of the stage are these times so much
     bool parting = false;     ///< they had passed each other, or moved apart already
+    bool held = false;        ///< one was put back before, and no velocity changed
+    bool stopped = false;     ///< the program stopped with an error
     bool late = false;        ///< others, coming along the same line, are answered long before
     int leaper = -1;          ///< the circle, from 0, that it put far from its own path
     Vec2 landed{};            ///< and where, m

@@ -183,8 +183,10 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
         if (k > 2 && dot(d, before[0].velocity - before[1].velocity) < 0.0
             && length(d) > 0.3 * meeting.sum())
             break;
-        if (!probe.step())
+        if (!probe.step()) {
+            hit.stopped = true;
             break;
+        }
         note(hit, before, probe, flights, k);
         if (hit.answered)
             break;
@@ -208,8 +210,11 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     };
     const Circle &now1 = probe.circle(0);
     const Circle &now2 = probe.circle(1);
-    if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity))
+    if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity)) {
+        hit.held = hit.held || length(now1.position - free1.position) > 1e-7
+                   || length(now2.position - free2.position) > 1e-7;
         return;
+    }
     hit.answered = true;
     hit.step = k;
     const Vec2 d = before[1].position - before[0].position;

@@ -188,9 +188,9 @@ private:
                 add(ResponseText::tr("The masses in your own scene are not those of its circles"),
                     ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
                                      "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
-                                     "it is %6 times. Other scenes come out right, so the masses "
-                                     "were worked out before radii and densities were set: look at "
-                                     "the order in `on_load`.")
+                                     "it is %6 times. Other scenes come out right. A mass that is "
+                                     "worked out before radius and density are set keeps the old "
+                                     "value: look at the order in `on_load`.")
                         .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1),
                              brief(m.radius2), brief(m.density1), brief(m.density2),
                              motion::figureBeside(wanted, *heavy)),
@@ -206,8 +206,8 @@ private:
             return;
         add(ResponseText::tr("In your own scene the hit does not use the e that it has"),
             ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
-                             "`restitution` is %4. Other scenes come out right, so e was copied "
-                             "before it was set.")
+                             "`restitution` is %4. Other scenes come out right. A copy of e "
+                             "that is made before e is set keeps the old value.")
                 .arg(brief(closing), brief(parting), brief(parting / closing),
                      brief(m.restitution)),
             hit);
@@ -227,9 +227,10 @@ private:
                     || isSameAnswer(hit.leftParts(), good.leftParts()))
                     continue;
                 add(ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
-                    ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: ")
+                    ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
                             .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2),
-                                 brief(hit.meeting.density1), brief(hit.meeting.density2))
+                                 brief(hit.meeting.density1), brief(hit.meeting.density2),
+                                 brief(hit.meeting.restitution))
                         + describeHit(hit, good),
                     hit);
                 return;
@@ -259,15 +260,23 @@ QString describeHit(const PairHit &hit, const PairHit &right)
     const PairVelocities out = hit.leftParts();
     const PairVelocities good = right.leftParts();
     // The line of centres turns a little in a step: what that makes is no part of a velocity.
-    const double blur = 1e-3 * std::max(length(hit.came1), length(hit.came2));
-    const auto seen = [&](double part) { return std::abs(part) < blur ? 0.0 : part; };
+    const double blur = 2e-3 * std::max(length(hit.came1), length(hit.came2));
+    const auto seen = [&](double part) {
+        for (const double known :
+             {0.0, in.along1, in.across1, in.along2, in.across2, good.along1, good.along2}) {
+            if (std::abs(part - known) < blur)
+                return known;
+        }
+        return part;
+    };
     const auto pair = [&](double along, double across) {
-        return brief(hit.slowness * Vec2{seen(along), seen(across)});
+        return ResponseText::tr("%1 along, %2 across")
+            .arg(brief(hit.slowness * seen(along)), brief(hit.slowness * seen(across)));
     };
     return ResponseText::tr(
-               "Taken apart along the line of centres and across it, circle 1 came with "
-               "%1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and "
-               "%6 m/s are right.")
+               "Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 "
+               "came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and "
+               "%6.")
         .arg(pair(in.along1, in.across1), pair(in.along2, in.across2),
              pair(out.along1, out.across1), pair(out.along2, out.across2),
              pair(good.along1, good.across1), pair(good.along2, good.across2));

@@ -165,11 +165,16 @@ std::optional<LawDeviation> restitutionDeviation(const Task &task, const Submiss
         return std::nullopt;
     return LawDeviation{
         Aspect::Start,
-        StartText::tr("e = %1 is not the value that is asked for\n\nThe laws of your "
-                      "program are right; with another e your own scene would pass. "
-                      "Work out what e has to be, and look at how `on_load` writes "
-                      "it.")
-            .arg(brief(own.start().restitution)),
+        StartText::tr("e = %1 is not the value that is asked for")
+                .arg(brief(own.start().restitution))
+            + QStringLiteral("\n\n")
+            + StartText::tr("The laws of your program are right; with the e that the step asks for "
+                            "your own scene would pass.")
+            + QLatin1Char(' ')
+            + (changed.isEmpty()
+                   ? StartText::tr("`on_load` does not set `restitution`, so that it is the one "
+                                   "that the scene had before.")
+                   : StartText::tr("Look at what `on_load` gives to `restitution`.")),
         {.start = Assignment::Field::Restitution}};
 }
 

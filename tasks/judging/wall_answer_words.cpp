@@ -60,10 +60,9 @@ public:
         const WallHit &hit = m_own.hits[at];
         const WallHit &right = rightOf(at);
         const auto [headline, why] = answerWords(odd, hit, right);
-        const QString where = walls.size() < wallsLike(hit)
-                                  ? WallText::tr("So it is here: %1. ").arg(namesOf(walls))
-                                  : QString();
-        return deviation(headline, seenAt(hit, right) + QLatin1Char(' ') + where + why, hit,
+        const bool isOfSome = walls.size() < wallsLike(hit) || walls.size() == 1;
+        const QString where = isOfSome ? QStringLiteral(" (%1)").arg(namesOf(walls)) : QString();
+        return deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
                          {circles.begin(), circles.end()}, hit.held);
     }
 
@@ -76,10 +75,10 @@ private:
         const Vec2 t = perpendicular(n);
         const Vec2 good = -right.back * dot(hit.came, n) * n + right.along * dot(hit.came, t) * t;
         return (rebounds() ? WallText::tr("With e = %1: ").arg(brief(hit.restitution)) : QString())
-               + WallText::tr("It came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is "
-                              "right.")
-                     .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
-                          brief(good));
+               + WallText::tr("Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 "
+                              "m/s is right.")
+                     .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left), brief(good))
+                     .arg(hit.circle + 1);
     }
 
     /// At how many walls circles were shot under the same conditions as \p hit.
@@ -157,6 +156,12 @@ private:
             return {
                 WallText::tr("At the walls a number stands for e, for %who"),
                 WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
+        const double share = hit.back / hit.restitution;
+        if (rebounds() && hit.restitution > 0.0
+            && follows(odd, back, [&](double e) { return share * e; }))
+            return {
+                WallText::tr("The walls give %who %1 e of the speed back, not e").arg(brief(share)),
+                WallText::tr("Look at the factor in front of the part that you turn round.")};
         if (const auto speed = ownSpeed(odd))
             return {WallText::tr("The walls give %who a speed of their own"),
                     WallText::tr("However fast it comes, it leaves the wall with %1 m/s: work the "

@@ -236,8 +236,10 @@ void WallRange::watch(WallHit &hit, bool corner) const
             hit.missed = true; // something else turns it, or may, before it is there
             return;
         }
-        if (!probe.step())
+        if (!probe.step()) {
+            hit.missed = true; // the program stopped: what is said of that is its error
             return;
+        }
         const Motion free = flight.after(c, m_h);
         const Circle &now = probe.circle(hit.circle);
         const bool turned =
@@ -246,6 +248,11 @@ void WallRange::watch(WallHit &hit, bool corner) const
         if (!turned && !moved)
             continue;
         note(hit, before, now, free, k);
+        // A wall turns it round, or its rim is there; else something on the way changes it.
+        if (hit.back < 0.0 && !moved && hit.reached > hit.radius + std::abs(hit.travel)) {
+            hit.missed = true;
+            return;
+        }
         hit.turned = turned;
         hit.held = !turned;
         lookAtOthers(hit, before, probe);

@@ -80,6 +80,10 @@ private:
              WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
                           "the radius of the other circle in that scene. Look at whose radius "
                           "stands in the questions.")},
+            {[](const WallHit &hit) { return 0.5 * hit.radius; },
+             WallText::tr("The walls turn %who round too late"),
+             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+                          "half of that. From the centre to the rim it is the whole radius.")},
             {fixed(0.2), WallText::tr("At the walls a number stands for the radius of %who"),
              WallText::tr("Its radius is %1 m in that scene, and yet it turns when its centre is "
                           "0.2 m from the wall. Take the radius that the circle has.")},
@@ -96,13 +100,14 @@ private:
 
     [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
     {
-        for (const Reach &reach : reaches()) {
-            if (fitsAll(reach, circle)) {
-                QString body = reach.body;
-                body.replace(QLatin1String("%1"), brief(hit.radius));
-                body.replace(QLatin1String("%2"), brief(reach.distance(hit)));
-                return {reach.headline, body};
-            }
+        // What a step cannot tell apart is not told.
+        std::vector<Reach> fitting = reaches();
+        std::erase_if(fitting, [&](const Reach &reach) { return !fitsAll(reach, circle); });
+        if (fitting.size() == 1) {
+            QString body = fitting.front().body;
+            body.replace(QLatin1String("%1"), brief(hit.radius));
+            body.replace(QLatin1String("%2"), brief(fitting.front().distance(hit)));
+            return {fitting.front().headline, body};
         }
         const bool early = hit.reached > hit.radius;
         return {early ? WallText::tr("The walls turn %who round too early")

@@ -78,7 +78,7 @@ private:
         for (const auto &[circle, walls] : open)
             circles.push_back(circle);
         if (all) {
-            add(WallText::tr("No wall turns %who round"),
+            add(WallText::tr("None of the four walls turns %who round"),
                 WallText::tr("Thrown at each of the four walls, %1 m/s fast, it goes on through "
                              "them. After every move each circle needs its questions: is its rim "
                              "past a wall?")
@@ -101,10 +101,9 @@ private:
             const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
                 return h.circle == same.front() && !h.turned && !h.held && !h.missed;
             });
-            add(WallText::tr("Nothing turns %who round here: %1").arg(namesOf(open[i].second)),
-                WallText::tr("A circle that is thrown there leaves the square. A square has four "
-                             "walls: look at the question that your "
-                             "program asks for each."),
+            add(WallText::tr("These walls do not turn %who round: %1").arg(namesOf(open[i].second)),
+                WallText::tr("Thrown there it goes on past the wall. A square has four walls: look "
+                             "at the question that your program asks for each."),
                 *at, same, true);
         }
     }
@@ -159,8 +158,8 @@ private:
             if (!right.turnsBoth || hit.missed || !hit.turned || hit.turnsBoth)
                 continue;
             add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
-                WallText::tr("It came with %1 m/s and left with %2 m/s, and the other part did "
-                             "not turn round later. Both walls are hit in the same step, and the "
+                WallText::tr("It came with %1 m/s and left with %2 m/s. Both walls are hit in "
+                             "the same step, and the "
                              "second must go on from what the first has made, not from the "
                              "velocity before.")
                     .arg(brief(hit.came), brief(hit.left)),
@@ -217,10 +216,9 @@ private:
             {Aspect::Walls,
              WallText::tr("Circle %1 is turned round again while it leaves the wall\n\nIts rim was "
                           "still outside, it moved inward already, and it was turned into the wall "
-                          "once more (step %2 of a low drop or slow shot). Put it back inside, or "
+                          "once more: in a low drop or after a slow hit. Put it back inside, or "
                           "ask which way it moves before you turn it.")
-                 .arg(circle + 1)
-                 .arg(step),
+                 .arg(circle + 1),
              {stage, step, {circle}, false}});
     }
 
