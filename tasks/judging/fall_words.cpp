@@ -136,8 +136,8 @@ private:
         }
         if (std::abs(p.value) < wrong)
             return {FlightText::tr("Gravity does not act on %who"),
-                    FlightText::tr("It needs a line that lets gravity change the velocity, in "
-                                   "every step.")};
+                    FlightText::tr("In every step gravity must change its velocity: look for the "
+                                   "line that does it, and at the conditions in front of it.")};
         if (std::abs(p.value + 1.0) < wrong)
             return {FlightText::tr("Gravity pushes %who against its own direction"),
                     FlightText::tr("Look at the signs.")};

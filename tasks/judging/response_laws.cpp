@@ -68,7 +68,7 @@ std::vector<ResponseLaw> separateLaws()
     const QString both = ResponseText::tr("A hit acts on both circles.");
     const QString wall =
         ResponseText::tr("Nobody holds the other circle as a wall is held: look at "
-                         "whose part each circle gets.");
+                         "what each circle gets of the other.");
     return {
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};

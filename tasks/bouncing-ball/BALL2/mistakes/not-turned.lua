@@ -1,8 +1,8 @@
 -- The floor slows the ball and does not turn it
 --
--- At the floor your ball keeps $e$ times its speed and goes on *down*. To bounce is to turn round:
--- what came with $v_y$ leaves with $-e \, v_y$. Look at the sign where the floor changes the
--- velocity.
+-- After the floor has answered, the velocity of your ball is $e$ times as large and still points
+-- *down*. To bounce is to turn round: what came with $v_y$ leaves with $-e \, v_y$. Look at the
+-- sign where the floor changes the velocity.
 
 -- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,9 +1,9 @@
--- Circles that part swap back
+-- Circles that part would swap back
 --
--- After a hit the circles may still overlap for a step while they already move apart. Your test asks
--- for the distance alone, so they swap their velocities a second time, run into each other again,
--- and stick together. Circles that move apart have had their hit. Look at what your test asks besides
--- the distance, and at where the circles stand after a hit.
+-- Two circles that overlap and already move apart are answered by your program as if they had just
+-- met: they swap a second time and run into each other again. Such circles have had their hit.
+-- Whether you see it depends on where a hit leaves the circles. Look at what your test asks besides
+-- the distance.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
 -- Denser circles answer as if they were lighter
 --
 -- Of two circles of equal radius the denser one is changed *more* in your hits: it counts as the
--- lighter one. Density is mass per volume, in kg/m³; check which combination with m³ leaves kg.
--- Look at the formula of your mass.
+-- lighter one. Mass is density times volume, for each circle with its own density. Look at the
+-- formula of your mass, and at whose density stands in it.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,7 +1,8 @@
 -- Circle 2 is the larger one, too
 --
--- Circle 2 has the radius 0.252 m, as in step 14, besides its double density, so it is 4 times as
--- heavy as circle 1. Here the density alone shall double the mass. Look at the radius of circle 2.
+-- Circle 2 has the radius 0.252 m, as in step 14, besides its double density; a ball like that is 4
+-- times as heavy as circle 1. Here the density alone shall double the mass. Look at the radius of
+-- circle 2.
 
 -- The mass of the ball that a circle stands for, in kg: density times volume.
 local function mass(circle)

@@ -1,9 +1,9 @@
 -- The walls turn the whole velocity round
 --
--- A circle that comes to the right-hand wall with (3, 1) m/s leaves it with (−3, −1) m/s: it runs
--- back the way it came. A smooth wall pushes only straight away from itself, so the part of the
--- velocity along the wall has no reason to change. Look at what becomes of the part that the wall
--- cannot touch.
+-- A circle that comes to a side wall with (3, 1) m/s leaves it with (−3, −1) m/s: it runs back the
+-- way it came. A smooth wall pushes only straight away from itself, so the part of the velocity
+-- along the wall has no reason to change. Look at what becomes of the part that the wall cannot
+-- touch.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s.
 

@@ -1,8 +1,8 @@
--- Gravity does not act
+-- Gravity does not change the velocity
 --
--- Whatever gravity is, your circle flies straight on with the velocity that it has. It takes two
--- things to fall: a value in m/s², and a line that lets it change the velocity in every step. The
--- value alone does nothing: look for the second in `on_update`.
+-- Between two hits your circle keeps the velocity that it has, and flies straight on. It takes two
+-- things to fall: a value in m/s², and a line that lets it change the velocity in *every* step.
+-- Look for the second in `on_update`, and at the conditions in front of it.
 
 -- Lab 4.2. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
 

@@ -1,8 +1,8 @@
--- A hit leaves circle 1 as it was
+-- A hit leaves the velocity of circle 1 as it was
 --
 -- A hit makes the velocity of circle 2 zero, but circle 1 keeps the one that it came with. A circle
--- 2 that rested has lost nothing by that, and circle 1 has not noticed the hit. A hit acts on both
--- circles: look at what your answer gives to each of them.
+-- 2 that rested has lost nothing by that. A hit acts on both circles: look at what your answer
+-- gives to each of them.
 
 -- Runs once, when the scene is in place.
 function on_load()
