@@ -47,7 +47,8 @@ private:
     {
         m_found.push_back({Aspect::Contact,
                            headline + QStringLiteral("\n\n") + body,
-                           {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}});
+                           {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false},
+                           Suspect::Question});
     }
 
     [[nodiscard]] static bool answersAny(const std::vector<PairHit> &hits)

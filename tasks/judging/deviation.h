@@ -17,11 +17,21 @@ struct Moment {
     std::optional<Assignment::Field> start{};
 };
 
+/// What of a program is to blame for a deviation.
+enum class Suspect {
+    Answer,   ///< what it does
+    Formula,  ///< the numbers that it works out
+    Question, ///< when, or where
+    Masses,   ///< what it works out for the circles
+    Omission, ///< something that is not there
+};
+
 /// One thing in which a program's law is not the one that is asked for.
 struct LawDeviation {
     Aspect aspect = Aspect::Motion;
     QString message{}; ///< a headline, an empty line, what was measured; CommonMark
     Moment moment{};
+    Suspect suspect = Suspect::Answer;
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

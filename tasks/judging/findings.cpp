@@ -5,6 +5,7 @@
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/line_at_fault.h"
+#include "tasks/judging/line_guess.h"
 #include "tasks/judging/measured_laws.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
@@ -160,7 +161,7 @@ private:
                         .message = message,
                         .check = failed ? failed->id : QString()};
         mark(finding, deviation.moment);
-        prove(finding, deviation);
+        point(finding, deviation);
         m_findings.push_back(finding);
     }
 
@@ -209,25 +210,33 @@ private:
     }
 
     /// A line in which a small change mends this very fault is better than the last that ran.
-    void prove(Finding &finding, const LawDeviation &deviation) const
+    void point(Finding &finding, const LawDeviation &deviation) const
+    {
+        if (!m_submission.script || deviation.moment.start)
+            return;
+        const int proven = provenLine(deviation);
+        const int line =
+            proven != 0 ? proven : guessedLine(*m_submission.script, deviation, finding.line);
+        if (line == finding.line)
+            return;
+        finding.line = line;
+        finding.calls.clear();
+    }
+
+    [[nodiscard]] int provenLine(const LawDeviation &deviation) const
     {
         const Moment &moment = deviation.moment;
-        if (!m_provesLines || !m_submission.script || moment.start || moment.circles.empty()
-            || m_findings.size() >= mostProven)
-            return;
+        if (!m_provesLines || moment.circles.empty() || m_findings.size() >= mostProven)
+            return 0;
         const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
         const std::vector<LawDeviation> before = deviationsOf(m_own, aspect);
-        const int line = lineAtFault(
+        return lineAtFault(
             {*m_submission.script, m_task.solution, moment, [&](const QString &program) {
                  const MeasuredLaws laws(&program, m_ground);
                  return seesAsMuch(laws, aspect)
                             ? mendingOf(deviation, before, deviationsOf(laws, aspect))
                             : Mending::None;
              }});
-        if (line == 0 || line == finding.line)
-            return;
-        finding.line = line;
-        finding.calls.clear();
     }
 
     /// What became of \p fault: gone, or less of it, with nothing new instead.

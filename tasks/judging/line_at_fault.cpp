@@ -116,6 +116,7 @@ int lineAtFault(const FaultQuery &query)
 {
     const Look look(query);
     Mended all;
+    Mended twins;
     Mended parts;
     int measured = 0;
     for (const Repair &repair : repairsOf(query.program, suspects(query))) {
@@ -125,10 +126,16 @@ int lineAtFault(const FaultQuery &query)
             continue;
         ++measured;
         const Mending mending = query.mending(repair.source);
-        if (mending != Mending::None)
-            (mending == Mending::All ? all : parts).note(repair.line);
+        if (mending == Mending::All)
+            (repair.alone ? all : twins).note(repair.line);
+        else if (mending == Mending::Part)
+            parts.note(repair.line);
     }
-    return all.most() != 0 ? all.most() : parts.most();
+    for (const Mended *mended : {&all, &twins, &parts}) {
+        if (const int line = mended->most())
+            return line;
+    }
+    return 0;
 }
 
 } // namespace cradle

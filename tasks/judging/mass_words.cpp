@@ -66,7 +66,7 @@ LawDeviation say(const QString &headline, const QString &why, const std::vector<
             .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
                  brief(massRatio(hit).value_or(0.0)), brief(massRatio(right.front()).value_or(0.0)),
                  brief(m.restitution));
-    return responseDeviation(headline, what + QLatin1Char(' ') + why, hit);
+    return responseDeviation(headline, what + QLatin1Char(' ') + why, hit, Suspect::Masses);
 }
 
 /// m₂/m₁ in a hit of two equal circles among \p hits.
@@ -186,7 +186,7 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
                          "%1 times as heavy as circle 1, and with another density that both have "
                          "%2 times. Compare the lines for the two masses.")
                 .arg(brief(*ratio), brief(*other)),
-            own.equals.front())};
+            own.equals.front(), Suspect::Masses)};
     if (ratio)
         return {responseDeviation(
             MassText::tr("The masses are numbers, not those of the circles"),
@@ -194,7 +194,7 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
                          "%1 times as heavy as circle 1. Work the masses out from `radius` and "
                          "`density`, which other scenes change.")
                 .arg(brief(*ratio)),
-            own.equals.front())};
+            own.equals.front(), Suspect::Masses)};
     MassExponents p(own);
     const MassExponents good(right);
     const auto isOff = [](const std::optional<double> &a, const std::optional<double> &b) {

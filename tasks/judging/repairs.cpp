@@ -11,12 +11,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace cradle {
 
 namespace {
 
-constexpr std::size_t mostRepairs = 600;
+constexpr std::size_t mostRepairs = 900;
 
 /// Undoes, token by token, what students get wrong.
 class Repairer
@@ -28,8 +29,10 @@ public:
         , m_tokens(programTokens(source))
         , m_rows(source.split(QLatin1Char('\n')))
     {
-        for (std::size_t i = 0; i < m_tokens.size(); ++i)
+        for (std::size_t i = 0; i < m_tokens.size(); ++i) {
             note(i);
+            m_rowTokens[m_tokens[i].line].push_back(i);
+        }
     }
 
     std::vector<Repair> make()
@@ -45,6 +48,7 @@ public:
             addRadius(i);
             changeCondition(i);
             changeLength(i);
+            addDensity(i);
         }
         for (const int line : m_lines)
             changeStatement(line);
@@ -82,7 +86,90 @@ private:
             return;
         QString changed = m_source;
         changed.replace(from, to - from, text);
-        m_repairs.push_back({changed, line});
+        m_repairs.push_back({changed, line, true});
+        replaceInTwins(line, from, to, text);
+    }
+
+    /// The same change in all lines that say the same of another circle, wall or part.
+    void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text)
+    {
+        std::vector<Edit> edits{{from, to, text}};
+        for (const int twin : twinsOf(line)) {
+            const auto start = placeIn(line, twin, from);
+            const auto end = placeIn(line, twin, to);
+            if (start && end)
+                edits.push_back({*start, *end, inTwin(text, line, twin)});
+        }
+        if (edits.size() < 2)
+            return;
+        std::sort(edits.begin(), edits.end(),
+                  [](const Edit &a, const Edit &b) { return a.from > b.from; });
+        QString changed = m_source;
+        for (const Edit &edit : edits)
+            changed.replace(edit.from, edit.to - edit.from, edit.text);
+        m_repairs.push_back({changed, line, false});
+    }
+
+    /// Lines near \p line with the same tokens but for names, numbers and signs of order.
+    [[nodiscard]] std::vector<int> twinsOf(int line) const
+    {
+        constexpr int near = 12;
+        std::vector<int> twins;
+        const auto own = m_rowTokens.find(line);
+        if (own == m_rowTokens.end() || own->second.size() < 4)
+            return twins;
+        for (auto it = m_rowTokens.lower_bound(line - near);
+             it != m_rowTokens.end() && it->first <= line + near; ++it) {
+            const bool same =
+                std::equal(own->second.begin(), own->second.end(), it->second.begin(),
+                           it->second.end(), [&](std::size_t a, std::size_t b) {
+                               const ProgramToken &x = m_tokens[a];
+                               const ProgramToken &y = m_tokens[b];
+                               const bool isName = x.kind == ProgramToken::Kind::Name
+                                                   || x.kind == ProgramToken::Kind::Number;
+                               return x.kind == y.kind && (isName || x.text == y.text);
+                           });
+            if (same && it->first != line)
+                twins.push_back(it->first);
+        }
+        return twins;
+    }
+
+    /// The place in \p twin that \p at is in \p line; nothing if it is within a token.
+    [[nodiscard]] std::optional<qsizetype> placeIn(int line, int twin, qsizetype at) const
+    {
+        const std::vector<std::size_t> &own = m_rowTokens.at(line);
+        const std::vector<std::size_t> &other = m_rowTokens.at(twin);
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            if (m_tokens[own[k]].start == at)
+                return m_tokens[other[k]].start;
+            if (m_tokens[own[k]].end() == at)
+                return m_tokens[other[k]].end();
+        }
+        return std::nullopt;
+    }
+
+    /// \p text with the names of \p twin in place of those of \p line.
+    [[nodiscard]] QString inTwin(QString text, int line, int twin) const
+    {
+        const std::vector<std::size_t> &own = m_rowTokens.at(line);
+        const std::vector<std::size_t> &other = m_rowTokens.at(twin);
+        static const QRegularExpression word(QStringLiteral("[A-Za-z_]\\w*"));
+        QString result;
+        qsizetype done = 0;
+        for (auto it = word.globalMatch(text); it.hasNext();) {
+            const QRegularExpressionMatch match = it.next();
+            QString name = match.captured();
+            for (std::size_t k = 0; k < own.size(); ++k) {
+                if (m_tokens[own[k]].text == name) {
+                    name = m_tokens[other[k]].text;
+                    break;
+                }
+            }
+            result += text.mid(done, match.capturedStart() - done) + name;
+            done = match.capturedEnd();
+        }
+        return result + text.mid(done);
     }
     void replace(const ProgramToken &token, const QString &text)
     {
@@ -118,6 +205,8 @@ private:
             return;
         QStringList others{QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("0.5"),
                            QStringLiteral("restitution")};
+        if (number.text == QLatin1String("2"))
+            others.append(QStringLiteral("(1 + restitution)"));
         if (i > 0 && m_tokens[i - 1].is("^"))
             others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
         for (const QString &other : others)
@@ -332,6 +421,22 @@ private:
         replace(m_tokens[i].line, from, end, QStringLiteral("-(%1)").arg(right));
     }
 
+    /// A mass without its density.
+    void addDensity(std::size_t i)
+    {
+        const ProgramToken &token = m_tokens[i];
+        if (!(is(i, "=") || is(i, "return")) || i + 1 >= m_tokens.size()
+            || m_tokens[i + 1].line != token.line)
+            return;
+        const std::vector<std::size_t> &row = m_rowTokens.at(token.line);
+        for (std::size_t k = 2; k < row.size(); ++k) {
+            if (row[k] > i && m_tokens[row[k]].is("radius") && m_tokens[row[k] - 1].is(".")) {
+                insert(token, QStringLiteral(" %1.density *").arg(m_tokens[row[k] - 2].text));
+                return;
+            }
+        }
+    }
+
     void changeStatement(int line)
     {
         static const QRegularExpression statement(
@@ -348,10 +453,17 @@ private:
                     m_rows[line] + QLatin1Char('\n') + row);
     }
 
+    struct Edit {
+        qsizetype from;
+        qsizetype to;
+        QString text;
+    };
+
     const QString &m_source;
     const std::set<int> &m_lines;
     std::vector<ProgramToken> m_tokens;
     QStringList m_rows;
+    std::map<int, std::vector<std::size_t>> m_rowTokens{}; ///< by line, from 1
     QSet<QString> m_names{};
     QSet<QString> m_timesteps{};
     std::map<int, std::set<QString>> m_bodies{}; ///< names of circles, by line

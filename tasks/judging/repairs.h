@@ -12,7 +12,8 @@ namespace cradle {
 /// A program with one small change that may mend it.
 struct Repair {
     QString source;
-    int line = 0; ///< of the program, from 1, in which something was changed
+    int line = 0;      ///< of the program, from 1, in which something was changed
+    bool alone = true; ///< else the same was changed in lines that are alike
 };
 
 /// Programs that differ from \p source in one token, one factor, one term, one part of a condition

@@ -9,7 +9,7 @@ namespace cradle {
 
 /// A finding on how a hit is answered, shown at \p hit.
 [[nodiscard]] LawDeviation responseDeviation(const QString &headline, const QString &body,
-                                             const PairHit &hit);
+                                             const PairHit &hit, Suspect suspect = Suspect::Answer);
 
 /// What came, what left, and what is right, in words.
 [[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);

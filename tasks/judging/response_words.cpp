@@ -49,9 +49,10 @@ public:
     }
 
 private:
-    void add(const QString &headline, const QString &body, const PairHit &hit)
+    void add(const QString &headline, const QString &body, const PairHit &hit,
+             Suspect suspect = Suspect::Answer)
     {
-        m_found.push_back(responseDeviation(headline, body, hit));
+        m_found.push_back(responseDeviation(headline, body, hit, suspect));
     }
 
     /// The hits that two programs had along the same line.
@@ -194,7 +195,7 @@ private:
                         .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1),
                              brief(m.radius2), brief(m.density1), brief(m.density2),
                              motion::figureBeside(wanted, *heavy)),
-                    hit);
+                    hit, Suspect::Masses);
                 return;
             }
         }
@@ -247,11 +248,13 @@ private:
 
 } // namespace
 
-LawDeviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit)
+LawDeviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit,
+                               Suspect suspect)
 {
     return {Aspect::Response,
             headline + QStringLiteral("\n\n") + body,
-            {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false}};
+            {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false},
+            suspect};
 }
 
 QString describeHit(const PairHit &hit, const PairHit &right)

@@ -63,7 +63,7 @@ public:
         const bool isOfSome = walls.size() < wallsLike(hit) || walls.size() == 1;
         const QString where = isOfSome ? QStringLiteral(" (%1)").arg(namesOf(walls)) : QString();
         return deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
-                         {circles.begin(), circles.end()}, hit.held);
+                         {circles.begin(), circles.end()}, Suspect::Formula, hit.held);
     }
 
 private:

@@ -29,6 +29,7 @@ public:
 protected:
     [[nodiscard]] LawDeviation deviation(const QString &headline, const QString &body,
                                          const WallHit &hit, const std::vector<int> &circles,
+                                         Suspect suspect = Suspect::Answer,
                                          bool isPosition = false) const;
     static QString namesOf(const std::set<Wall> &walls);
 

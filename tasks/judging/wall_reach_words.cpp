@@ -45,8 +45,8 @@ public:
         }
         std::vector<LawDeviation> found;
         for (std::size_t i = 0; i < said.size(); ++i)
-            found.push_back(
-                deviation(said[i].first, bodies[i].first, *bodies[i].second, said[i].second));
+            found.push_back(deviation(said[i].first, bodies[i].first, *bodies[i].second,
+                                      said[i].second, Suspect::Question));
         return found;
     }
 

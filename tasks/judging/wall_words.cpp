@@ -11,14 +11,15 @@ namespace cradle {
 
 LawDeviation WallComparison::deviation(const QString &headline, const QString &body,
                                        const WallHit &hit, const std::vector<int> &circles,
-                                       bool isPosition) const
+                                       Suspect suspect, bool isPosition) const
 {
     const QString names = circleNames(circles, m_ground.flights.size());
     QString message = headline + QStringLiteral("\n\n") + body;
     message.replace(QLatin1String("%who"), names);
     return {Aspect::Walls,
             message,
-            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition}};
+            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
+            suspect};
 }
 
 QString WallComparison::namesOf(const std::set<Wall> &walls)
@@ -52,9 +53,9 @@ public:
 
 private:
     void add(const QString &headline, const QString &body, const WallHit &hit,
-             const std::vector<int> &circles, bool isPosition = false)
+             const std::vector<int> &circles, Suspect suspect, bool isPosition = false)
     {
-        m_found.push_back(deviation(headline, body, hit, circles, isPosition));
+        m_found.push_back(deviation(headline, body, hit, circles, suspect, isPosition));
     }
 
     void findMissing()
@@ -85,7 +86,7 @@ private:
                     .arg(brief(
                         length(first->stage.preset.circles[static_cast<std::size_t>(first->circle)]
                                    .body.velocity))),
-                *first, circles, true);
+                *first, circles, Suspect::Omission, true);
             return;
         }
         for (std::size_t i = 0; i < open.size(); ++i) {
@@ -104,7 +105,7 @@ private:
             add(WallText::tr("These walls do not turn %who round: %1").arg(namesOf(open[i].second)),
                 WallText::tr("Thrown there it goes on past the wall. A square has four walls: look "
                              "at the question that your program asks for each."),
-                *at, same, true);
+                *at, same, Suspect::Omission, true);
         }
     }
 
@@ -126,7 +127,7 @@ private:
                              "circle goes back to its *own* place: look at which old position it "
                              "gets.")
                     .arg(motion::wallName(hit.wall), brief(hit.leap), brief(hit.landed)),
-                hit, {hit.circle}, true);
+                hit, {hit.circle}, Suspect::Answer, true);
             return;
         }
     }
@@ -144,7 +145,7 @@ private:
                          "did not go on freely. Each circle is put back on its own: look at whose "
                          "positions your wall changes.")
                 .arg(circleNames({at->circle}, 0), motion::wallName(at->wall)),
-            *at, {at->circle}, true);
+            *at, {at->circle}, Suspect::Answer, true);
     }
 
     void findCorners()
@@ -163,7 +164,7 @@ private:
                              "second must go on from what the first has made, not from the "
                              "velocity before.")
                     .arg(brief(hit.came), brief(hit.left)),
-                hit, {hit.circle});
+                hit, {hit.circle}, Suspect::Answer);
             return;
         }
     }
@@ -219,7 +220,8 @@ private:
                           "once more: in a low drop or after a slow hit. Put it back inside, or "
                           "ask which way it moves before you turn it.")
                  .arg(circle + 1),
-             {stage, step, {circle}, false}});
+             {stage, step, {circle}, false},
+             Suspect::Question});
     }
 
     std::vector<LawDeviation> m_found;
