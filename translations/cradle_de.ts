@@ -1320,10 +1320,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Im Test auf Berührung steht eine Zahl für r₁ + r₂</translation>
     </message>
     <message>
-        <source>Whatever the radii are, they answer at a distance of about %1 m.</source>
-        <translation>Wie groß die Radien auch sind, sie antworten bei einem Abstand von etwa %1 m.</translation>
-    </message>
-    <message>
         <source>The circles answer before they touch</source>
         <translation>Die Kreise antworten, bevor sie sich berühren</translation>
     </message>
@@ -1388,16 +1384,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who wird die Geschwindigkeit in jedem Schritt neu gesetzt</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start: what a hit changes is lost at once. A start is set once, in `on_load`; a step works the new velocity out from the old one.</source>
-        <translation>Gestartet mit %1 m/s, hat der Kreis einen Schritt später %2 m/s, und so ist es bei jedem anderen Start: Was ein Stoß ändert, ist sofort verloren. Ein Start wird einmal gesetzt, in `on_load`; ein Schritt rechnet die neue Geschwindigkeit aus der alten aus.</translation>
-    </message>
-    <message>
         <source>The velocity of circle %1 moves %who</source>
         <translation>Die Geschwindigkeit von Kreis %1 bewegt %who</translation>
-    </message>
-    <message>
-        <source>In a scene in which circle %1 alone has a velocity, it is this circle that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>In einer Szene, in der allein Kreis %1 eine Geschwindigkeit hat, ist es dieser Kreis, der um v Δt weiterkommt. Jeder Kreis bewegt sich mit seiner eigenen Geschwindigkeit: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
@@ -1418,10 +1406,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>The y of %who never changes</source>
         <translation>Für %who ändert sich y nie</translation>
-    </message>
-    <message>
-        <source> Both parts of the position change, each by its own part of the velocity.</source>
-        <translation> Beide Anteile des Ortes ändern sich, jeder durch seinen eigenen Anteil der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The way of %who is not multiplied by the timestep</source>
@@ -1538,10 +1522,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Gravity does not act on %who</source>
         <translation>Die Schwerkraft wirkt nicht auf %who</translation>
-    </message>
-    <message>
-        <source>It needs a line that lets gravity change the velocity, in every step.</source>
-        <translation>Es braucht eine Zeile, die in jedem Schritt die Schwerkraft die Geschwindigkeit ändern lässt.</translation>
     </message>
     <message>
         <source>Gravity pushes %who against its own direction</source>
@@ -1676,10 +1656,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
 Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 a Δt² weiter und Kreis 2 um %2 a Δt²; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, the hit changed the velocity of circle 1 %5 times as much as that of circle 2; m₂/m₁ = %6 is right.</source>
-        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 änderte der Stoß die Geschwindigkeit von Kreis 1 %5-mal so stark wie die von Kreis 2; richtig ist m₂/m₁ = %6.</translation>
-    </message>
-    <message>
         <source>The masses are numbers, not those of the circles</source>
         <translation>Die Massen sind Zahlen, nicht die der Kreise</translation>
     </message>
@@ -1704,10 +1680,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Der schwerere wird schneller weggestoßen. Sieh nach, welche Masse wo steht.</translation>
     </message>
     <message>
-        <source>The radius is left out of the mass</source>
-        <translation>Der Radius fehlt in der Masse</translation>
-    </message>
-    <message>
         <source>The mass grows with r to the power of %1, not %2</source>
         <translation>Die Masse wächst mit r hoch %1, nicht hoch %2</translation>
     </message>
@@ -1716,16 +1688,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Eine Kugel, die doppelt so breit ist, ist auch doppelt so hoch und doppelt so tief: Ihre Masse wächst mit r³.</translation>
     </message>
     <message>
-        <source>The density is left out of the mass</source>
-        <translation>Die Dichte fehlt in der Masse</translation>
-    </message>
-    <message>
         <source>The mass grows with the density to the power of %1, not %2</source>
         <translation>Die Masse wächst mit der Dichte hoch %1, nicht hoch %2</translation>
-    </message>
-    <message>
-        <source>Mass is density times volume.</source>
-        <translation>Masse ist Dichte mal Volumen.</translation>
     </message>
     <message>
         <source>With e = %1: </source>
@@ -1810,10 +1774,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>A hit acts on both circles.</source>
         <translation>Ein Stoß wirkt auf beide Kreise.</translation>
-    </message>
-    <message>
-        <source>Nobody holds the other circle as a wall is held: look at whose part each circle gets.</source>
-        <translation>Niemand hält den anderen Kreis fest wie eine Wand: Sieh nach, wessen Anteil jeder Kreis bekommt.</translation>
     </message>
     <message>
         <source>A hit leaves circle 2 as it was</source>
@@ -2072,28 +2032,12 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Die Massen in deiner eigenen Szene sind nicht die ihrer Kreise</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right, so the masses were worked out before radii and densities were set: look at the order in `on_load`.</source>
-        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. Andere Szenen stimmen, also wurden die Massen berechnet, bevor Radien und Dichten gesetzt waren: Sieh dir die Reihenfolge in `on_load` an.</translation>
-    </message>
-    <message>
         <source>In your own scene the hit does not use the e that it has</source>
         <translation>In deiner eigenen Szene benutzt der Stoß nicht das e, das sie hat</translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right, so e was copied before it was set.</source>
-        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. Andere Szenen stimmen, also wurde e kopiert, bevor es gesetzt war.</translation>
-    </message>
-    <message>
         <source>Equal circles answer rightly, unequal ones do not</source>
         <translation>Gleiche Kreise antworten richtig, ungleiche nicht</translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4: </source>
-        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4: </translation>
-    </message>
-    <message>
-        <source>Taken apart along the line of centres and across it, circle 1 came with %1 and circle 2 with %2 m/s; they left with %3 and %4 m/s, and %5 and %6 m/s are right.</source>
-        <translation>Zerlegt längs der Linie der Mittelpunkte und quer dazu, kamen Kreis 1 mit %1 und Kreis 2 mit %2 m/s; davon gingen sie mit %3 und %4 m/s, und richtig sind %5 und %6 m/s.</translation>
     </message>
     <message>
         <source>Gravity is %1 m/s², not %2
@@ -2112,24 +2056,8 @@ Look at what `on_load` sets, and for which circle.</source>
 Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
     </message>
     <message>
-        <source>e = %1 is not the value that is asked for
-
-The laws of your program are right; with another e your own scene would pass. Work out what e has to be, and look at how `on_load` writes it.</source>
-        <translation>e = %1 ist nicht der verlangte Wert
-
-Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eigene Szene bestehen. Rechne aus, wie groß e sein muss, und sieh nach, wie `on_load` es schreibt.</translation>
-    </message>
-    <message>
-        <source>No wall turns %who round</source>
-        <translation>Keine Wand kehrt %who um</translation>
-    </message>
-    <message>
         <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
         <translation>Auf jede der vier Wände geworfen, %1 m/s schnell, geht der Kreis durch sie hindurch. Nach jeder Bewegung braucht jeder Kreis seine Fragen: Ist sein Rand hinter einer Wand?</translation>
-    </message>
-    <message>
-        <source>Nothing turns %who round here: %1</source>
-        <translation>Hier kehrt nichts %who um: an %1</translation>
     </message>
     <message>
         <source>At the walls the centre of %who is asked for, not the rim</source>
@@ -2178,14 +2106,6 @@ Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eige
     <message>
         <source>Its radius is %1 m, and at the %2 it turns when its centre is between %3 and %4 m from the wall. It should turn when its rim is there.</source>
         <translation>Der Radius ist %1 m, und an %2 wird umgekehrt, wenn der Mittelpunkt zwischen %3 und %4 m von der Wand entfernt ist. Umkehren sollte der Kreis, wenn sein Rand dort ist.</translation>
-    </message>
-    <message>
-        <source>So it is here: %1. </source>
-        <translation>So ist es an %1. </translation>
-    </message>
-    <message>
-        <source>It came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
-        <translation>An %1 kam der Kreis mit %2 m/s an und ging mit %3 m/s davon; richtig ist %4 m/s.</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
@@ -2332,24 +2252,12 @@ Die Gesetze deines Programms sind richtig; mit einem anderen e würde deine eige
         <translation>In einer Ecke wird für %who nur ein Anteil der Geschwindigkeit umgekehrt</translation>
     </message>
     <message>
-        <source>It came with %1 m/s and left with %2 m/s, and the other part did not turn round later. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
-        <translation>Der Kreis kam mit %1 m/s und ging mit %2 m/s davon, und der andere Anteil kehrte auch später nicht um. Beide Wände werden im selben Schritt getroffen, und die zweite muss von dem ausgehen, was die erste gemacht hat, nicht von der Geschwindigkeit davor.</translation>
-    </message>
-    <message>
         <source>The floor does not hold circle %1 up
 
 After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
         <translation>Der Boden trägt Kreis %1 nicht
 
 Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber nichts setzt ihn zurück, und die Schwerkraft zieht ihn in jedem Schritt tiefer. Setz den Kreis dorthin zurück, wo er berührt.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves the wall
-
-Its rim was still outside, it moved inward already, and it was turned into the wall once more (step %2 of a low drop or slow shot). Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
-
-Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch einmal in die Wand gedreht (Schritt %2 eines niedrigen Falls oder langsamen Wurfs). Setz ihn wieder nach drinnen, oder frag, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
@@ -2360,12 +2268,200 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
         <translation>Ein Stoß hält nicht beide Kreise an</translation>
     </message>
     <message>
-        <source>A circle that is thrown there leaves the square. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Ein Kreis, der dorthin geworfen wird, verlässt das Quadrat. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
-    </message>
-    <message>
         <source>The walls give %who %1 times the speed back</source>
         <translation>Von den Wänden kommt für %who das %1-fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>The circles are put back and keep their velocities</source>
+        <translation>Die Kreise werden zurückgesetzt und behalten ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
+        <translation>Wenn sie sich berühren, ändert sich ein Ort und keine Geschwindigkeit; der nächste Schritt bringt sie wieder dorthin. Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen und wonach sie fragen.</translation>
+    </message>
+    <message>
+        <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
+        <translation>Wie groß die Radien auch sind, sie antworten beim selben Abstand, zwischen %1 und %2 m.</translation>
+    </message>
+    <message>
+        <source>Gravity does not act alike on light and heavy ones (%who)</source>
+        <translation>Die Schwerkraft wirkt auf Leichte und Schwere nicht gleich (%who)</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
+        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-fache und seine Dichte das 1.5-fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
+    </message>
+    <message>
+        <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
+        <translation>In jedem Schritt muss die Schwerkraft seine Geschwindigkeit ändern: Suche die Zeile, die das tut, und sieh dir die Bedingungen davor an.</translation>
+    </message>
+    <message>
+        <source>Every step puts %who where circle %1 is</source>
+        <translation>Jeder Schritt setzt %who dorthin, wo Kreis %1 ist</translation>
+    </message>
+    <message>
+        <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
+        <translation>Wo die beiden auch beginnen, einen Schritt später sind sie am selben Ort. Jeder Kreis hat einen eigenen Ort und eine eigene Geschwindigkeit und geht von diesen weiter: Sieh nach, was die Zeilen für den einen vom anderen nehmen.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
+        <translation>Mit %1 m/s begonnen, hat er einen Schritt später %2 m/s, und so von jedem anderen Beginn. Ein Schritt errechnet die neue Geschwindigkeit aus der, die der Kreis hat und die ein Stoß geändert haben kann; ein Beginn wird einmal gesetzt, in `on_load`.</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>In einer Szene, in der nur Kreis %1 eine Geschwindigkeit hat, geht %who um v Δt weiter. Jeder Kreis bewegt sich mit seiner eigenen Geschwindigkeit: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source> Both parts of the position must change, each by its own part of the velocity.</source>
+        <translation> Beide Teile des Orts müssen sich ändern, jeder um seinen eigenen Teil der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt er in einem Schritt um %3 m weiter, mit %4 m/s um %5 m; v Δt ist %6 und %7 m.</translation>
+    </message>
+    <message>
+        <source>Each part of the position changes by its own part of the velocity.</source>
+        <translation>Jeder Teil des Orts ändert sich um seinen eigenen Teil der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The x part of the velocity moves %who in y</source>
+        <translation>Der x-Teil der Geschwindigkeit bewegt %who in y</translation>
+    </message>
+    <message>
+        <source>The y part of the velocity moves %who in x</source>
+        <translation>Der y-Teil der Geschwindigkeit bewegt %who in x</translation>
+    </message>
+    <message>
+        <source>x and y of the velocity are exchanged where %who moves</source>
+        <translation>x und y der Geschwindigkeit sind vertauscht, wo %who sich bewegt</translation>
+    </message>
+    <message>
+        <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
+        <translation>Sieh nach, was die Zeile nimmt, die den Ort ändert, und welche Bedingungen davor stehen.</translation>
+    </message>
+    <message>
+        <source>What changes the velocity of %who asks how it moves</source>
+        <translation>Was die Geschwindigkeit ändert, hängt für %who davon ab, wie er sich bewegt</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>Unter der Schwerkraft %1 m/s² und mit der Geschwindigkeit %2 m/s ändert sie sich in einem Schritt von %4 s um %3 m/s, mit %5 m/s um %6 m/s; richtig sind %7 und %8 m/s. Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) war die Änderung von v₁ das %5-fache der von v₂; richtig ist m₂/m₁ = %6.</translation>
+    </message>
+    <message>
+        <source>Where the masses differ, only circle %1 leaves as it should</source>
+        <translation>Wo die Massen verschieden sind, geht nur Kreis %1, wie er soll</translation>
+    </message>
+    <message>
+        <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
+        <translation>Sieh nach, mit welcher Masse der andere gestoßen wird: Jede Änderung einer Geschwindigkeit ist der Kraftstoß, geteilt durch die eigene Masse des Kreises.</translation>
+    </message>
+    <message>
+        <source>The two masses are not worked out in the same way</source>
+        <translation>Die beiden Massen werden nicht auf dieselbe Art berechnet</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with another density that both have %2 times. Compare the lines for the two masses.</source>
+        <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1, und mit einer anderen Dichte, die beide haben, %2-mal. Vergleiche die Zeilen für die beiden Massen.</translation>
+    </message>
+    <message>
+        <source>The hits do not depend on the radii</source>
+        <translation>Die Stöße hängen nicht von den Radien ab</translation>
+    </message>
+    <message>
+        <source>The masses do not follow the radii as those of balls do</source>
+        <translation>Die Massen folgen den Radien nicht wie die von Kugeln</translation>
+    </message>
+    <message>
+        <source>The hits do not depend on the densities</source>
+        <translation>Die Stöße hängen nicht von den Dichten ab</translation>
+    </message>
+    <message>
+        <source>The masses do not follow the densities</source>
+        <translation>Die Massen folgen den Dichten nicht</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume, for each circle its own.</source>
+        <translation>Masse ist Dichte mal Volumen, für jeden Kreis die eigene.</translation>
+    </message>
+    <message>
+        <source>Nobody holds the other circle as a wall is held: look at what each circle gets of the other.</source>
+        <translation>Niemand hält den anderen Kreis fest wie eine Wand: Sieh nach, was jeder Kreis vom anderen bekommt.</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. Andere Szenen gehen richtig aus. Eine Masse, die berechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4, e = %5: </translation>
+    </message>
+    <message>
+        <source>%1 along, %2 across</source>
+        <translation>%1 längs, %2 quer</translation>
+    </message>
+    <message>
+        <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
+        <translation>Geschwindigkeiten in m/s längs der Verbindungslinie der Mittelpunkte (von 1 nach 2) und quer dazu: Kreis 1 kam mit %1, Kreis 2 mit %2; sie gingen mit %3 und mit %4; richtig ist %5 und %6.</translation>
+    </message>
+    <message>
+        <source>e = %1 is not the value that is asked for</source>
+        <translation>e = %1 ist nicht der verlangte Wert</translation>
+    </message>
+    <message>
+        <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
+        <translation>Die Gesetze deines Programms stimmen; mit dem e, das der Schritt verlangt, würde deine eigene Szene bestehen.</translation>
+    </message>
+    <message>
+        <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
+        <translation>`on_load` setzt `restitution` nicht; so ist es der Wert, den die Szene vorher hatte.</translation>
+    </message>
+    <message>
+        <source>Look at what `on_load` gives to `restitution`.</source>
+        <translation>Sieh nach, was `on_load` an `restitution` gibt.</translation>
+    </message>
+    <message>
+        <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
+        <translation>Kreis %5 kam mit %2 m/s hierher: %1, und ging mit %3 m/s; richtig ist %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 e of the speed back, not e</source>
+        <translation>Von den Wänden kommt für %who das %1 e-fache des Tempos zurück, nicht das e-fache</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
+        <translation>Sein Radius ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand ist: die Hälfte davon. Vom Mittelpunkt zum Rand ist es der ganze Radius.</translation>
+    </message>
+    <message>
+        <source>None of the four walls turns %who round</source>
+        <translation>Keine der vier Wände lässt %who umkehren</translation>
+    </message>
+    <message>
+        <source>These walls do not turn %who round: %1</source>
+        <translation>Diese Wände lassen %who nicht umkehren: %1</translation>
+    </message>
+    <message>
+        <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
+        <translation>Dorthin geworfen, geht er über die Wand hinaus weiter. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
+    </message>
+    <message>
+        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
+        <translation>Er kam mit %1 m/s und ging mit %2 m/s. Beide Wände werden im selben Schritt getroffen, und die zweite muss von dem ausgehen, was die erste gemacht hat, nicht von der Geschwindigkeit davor.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves the wall
+
+Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
+
+Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch einmal in die Wand gedreht: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
     </message>
 </context>
 <context>
