@@ -28,7 +28,8 @@ std::map<qint64, Column> columnsOf(const QList<QPointF> &samples, double t0, dou
     for (const QPointF &s : samples) {
         if (s.x() < t0 || s.x() > t1)
             continue;
-        const auto key = static_cast<qint64>(std::floor(s.x() / width));
+        const auto key = static_cast<qint64>(
+            std::min(std::floor(s.x() / width), std::floor(t0 / width) + count));
         auto [found, isNew] = columns.try_emplace(key, Column{s.y(), s.y()});
         found->second.least = std::min(found->second.least, s.y());
         found->second.greatest = std::max(found->second.greatest, s.y());
@@ -61,6 +62,7 @@ class TestMinMaxPyramid final : public QObject
 private slots:
     void equalsBruteForce();
     void equalsBruteForceAfterDropping();
+    void putsNoSampleBetweenColumns();
     void keepsFewSamplesAsTheyAre();
     void keepsAnUprightStepSharp();
     void joinsLevelSamples();
@@ -123,6 +125,15 @@ void TestMinMaxPyramid::equalsBruteForceAfterDropping()
         RC_ASSERT(pyramid.minimum() == (all.empty() ? 0.0 : all.begin()->second.least));
         RC_ASSERT(pyramid.maximum() == (all.empty() ? 0.0 : all.begin()->second.greatest));
     }));
+}
+
+void TestMinMaxPyramid::putsNoSampleBetweenColumns()
+{
+    // Columns are 9/7 s wide; 9 s is the edge of one, but 9/(9/7) rounds to less than 7. From 0.5
+    // to 9.5 s there are 37 samples in 8 columns, and one more beyond each end.
+    const QList<QPointF> points =
+        pyramidOf(makeSamples(std::vector<int>(50))).decimate(0.5, 9.5, 7);
+    QCOMPARE(points.size(), 2 * 8 + 2);
 }
 
 void TestMinMaxPyramid::keepsFewSamplesAsTheyAre()

@@ -95,6 +95,17 @@ QList<QPointF> MinMaxPyramid::decimate(double t0, double t1, int columns) const
     return window.m_points;
 }
 
+/// The first of the samples [\p from, \p to) whose column is not \p column or one before it. By
+/// the samples' columns, not by the time of its edge: that would round otherwise than they do.
+template <class ColumnOf>
+qint64 MinMaxPyramid::firstBehind(double column, ColumnOf columnOf, qint64 from, qint64 to) const
+{
+    const auto begin = m_samples.begin() + (from - m_first);
+    const auto found = std::partition_point(
+        begin, begin + (to - from), [&](const QPointF &s) { return columnOf(s) <= column; });
+    return m_first + (found - m_samples.begin());
+}
+
 void MinMaxPyramid::decimate(Window &window, double t0, double t1, int columns) const
 {
     const bool goesOn = window.m_stamp == m_stamp && window.m_t0 == t0 && window.m_t1 == t1
@@ -125,9 +136,12 @@ void MinMaxPyramid::decimate(Window &window, double t0, double t1, int columns) 
             points.append(sample(before));
     }
     const double width = (t1 - t0) / columns;
+    const double last = std::floor(t0 / width) + columns; // t1 may round into one more
+    const auto columnOf = [&](const QPointF &s) {
+        return std::min(std::floor(s.x() / width), last);
+    };
     for (qint64 i = from; i < to;) {
-        const double edge = (std::floor(sample(i).x() / width) + 1.0) * width;
-        const qint64 next = std::clamp(firstNotBefore(edge, i), i + 1, to);
+        const qint64 next = firstBehind(columnOf(sample(i)), columnOf, i, to);
         if (next < end()) {
             window.m_settled = points.size();
             window.m_next = i;
