@@ -155,6 +155,8 @@ void ExactSolver::hitWall(Slot a, Wall wall, std::vector<Hit> &hits)
         hit.impulse = (closing + rebound.speed) / disc.inverseMass;
         hit.loss = 0.5 * (closing - rebound.speed) * hit.impulse;
         report(hit, hits);
+    } else {
+        noteLasting();
     }
     findEvents(a);
 }
@@ -187,6 +189,8 @@ void ExactSolver::hitPair(Slot slotA, Slot slotB, std::vector<Hit> &hits)
                        ? 0.5 * (closing - rebound.speed) * hit.impulse
                        : kineticLoss(hit.beforeA, a) + kineticLoss(hit.beforeB, b);
         report(hit, hits);
+    } else {
+        noteLasting();
     }
     findEvents(slotA);
     findEvents(slotB);

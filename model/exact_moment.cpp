@@ -88,8 +88,11 @@ void ExactSolver::takeMoment(Slot a, Slot b, std::vector<Hit> &hits)
         answerInTurn(hits);
     else
         answerTogether(hits);
-    for (const Slot slot : m_touched)
+    for (const Slot slot : m_touched) {
         noteHit(slot, m_soft);
+        if (m_soft)
+            noteLasting();
+    }
     for (const Slot slot : m_touched)
         findEvents(slot);
 }

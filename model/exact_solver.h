@@ -25,7 +25,8 @@ namespace cradle {
 ///
 /// When two meet follows from where each was hit last, whenever that is worked out. So cells and
 /// searches leave no trace in the result, nor does how the time is divided into calls of advance().
-/// Theory, and what bounds the number of hits when e < 1: docs/physics.md.
+/// Theory, and what bounds the number of hits when e < 1: docs/physics.md. Where they still come
+/// by the ten thousand a frame the solver stops: the crowd hasCollapsed().
 /// Source of the method: Rapaport, The Art of Molecular Dynamics Simulation, 2nd ed., ch. 14;
 /// of the own clocks and the queue: Lubachevsky, J. Comput. Phys. 94 (1991) 255.
 class ExactSolver
@@ -36,6 +37,16 @@ public:
     /// Goes on by \p dt s. Hits are appended to \p hits; \p time (s) and \p step are those at the
     /// end of the advance, as hits report them.
     void advance(double dt, double time, qint64 step, std::vector<Hit> &hits);
+    /// The same in parts: sets where to go, and what is to be reported,
+    void aim(double dt, double time, qint64 step);
+    /// and goes there, but through no more than \p events events. Hits are appended to \p hits.
+    /// \return whether it is there, or has collapsed; else it goes on when called again
+    [[nodiscard]] bool run(std::size_t events, std::vector<Hit> &hits);
+    /// Whether hits that nobody sees, of circles that lie on each other, have come to outnumber
+    /// what can be followed. The present moment is then that of the latest one, and stays so.
+    [[nodiscard]] bool hasCollapsed() const { return m_collapsed; }
+    /// What is left of the way to where it was to go; 0 unless it has collapsed, s.
+    [[nodiscard]] double left() const { return m_left; }
     /// Writes places and velocities at the present moment to \p circles.
     void read(std::span<Circle> circles) const;
 
@@ -132,6 +143,7 @@ private:
     void hitWall(Slot a, Wall wall, std::vector<Hit> &hits);
     void respond(Disc &a, Disc &b, Vec2 n, double change, bool lasting) const;
     void noteHit(Slot slot, bool soft);
+    void noteLasting();
     void setAgainst(Disc &disc, Wall wall) const;
     [[nodiscard]] Rebound reboundOf(Slot a, Slot b, Vec2 normal, double closing) const;
     [[nodiscard]] double softSpeed(double radius, bool shaking) const;
@@ -162,16 +174,21 @@ private:
     double m_gravity = 0.0; ///< its size, m/s²
     bool m_walls = false;
     bool m_pairs = false;
-    bool m_lossy = false;        ///< e < 1 or a law that stops: hits may come ever quicker
-    std::size_t m_small = 0;     ///< discs in cells; the few giants follow them
-    double m_smallRadius = 0;    ///< the largest in cells, m
-    double m_rows = 1;           ///< of a heap as wide as high of all discs, as if they were alike
-    double m_quiet = 0;          ///< without gravity: slower hits lose nothing, m/s
-    double m_now = 0;            ///< s into the epoch
-    double m_moment = 0;         ///< events closer than this are one, s
-    double m_eventTime = 0;      ///< of the event that is taken, s into the epoch
-    double m_startTime = 0;      ///< of the epoch, as hits report it, s
-    qint64 m_step = 0;           ///< as hits report it
+    bool m_lossy = false;      ///< e < 1 or a law that stops: hits may come ever quicker
+    std::size_t m_small = 0;   ///< discs in cells; the few giants follow them
+    double m_smallRadius = 0;  ///< the largest in cells, m
+    double m_rows = 1;         ///< of a heap as wide as high of all discs, as if they were alike
+    double m_quiet = 0;        ///< without gravity: slower hits lose nothing, m/s
+    double m_now = 0;          ///< s into the epoch
+    double m_moment = 0;       ///< events closer than this are one, s
+    double m_eventTime = 0;    ///< of the event that is taken, s into the epoch
+    double m_startTime = 0;    ///< of the epoch, as hits report it, s
+    qint64 m_step = 0;         ///< as hits report it
+    double m_elapsed = 0;      ///< at the begin of the epoch, since the start, s
+    double m_windowEnd = 0;    ///< since the start, s; until then lasting contacts are counted
+    std::size_t m_lasting = 0; ///< so many
+    bool m_collapsed = false;
+    double m_left = 0;           ///< when it collapsed: to where it should have gone, s
     std::size_t m_hits = 0;      ///< of discs, in this epoch
     std::size_t m_crossings = 0; ///< of cells, since discs were listed
     CellLists m_cells;

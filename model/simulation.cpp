@@ -4,6 +4,8 @@
 
 #include "model/inferred_hits.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
 
 namespace cradle {
@@ -12,6 +14,13 @@ namespace {
 
 /// How far seekNextHit() looks ahead, s of the scene.
 constexpr double longestSearch = 60.0;
+/// A step of exact timing goes on in the next frame after so many events: about 20 ms.
+constexpr std::size_t eventsAtOnce = 16'384;
+/// seekNextHit() answers at once for so many steps of single circles, then it works in parts.
+constexpr double stepsAtOnce = 30'000.0;
+/// A step of a program takes so many times as long.
+constexpr double weightOfProgram = 20.0;
+constexpr qint64 partOfSearch = 25; ///< ms
 
 } // namespace
 
@@ -24,6 +33,8 @@ Simulation::Simulation(const Preset &preset, QObject *parent)
 {
     connect(&m_clock, &SimulationClock::stepDue, this, &Simulation::advance);
     connect(&m_clock, &SimulationClock::frameReady, this, &Simulation::frameReady);
+    m_searchTimer.setInterval(0);
+    connect(&m_searchTimer, &QTimer::timeout, this, &Simulation::searchOn);
     begin();
 }
 
@@ -53,6 +64,8 @@ void Simulation::setRun(const Preset &preset, Program *program)
 
 void Simulation::begin()
 {
+    endSearch();
+    m_unfinished.reset();
     m_scene = m_preset;
     m_error.reset();
     m_notes.clear();
@@ -81,7 +94,7 @@ void Simulation::beginShadow()
 /// The state before the step that could not be made is the newest; there the run rests.
 void Simulation::fail(const ProgramError &error)
 {
-    pause();
+    stopClock();
     emit programFailed(error);
 }
 
@@ -93,11 +106,19 @@ void Simulation::start()
         emit programFailed(*m_error);
         return;
     }
+    pause();
     m_clock.start();
     emit runningChanged(true);
 }
 
 void Simulation::pause()
+{
+    if (m_search)
+        endSearchAt(m_search->begin);
+    stopClock();
+}
+
+void Simulation::stopClock()
 {
     if (!isRunning())
         return;
@@ -128,8 +149,16 @@ void Simulation::restart()
 void Simulation::stepForward()
 {
     pause();
-    advance(m_preset.timestep);
+    advanceWholly();
     emit frameReady();
+}
+
+/// However many parts it takes.
+void Simulation::advanceWholly()
+{
+    do {
+        advance(m_preset.timestep);
+    } while (m_unfinished);
 }
 
 void Simulation::stepBack()
@@ -154,23 +183,73 @@ void Simulation::goTo(qint64 step)
     pause();
     m_current = m_recording.last();
     for (qint64 k = 0; k < ahead && !m_error; ++k)
-        advance(m_preset.timestep);
+        advanceWholly();
     emit frameReady();
 }
 
 void Simulation::seekNextHit()
 {
     pause();
-    const qint64 begin = m_current;
-    const double end = time() + longestSearch;
-    do {
-        advance(m_preset.timestep);
-    } while (!showsHit() && time() < end && !m_error);
-    if (!showsHit()) {
-        m_current = std::max(begin, m_recording.first());
-        emit noHitFound();
+    m_search = Search{m_current, time() + longestSearch};
+    const double weight =
+        static_cast<double>(m_world.circles.size()) * (isProgrammed() ? weightOfProgram : 1.0);
+    for (double work = 0.0; work < stepsAtOnce; work += weight) {
+        if (!searchStep())
+            return;
+        if (m_unfinished)
+            work += static_cast<double>(eventsAtOnce);
+    }
+    m_searchTimer.start();
+    emit searchingChanged(true);
+    emit frameReady();
+}
+
+/// A part of the search, not longer than a frame may work.
+void Simulation::searchOn()
+{
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < partOfSearch) {
+        if (!searchStep())
+            return;
     }
     emit frameReady();
+}
+
+/// \return whether the search goes on
+bool Simulation::searchStep()
+{
+    advance(m_preset.timestep);
+    if (!m_search) // who hears of a program's error may have ended it
+        return false;
+    const bool found = !m_unfinished && showsHit();
+    if (!found && time() < m_search->end && !m_error)
+        return true;
+    const qint64 begin = m_search->begin;
+    if (found)
+        endSearch();
+    else
+        endSearchAt(begin);
+    if (!found)
+        emit noHitFound();
+    emit frameReady();
+    return false;
+}
+
+void Simulation::endSearch()
+{
+    m_search.reset();
+    if (!m_searchTimer.isActive())
+        return;
+    m_searchTimer.stop();
+    emit searchingChanged(false);
+}
+
+/// Shows the moment \p index again, or the first if it is no longer kept.
+void Simulation::endSearchAt(qint64 index)
+{
+    m_current = std::max(index, m_recording.first());
+    endSearch();
 }
 
 void Simulation::seekPreviousHit()
@@ -241,7 +320,7 @@ bool Simulation::isOnGrid(double dt) const
            && m_world.time == static_cast<double>(m_world.step) * m_preset.timestep;
 }
 
-/// \return false if the program cannot go on
+/// \return false if the program cannot go on, or the step goes on in the next call
 bool Simulation::appendStep(double dt)
 {
     m_hits.clear();
@@ -251,10 +330,13 @@ bool Simulation::appendStep(double dt)
     }
     if (m_program && m_program->moves())
         return appendProgramStep(dt);
-    if (isOnGrid(dt))
-        m_stepper.advance(m_world, m_hits);
-    else
-        m_stepper.advanceBy(m_world, dt, m_hits);
+    dt = m_unfinished.value_or(dt);
+    const double end = isOnGrid(dt) ? static_cast<double>(m_world.step + 1) * m_preset.timestep
+                                    : m_world.time + dt;
+    const bool done = m_stepper.advanceWithin(eventsAtOnce, m_world, dt, end, m_hits);
+    m_unfinished = done ? std::nullopt : std::optional(dt);
+    if (!done)
+        return false;
     m_recording.append(m_world, m_hits);
     return true;
 }

@@ -9,6 +9,7 @@
 #include "model/stepper.h"
 
 #include <QObject>
+#include <QTimer>
 
 namespace cradle {
 
@@ -42,6 +43,11 @@ public:
     [[nodiscard]] double speed() const { return m_clock.speed(); }
     [[nodiscard]] bool usesFrameTime() const { return m_frameTime; }
     [[nodiscard]] bool pausesAtHits() const { return m_pausesAtHits; }
+    /// Since when the contacts of a run of exact timing are merged, as it could not follow each of
+    /// them any longer, s; none as long as it is exact.
+    [[nodiscard]] std::optional<double> mergedFrom() const { return m_stepper.mergedFrom(); }
+    /// Whether seekNextHit() still looks.
+    [[nodiscard]] bool isSearching() const { return m_search.has_value(); }
     /// The exact motion beside the run; null if it is not wanted.
     [[nodiscard]] const ShadowRun *shadow() const { return m_shadow ? &*m_shadow : nullptr; }
 
@@ -58,14 +64,16 @@ public:
 
 public slots:
     void start();
-    void pause();
+    void pause(); ///< ends a search, too, and goes back to where it began
     void setRunning(bool running);
     void restart();          ///< back to the preset, paused
     void stepForward();      ///< pauses; one recorded or one new step
     void stepBack();         ///< pauses; one recorded step
     void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
     void goTo(qint64 step);  ///< pauses; shows that step, computed if it is yet to come
-    void seekNextHit();     ///< pauses; runs on to the next hit, or stays if none comes in a minute
+    /// Pauses; runs on to the next hit, or stays if none comes in a minute. What takes long is done
+    /// in parts, between which events are handled; whatever else is asked for ends it.
+    void seekNextHit();
     void seekPreviousHit(); ///< pauses; back to the last recorded hit before, else to the start
     void setPausesAtHits(bool on); ///< a run pauses at the step of every hit
     void setSpeed(double speed);   ///< bounded to slowest … fastest
@@ -73,6 +81,7 @@ public slots:
     void setShadowed(bool on);     ///< runs the exact motion beside the run, from its start
 
 signals:
+    void searchingChanged(bool searching);
     void noHitFound();    ///< seekNextHit() looked in vain and stays where it was
     void frameReady();    ///< the moment shown or the recording changed: repaint once
     void restarted();     ///< the recording was begun anew; frameReady follows
@@ -83,7 +92,19 @@ signals:
     void runningChanged(bool running);
 
 private:
+    /// A search for the next hit.
+    struct Search {
+        qint64 begin = 0; ///< the moment that was shown
+        double end = 0.0; ///< s
+    };
+
     void advance(double dt);
+    void advanceWholly();
+    void stopClock();
+    void endSearch();
+    void endSearchAt(qint64 index);
+    void searchOn();
+    bool searchStep();
     /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
     [[nodiscard]] bool isOnGrid(double dt) const;
     [[nodiscard]] bool showsHit() const; ///< the moment shown is the step of a hit
@@ -106,6 +127,9 @@ private:
     SimulationClock m_clock;
     std::vector<Hit> m_hits; ///< of the step that runs
     qint64 m_current = 0;
+    std::optional<double> m_unfinished{}; ///< the step that was begun, s long
+    std::optional<Search> m_search{};
+    QTimer m_searchTimer;
     bool m_frameTime = false;
     bool m_pausesAtHits = false;
 };

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/measurements.h"
+#include "model/simulation.h"
+#include "tests/scenes.h"
+
+#include <QSignalSpy>
+
+using namespace cradle;
+using namespace cradle::scenes;
+
+using Action = void (*)(Simulation &);
+
+Q_DECLARE_METATYPE(Action)
+
+/// Exact timing says when it cannot follow a heap any longer, and ends; its steps and the search
+/// for a hit can be taken in parts.
+class TestMergedContacts : public QObject
+{
+    Q_OBJECT
+private slots:
+    void aHeapIsMergedWhateverTheTimestep();
+    void aHeapThatIsMergedComesToRest();
+    void whatCanBeFollowedStaysExact();
+    void anotherWorldIsExactAgain();
+    void partsOfAStepMakeTheStep();
+    void simulationTellsOfTheMerging();
+    void searchForAHitCanBeEnded_data();
+    void searchForAHitCanBeEnded();
+    void longSearchEndsByItself();
+};
+
+namespace {
+
+constexpr double radius = 0.1;
+
+/// Circles fall into a heap, in exact timing.
+Preset falling(int count, double restitution)
+{
+    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Exact});
+    preset.gravity = {0, -g};
+    preset.restitution = restitution;
+    preset.fill = CircleFill{.count = count, .radius = radius, .rmsSpeed = 1.0};
+    preset.circles = *makeCircles(*preset.fill, halfWidth);
+    return preset;
+}
+
+double energyOf(const World &world)
+{
+    return measure(world.circles, {0, -g}, halfWidth).total();
+}
+
+/// So many at rest that no search for a hit ends at once.
+Preset still(int count)
+{
+    Preset preset = falling(count, 1.0);
+    preset.gravity = {};
+    for (PresetCircle &c : preset.circles)
+        c.body.velocity = {};
+    return preset;
+}
+
+} // namespace
+
+void TestMergedContacts::aHeapIsMergedWhateverTheTimestep()
+{
+    double merged[2] = {0.0, 1.0};
+    for (const int parts : {1, 4}) {
+        Preset preset = falling(250, 0.5);
+        preset.timestep = dt / parts;
+        Stepper stepper(preset);
+        World world = initialWorld(preset);
+        std::vector<Hit> hits;
+        while (!stepper.mergedFrom() && world.time < 5.0)
+            stepper.advance(world, hits);
+        QVERIFY(stepper.mergedFrom().has_value());
+        QVERIFY(*stepper.mergedFrom() <= world.time);
+        QVERIFY(*stepper.mergedFrom() > world.time - preset.timestep);
+        merged[parts == 1 ? 0 : 1] = *stepper.mergedFrom();
+    }
+    COMPARE_NEAR(merged[0], merged[1], 1e-12);
+}
+
+void TestMergedContacts::aHeapThatIsMergedComesToRest()
+{
+    const Preset preset = falling(250, 0.5);
+    Stepper stepper(preset);
+    World world = initialWorld(preset);
+    std::vector<Hit> hits;
+    const double start = energyOf(world);
+    double least = start;
+    while (world.time < 6.0) {
+        stepper.advance(world, hits);
+        QVERIFY(energyOf(world) <= least + 1e-3 * start);
+        least = std::min(least, energyOf(world));
+    }
+    for (std::size_t i = 0; i < world.circles.size(); ++i) {
+        const Circle &a = world.circles[i];
+        QVERIFY(length(a.velocity) < 0.05);
+        QVERIFY(std::max(std::abs(a.position.x), std::abs(a.position.y))
+                <= halfWidth - 0.99 * radius);
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(length(world.circles[j].position - a.position) >= 1.99 * radius);
+    }
+    for (std::size_t i = 1; i < hits.size(); ++i)
+        QVERIFY(hits[i].time >= hits[i - 1].time);
+}
+
+void TestMergedContacts::whatCanBeFollowedStaysExact()
+{
+    // Elastic circles never collapse, however many; a heap of few can be followed.
+    for (const Preset &preset : {falling(250, 1.0), falling(12, 0.5)}) {
+        Stepper stepper(preset);
+        World world = initialWorld(preset);
+        std::vector<Hit> hits;
+        while (world.time < 3.0)
+            stepper.advance(world, hits);
+        QVERIFY(!stepper.mergedFrom().has_value());
+    }
+}
+
+void TestMergedContacts::anotherWorldIsExactAgain()
+{
+    const Preset preset = falling(250, 0.5);
+    Stepper stepper(preset);
+    World world = initialWorld(preset);
+    std::vector<Hit> hits;
+    while (!stepper.mergedFrom())
+        stepper.advance(world, hits);
+    world = initialWorld(preset);
+    stepper.advance(world, hits);
+    QVERIFY(!stepper.mergedFrom().has_value());
+    World expected = initialWorld(preset);
+    Stepper(preset).advance(expected, hits);
+    QVERIFY(world == expected);
+}
+
+void TestMergedContacts::partsOfAStepMakeTheStep()
+{
+    const Preset preset = falling(60, 0.9);
+    Stepper whole(preset);
+    Stepper parted(preset);
+    World expected = initialWorld(preset);
+    World world = expected;
+    std::vector<Hit> expectedHits;
+    std::vector<Hit> hits;
+    int parts = 0;
+    for (int step = 1; step <= 60; ++step) {
+        whole.advance(expected, expectedHits);
+        const World before = world;
+        while (!parted.advanceWithin(3, world, dt, step * dt, hits)) {
+            QVERIFY(world == before);
+            ++parts;
+        }
+        QVERIFY(world == expected);
+        QVERIFY(hits == expectedHits);
+    }
+    QVERIFY(parts > 100);
+}
+
+void TestMergedContacts::simulationTellsOfTheMerging()
+{
+    Simulation simulation(falling(250, 0.5));
+    QVERIFY(!simulation.mergedFrom().has_value());
+    simulation.goTo(150); // 2.5 s
+    QCOMPARE(simulation.recording().last(), qint64{150});
+    QVERIFY(simulation.mergedFrom().has_value());
+    simulation.restart();
+    QVERIFY(!simulation.mergedFrom().has_value());
+}
+
+void TestMergedContacts::searchForAHitCanBeEnded_data()
+{
+    QTest::addColumn<Action>("action");
+    QTest::addColumn<qint64>("current");
+    QTest::newRow("pause") << Action([](Simulation &s) { s.pause(); }) << qint64{2};
+    QTest::newRow("step") << Action([](Simulation &s) { s.stepForward(); }) << qint64{3};
+    QTest::newRow("start") << Action([](Simulation &s) { s.start(); }) << qint64{2};
+    QTest::newRow("restart") << Action([](Simulation &s) { s.restart(); }) << qint64{0};
+}
+
+void TestMergedContacts::searchForAHitCanBeEnded()
+{
+    QFETCH(Action, action);
+    QFETCH(qint64, current);
+    Simulation simulation(still(300));
+    simulation.goTo(2);
+    QSignalSpy searching(&simulation, &Simulation::searchingChanged);
+    QSignalSpy noHit(&simulation, &Simulation::noHitFound);
+    simulation.seekNextHit();
+    QVERIFY(simulation.isSearching());
+    QVERIFY(simulation.current() > 2);
+    action(simulation);
+    QVERIFY(!simulation.isSearching());
+    QCOMPARE(simulation.current(), current);
+    QCOMPARE(searching.size(), 2);
+    QVERIFY(searching[0][0].toBool() && !searching[1][0].toBool());
+    QCOMPARE(noHit.size(), 0);
+}
+
+void TestMergedContacts::longSearchEndsByItself()
+{
+    Simulation simulation(still(20));
+    QSignalSpy noHit(&simulation, &Simulation::noHitFound);
+    simulation.seekNextHit();
+    QVERIFY(simulation.isSearching());
+    QTRY_COMPARE(noHit.size(), 1);
+    QVERIFY(!simulation.isSearching());
+    QCOMPARE(simulation.current(), qint64{0});
+}
+
+QTEST_GUILESS_MAIN(TestMergedContacts)
+#include "test_merged_contacts.moc"
