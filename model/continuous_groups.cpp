@@ -9,6 +9,13 @@ namespace cradle {
 
 // Circles that meet in a step are solved in groups.
 
+namespace {
+
+/// Larger groups under gravity, where hits take energy, are piles.
+constexpr std::size_t largestGroup = 64;
+
+} // namespace
+
 bool ContinuousSolver::isActive(Slot slot) const
 {
     return m_places[slot] < m_members.size() && m_members[m_places[slot]].slot == slot;
@@ -19,6 +26,8 @@ std::uint32_t ContinuousSolver::activate(Slot slot)
     if (!isActive(slot)) {
         m_places[slot] = static_cast<std::uint32_t>(m_members.size());
         m_members.push_back({.slot = slot, .group = m_places[slot], .changed = true});
+        if (sleeps(slot))
+            wake(slot);
     }
     return m_places[slot];
 }
@@ -51,6 +60,8 @@ void ContinuousSolver::findGroups()
     for (const Candidates &pair : m_resting)
         join(pair.a, pair.b);
     for (const Candidates &due : m_due[m_index]) {
+        if (sleeps(due.a) && (due.b == wall || sleeps(due.b)))
+            continue;
         if (!meetInStep(due))
             m_inVain.push_back(due);
         else if (due.b == wall)
@@ -77,16 +88,24 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
         if (m_order.empty())
             break;
         std::sort(m_order.begin(), m_order.end());
-        for (std::size_t begin = 0; begin < m_order.size();) {
-            const std::uint32_t group = m_order[begin].group;
-            std::size_t end = begin + 1;
-            while (end < m_order.size() && m_order[end].group == group)
-                ++end;
-            m_members[group].changed = false;
-            m_members[group].run = ++m_runs;
-            solve(std::span(m_order).subspan(begin, end - begin));
-            begin = end;
-        }
+        const auto forEachGroup = [this](auto &&visit) {
+            for (std::size_t begin = 0; begin < m_order.size();) {
+                std::size_t end = begin + 1;
+                while (end < m_order.size() && m_order[end].group == m_order[begin].group)
+                    ++end;
+                visit(std::span<const Place>(m_order).subspan(begin, end - begin));
+                begin = end;
+            }
+        };
+        bool grown = false;
+        forEachGroup([&](std::span<const Place> places) { grown = foresee(places) || grown; });
+        if (grown)
+            continue;
+        forEachGroup([&](std::span<const Place> places) {
+            m_members[places[0].group].changed = false;
+            m_members[places[0].group].run = ++m_runs;
+            solve(places);
+        });
         for (const Place &place : m_order) {
             if (m_members[place.member].disturbed)
                 widen(place.member);
@@ -108,6 +127,29 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
     }
 }
 
+bool ContinuousSolver::isPile(std::size_t members) const
+{
+    return m_piles && members > largestGroup;
+}
+
+/// A pile costs too much to be solved again for each that joins it: who may reach it does so at
+/// once. \return whether one had not done so yet
+bool ContinuousSolver::foresee(std::span<const Place> places)
+{
+    bool found = false;
+    if (!isPile(places.size()))
+        return found;
+    for (const Place &place : places) {
+        Member &member = m_members[place.member];
+        if (member.foreseen)
+            continue;
+        member.foreseen = found = true;
+        member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
+        widen(place.member);
+    }
+    return found;
+}
+
 /// Takes a group through the step, from its start.
 void ContinuousSolver::solve(std::span<const Place> places)
 {
@@ -127,7 +169,15 @@ void ContinuousSolver::solve(std::span<const Place> places)
         m_members[place.member].fastest = lengthSquared(m_motions[slot].velocity);
     }
     m_hits.clear();
-    m_step.run(m_groupRules, m_world, m_dt, m_hits);
+    const bool pile = isPile(places.size());
+    if (pile) {
+        m_people.clear();
+        for (const Place &place : places)
+            m_people.push_back(place.id);
+        m_pile.run(m_groupRules, m_world, m_people, m_dt, m_hits);
+    } else {
+        m_step.run(m_groupRules, m_world, m_dt, m_hits);
+    }
 
     const std::uint32_t run = m_members[places[0].group].run;
     const auto memberOf = [&](int index) { return places[static_cast<std::size_t>(index)].member; };
@@ -143,7 +193,7 @@ void ContinuousSolver::solve(std::span<const Place> places)
         hit.a = static_cast<int>(m_ids[a.slot]);
         m_found.push_back({run, owner, hit});
     }
-    for (const auto &[a, b] : m_step.restingPairs())
+    for (const auto &[a, b] : pile ? m_pile.pushingPairs() : m_step.restingPairs())
         m_touching.push_back(
             {run, memberOf(a), {m_members[memberOf(a)].slot, m_members[memberOf(b)].slot}});
     for (std::size_t i = 0; i < places.size(); ++i) {

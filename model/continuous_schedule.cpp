@@ -18,6 +18,8 @@ constexpr double rounding = 1e-6;
 
 Path ContinuousSolver::pathOf(Slot slot) const
 {
+    if (sleeps(slot))
+        return {m_motions[slot].position, Vec2{}, Vec2{}};
     const Integrator integrator = m_integrators[m_ids[slot]];
     return {m_motions[slot].position, m_motions[slot].velocity,
             pathCurvature(integrator) * m_rules.gravity};
@@ -63,7 +65,9 @@ void ContinuousSolver::sieve(Slot a, Slot begin, Slot end, double slack, Visit v
 double ContinuousSolver::slack(bool disturbed) const
 {
     const double span = static_cast<double>(m_steps - m_index) * m_dt;
-    const double bends = m_alike ? 0.0 : m_gravity * m_dt * (span + m_dt);
+    double bends = m_alike ? 0.0 : m_gravity * m_dt * (span + m_dt);
+    if (m_sleepers > 0) // they do not fall with the others
+        bends += m_gravity * span * (0.5 * span + m_dt);
     // What rests may fall, or may be fallen upon, in the next step.
     return bends + (disturbed ? 2.0 * m_gravity * m_dt * m_dt : 0.0);
 }
@@ -117,6 +121,10 @@ void ContinuousSolver::scheduleAround(Slot slot)
 /// \param disturbed  one of them may rest or hang on others, and not fall as it flies
 void ContinuousSolver::schedulePair(Slot a, Slot b, bool disturbed)
 {
+    if (sleeps(a) || sleeps(b)) {
+        scheduleSleeper(a, b);
+        return;
+    }
     const Motion &first = m_motions[a];
     const Motion &second = m_motions[b];
     const Vec2 d = second.position - first.position;
@@ -154,7 +162,7 @@ void ContinuousSolver::schedulePair(Slot a, Slot b, bool disturbed)
 
 void ContinuousSolver::scheduleWalls(Slot slot)
 {
-    if (m_rules.laws.walls != WallLaw::Reflect)
+    if (m_rules.laws.walls != WallLaw::Reflect || sleeps(slot))
         return;
     const Motion &motion = m_motions[slot];
     const double room = m_rules.halfWidth - m_radii[slot];

@@ -45,6 +45,14 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
                .laws = rules.laws};
     m_groupRules = m_rules;
     m_gravity = length(rules.gravity);
+    m_piles =
+        m_gravity > 0.0 && rules.restitution < 1.0 && rules.laws.circles == CircleLaw::Impulse;
+    m_pile.clear();
+    m_islandOf.assign(circles.size(), awake);
+    m_stillFor.assign(circles.size(), 0);
+    m_slotOf.assign(circles.size(), 0);
+    m_islands.clear();
+    m_sleepers = 0;
     m_integrators = rules.integrators;
     m_alike = std::adjacent_find(m_integrators.begin(), m_integrators.end(), std::not_equal_to<>())
               == m_integrators.end();
@@ -103,6 +111,8 @@ void ContinuousSolver::advance(double dt, double time, qint64 step, std::vector<
 void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hits)
 {
     m_time = time;
+    if (m_sleepers == m_motions.size() && dt == m_dt)
+        return;
     if (dt != m_dt || m_index >= m_steps)
         sort(dt);
     findGroups();
@@ -110,6 +120,8 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
     flyFreely();
     for (const Member &member : m_members)
         m_motions[member.slot] = member.after;
+    if (m_piles)
+        layToSleep();
     ++m_index;
     for (const Member &member : m_members) {
         limitSteps(member.fastest);
@@ -136,7 +148,7 @@ void ContinuousSolver::findMeanSpeed()
 
 void ContinuousSolver::flyFreely()
 {
-    if (m_alike && !m_integrators.empty()) {
+    if (m_alike && !m_integrators.empty() && m_sleepers == 0) {
         const Integrator integrator = m_integrators.front();
         for (Motion &motion : m_motions)
             motion = cradle::advance(integrator, motion, m_rules.gravity, m_dt);
@@ -148,6 +160,8 @@ void ContinuousSolver::flyFreely()
 
 Motion ContinuousSolver::freely(Slot slot) const
 {
+    if (sleeps(slot))
+        return m_motions[slot];
     return cradle::advance(m_integrators[m_ids[slot]], m_motions[slot], m_rules.gravity, m_dt);
 }
 
@@ -176,6 +190,8 @@ void ContinuousSolver::sort(double dt)
     m_motions.swap(m_sortedMotions);
     m_radii.swap(m_sortedRadii);
     m_ids.swap(m_sortedIds);
+    for (Slot slot = 0; slot < m_ids.size(); ++slot)
+        m_slotOf[m_ids[slot]] = slot;
 
     findMeanSpeed();
     m_dt = dt;

@@ -5,6 +5,7 @@
 #include "model/continuous_step.h"
 #include "model/disc_grid.h"
 #include "model/exact_solver.h"
+#include "model/pile_step.h"
 
 #include <array>
 
@@ -29,6 +30,10 @@ namespace cradle {
 /// A step in which most circles of a crowd would meet several others is divided into parts; so
 /// there are no groups of thousands.
 ///
+/// Under gravity, where hits take energy, large groups are piles, which PileStep moves. A pile that
+/// has been at rest for a while sleeps, as does what lies still: it stays where it is, and no step
+/// looks at it, until something that moves may meet one of it in a step.
+///
 /// Where every integrator follows the parabola and no hit loses anything, steps that miss no hit
 /// and exact timing are the same motion; then ExactSolver does the work, which needs no steps.
 class ContinuousSolver
@@ -44,7 +49,8 @@ public:
 
 private:
     using Slot = std::uint32_t;
-    static constexpr Slot wall = 0xffffffffU; ///< as a partner: any of the four
+    static constexpr Slot wall = 0xffffffffU;           ///< as a partner: any of the four
+    static constexpr std::uint32_t awake = 0xffffffffU; ///< in place of an island
     static constexpr std::size_t mostSteps = 64;
     /// Closing speeds below this share of the speeds may be rest; the whole solver sees to them.
     static constexpr double leastClosing = 1e-6;
@@ -62,6 +68,8 @@ private:
         std::uint32_t run = 0;   ///< of the group, that counts
         bool changed = false;    ///< the group must be solved
         bool disturbed = false;  ///< has left its free flight
+        bool restless = false;   ///< one of the group is not at rest for long enough
+        bool foreseen = false;   ///< whom it may reach in a pile has joined already
         double fastest = 0;      ///< speed in the step, m/s
         Motion after{};          ///< at the end of the step
     };
@@ -110,12 +118,23 @@ private:
     // Groups: continuous_groups.cpp
     void findGroups();
     void solveGroups(std::vector<Hit> &hits);
+    [[nodiscard]] bool isPile(std::size_t members) const;
+    bool foresee(std::span<const Place> places);
     void solve(std::span<const Place> places);
     bool solvePair(Member &first, Member &second, std::uint32_t run);
     void widen(std::size_t index);
     void join(Slot a, Slot b);
     std::uint32_t groupOf(std::uint32_t member);
     std::uint32_t activate(Slot slot);
+
+    // What sleeps: continuous_sleep.cpp
+    [[nodiscard]] bool sleeps(Slot slot) const
+    {
+        return m_sleepers > 0 && m_islandOf[m_ids[slot]] != awake;
+    }
+    void layToSleep();
+    void wake(Slot slot);
+    void scheduleSleeper(Slot a, Slot b);
     [[nodiscard]] bool isActive(Slot slot) const;
     [[nodiscard]] double fastestOf(Slot slot) const;
     [[nodiscard]] double massOf(Slot slot) const;
@@ -127,6 +146,7 @@ private:
     Rules m_rules{};
     bool m_alike = true;  ///< one integrator for all
     double m_gravity = 0; ///< its size, m/s²
+    bool m_piles = false; ///< large groups come to rest as one
     double m_dt = 0;      ///< of the steps that are put down, s
     double m_time = 0;    ///< at the end of the step, s
     qint64 m_stepNumber = 0;
@@ -155,6 +175,12 @@ private:
     // By circle.
     std::vector<double> m_densities;
     std::vector<Integrator> m_integrators;
+    std::vector<std::uint32_t> m_islandOf; ///< with which it sleeps, or awake
+    std::vector<std::uint8_t> m_stillFor;  ///< steps
+    std::vector<Slot> m_slotOf;            ///< if any sleep
+
+    std::vector<std::vector<std::uint32_t>> m_islands; ///< circles that sleep together
+    std::size_t m_sleepers = 0;
 
     std::array<std::vector<Candidates>, mostSteps> m_due; ///< who may first meet in each step
     std::vector<Candidates> m_resting;                    ///< stay in touch from step to step
@@ -167,7 +193,9 @@ private:
     std::uint32_t m_runs = 0;
     std::vector<Hit> m_hits; ///< of a group
     ContinuousStep m_step;
-    World m_world; ///< a group
+    PileStep m_pile;
+    World m_world;                       ///< a group
+    std::vector<std::uint32_t> m_people; ///< its circles
     Rules m_groupRules;
 };
 

@@ -138,6 +138,8 @@ void TestContinuousCrowd::aLargeHeapComesToRest()
     preset.restitution = 0.5;
     preset.fill = CircleFill{.count = 150, .radius = 0.16, .rmsSpeed = 1.0, .density = 1.0};
     preset.circles = *makeCircles(*preset.fill, halfWidth);
+    for (PresetCircle &c : preset.circles) // others change the energy in flight
+        c.integrator = Integrator::Verlet;
     Run run(preset);
     const auto energy = [&] {
         double sum = 0.0;
@@ -149,7 +151,8 @@ void TestContinuousCrowd::aLargeHeapComesToRest()
     double least = start;
     for (int step = 0; step < 240; ++step) {
         run.steps(1);
-        QVERIFY(energy() <= least + 1e-3 * start);
+        QVERIFY2(energy() <= least + 1e-9 * start,
+                 QByteArray::number((energy() - least) / start).constData());
         least = std::min(least, energy());
     }
     double fastest = 0.0;
@@ -157,11 +160,11 @@ void TestContinuousCrowd::aLargeHeapComesToRest()
         const Circle &a = run[i];
         fastest = std::max(fastest, length(a.velocity));
         QVERIFY(std::max(std::abs(a.position.x), std::abs(a.position.y)) + a.radius
-                <= halfWidth + 0.01 * a.radius);
+                <= halfWidth + 1e-4 * a.radius);
         for (std::size_t j = 0; j < i; ++j)
-            QVERIFY(length(run[j].position - a.position) >= 1.99 * a.radius);
+            QVERIFY(length(run[j].position - a.position) >= (2.0 - 1e-4) * a.radius);
     }
-    QVERIFY2(fastest < 0.05, QByteArray::number(fastest).constData());
+    QVERIFY2(fastest < 0.2, QByteArray::number(fastest).constData());
 }
 
 QTEST_APPLESS_MAIN(TestContinuousCrowd)
