@@ -3,14 +3,22 @@
 #pragma once
 
 #include "tasks/check_report.h"
+#include "tasks/lab_report/scene_moment.h"
 
-#include <QDateTime>
 #include <QString>
 
 #include <optional>
 #include <vector>
 
 namespace cradle {
+
+/// The scene at the moment when a check first went wrong.
+struct StepMoment {
+    QString check{}; ///< its id
+    SceneMoment scene{};
+
+    friend bool operator==(const StepMoment &, const StepMoment &) = default;
+};
 
 /// What became of one step of one student.
 struct StepResult {
@@ -25,6 +33,7 @@ struct StepResult {
     Status status = Status::Missing;
     QString reason{};                    ///< why it was not graded
     std::optional<CheckReport> report{}; ///< if it was judged
+    std::vector<StepMoment> moments{};   ///< when it went wrong, see momentsOf()
     QString program{};                   ///< its text, where it could be read
     int attempts = 0;                    ///< checks in the history that was handed in; 0: none told
     double minutes = 0.0;                ///< of work on it that the history shows
