@@ -118,7 +118,7 @@ void TestStudentResultJson::momentsOfARealRunSurvive()
     StudentResult result = of(*report);
     result.steps[0].moments = momentsOf(*report, task, &program);
     QVERIFY(!result.steps[0].moments.empty());
-    const SceneMoment &scene = result.steps[0].moments[0].scene;
+    const DrawnMoment &scene = result.steps[0].moments[0].scene;
     QCOMPARE(scene.bodies.size(), std::size_t(2));
     QVERIFY(scene.time > 0.0);
     const auto read = readStudentResult(writeStudentResult(result, m_lab), {});

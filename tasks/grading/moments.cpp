@@ -51,7 +51,7 @@ std::vector<StepMoment> momentsOf(const CheckReport &report, const Task &task,
         if (run.states.isEmpty())
             continue;
         const qint64 index = std::clamp(check->step, run.states.first(), run.states.last());
-        moments.push_back({check->id, sceneMoment(run, index)});
+        moments.push_back({check->id, drawnMoment(run, index)});
     }
     return moments;
 }

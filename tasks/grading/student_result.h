@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/check_report.h"
-#include "tasks/lab_report/scene_moment.h"
+#include "tasks/lab_report/drawn_moment.h"
 
 #include <QString>
 
@@ -15,7 +15,7 @@ namespace cradle {
 /// The scene at the moment when a check first went wrong.
 struct StepMoment {
     QString check{}; ///< its id
-    SceneMoment scene{};
+    DrawnMoment scene{};
 
     friend bool operator==(const StepMoment &, const StepMoment &) = default;
 };

@@ -56,7 +56,7 @@ QJsonArray jsonOf(Vec2 v)
 QJsonObject jsonOf(const StepMoment &moment)
 {
     QJsonArray bodies;
-    for (const SceneMoment::Body &body : moment.scene.bodies) {
+    for (const DrawnMoment::Body &body : moment.scene.bodies) {
         QJsonArray way; // x and y in turn
         for (const Vec2 &point : body.way) {
             way.append(point.x);

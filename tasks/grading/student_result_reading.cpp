@@ -146,9 +146,9 @@ Vec2 readVector(JsonFields &json, const char *key)
     return {pair.at(0).toDouble(), pair.at(1).toDouble()};
 }
 
-SceneMoment::Body readBody(JsonFields json)
+DrawnMoment::Body readBody(JsonFields json)
 {
-    SceneMoment::Body body{.colour = json.text("colour", 7),
+    DrawnMoment::Body body{.colour = json.text("colour", 7),
                            .radius = json.number("radius", 0.0, limits::maxLength),
                            .position = readVector(json, "position"),
                            .velocity = readVector(json, "velocity")};
@@ -171,7 +171,7 @@ StepMoment readMoment(JsonFields json)
     StepMoment moment{.check = json.text("check", nameLetters)};
     moment.scene.halfWidth = json.number("half_width", limits::minLength, limits::maxLength);
     moment.scene.time = json.number("time", 0.0, mostNumber);
-    moment.scene.bodies = readAll<SceneMoment::Body>(
+    moment.scene.bodies = readAll<DrawnMoment::Body>(
         json, "circles", static_cast<qsizetype>(mostBodiesOfMoment), readBody);
     return moment;
 }

@@ -12,7 +12,7 @@ namespace cradle {
 
 /// A scene at one moment of a run, and how its circles came there: all that a drawing of it needs,
 /// so that it can be drawn where nothing may run. A plain value, of numbers with five digits.
-struct SceneMoment {
+struct DrawnMoment {
     struct Body {
         QString colour{}; ///< #rrggbb
         double radius = 0.2;
@@ -27,7 +27,7 @@ struct SceneMoment {
     double time = 0.0;      ///< s
     std::vector<Body> bodies{};
 
-    friend bool operator==(const SceneMoment &, const SceneMoment &) = default;
+    friend bool operator==(const DrawnMoment &, const DrawnMoment &) = default;
 };
 
 /// No more circles are drawn, and no more points of all their ways.
@@ -35,9 +35,9 @@ inline constexpr std::size_t mostBodiesOfMoment = 400;
 inline constexpr std::size_t mostWayPoints = 2'000;
 
 /// The scene of \p run at its state \p index, which it has.
-[[nodiscard]] SceneMoment sceneMoment(const Observation &run, qint64 index);
+[[nodiscard]] DrawnMoment drawnMoment(const Observation &run, qint64 index);
 
 /// The moment as a drawing of 300 × 300 px, with the ways up to it and the velocities.
-[[nodiscard]] QByteArray sceneSvg(const SceneMoment &moment);
+[[nodiscard]] QByteArray sceneSvg(const DrawnMoment &moment);
 
 } // namespace cradle

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_report/scene_moment.h"
+#include "tasks/lab_report/drawn_moment.h"
 
 #include "tasks/lab_report/svg_picture.h"
 
@@ -77,11 +77,11 @@ bool isSeen(Vec2 position, double halfWidth)
 
 } // namespace
 
-SceneMoment sceneMoment(const Observation &run, qint64 index)
+DrawnMoment drawnMoment(const Observation &run, qint64 index)
 {
     const Preset &scene = run.variant.preset;
     const Recording &states = run.states;
-    SceneMoment moment{.halfWidth = scene.halfWidth, .time = rounded(states.time(index))};
+    DrawnMoment moment{.halfWidth = scene.halfWidth, .time = rounded(states.time(index))};
     const auto circles = states.circles(index);
     const std::size_t shown = std::min(circles.size(), mostBodiesOfMoment);
     const std::size_t most =
@@ -90,7 +90,7 @@ SceneMoment sceneMoment(const Observation &run, qint64 index)
     const qint64 every =
         std::max<qint64>(1, (length + static_cast<qint64>(most) - 1) / static_cast<qint64>(most));
     for (std::size_t c = 0; c < shown; ++c) {
-        SceneMoment::Body body{.colour = colourOf(scene, c),
+        DrawnMoment::Body body{.colour = colourOf(scene, c),
                                .radius = rounded(circles[c].radius),
                                .position = rounded(circles[c].position),
                                .velocity = rounded(circles[c].velocity)};
@@ -103,7 +103,7 @@ SceneMoment sceneMoment(const Observation &run, qint64 index)
     return moment;
 }
 
-QByteArray sceneSvg(const SceneMoment &moment)
+QByteArray sceneSvg(const DrawnMoment &moment)
 {
     const Frame place(moment.halfWidth);
     SvgPicture picture(sceneSize, sceneSize,
@@ -111,7 +111,7 @@ QByteArray sceneSvg(const SceneMoment &moment)
     picture.rectangle({}, {sceneSize, sceneSize}, background, {});
     picture.rectangle(place({-moment.halfWidth, moment.halfWidth}),
                       Vec2{1.0, 1.0} * place.length(2.0 * moment.halfWidth), {}, {wallColour, 2.0});
-    for (const SceneMoment::Body &body : moment.bodies) {
+    for (const DrawnMoment::Body &body : moment.bodies) {
         std::vector<Vec2> way;
         for (const Vec2 &point : body.way)
             way.push_back(place(point));
@@ -120,7 +120,7 @@ QByteArray sceneSvg(const SceneMoment &moment)
         picture.polyline(way, {body.colour, 1.2, {}, 0.45});
     }
     int number = 0;
-    for (const SceneMoment::Body &body : moment.bodies) {
+    for (const DrawnMoment::Body &body : moment.bodies) {
         ++number;
         if (!isSeen(body.position, moment.halfWidth))
             continue;
