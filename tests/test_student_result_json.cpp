@@ -38,6 +38,18 @@ private:
 
 namespace {
 
+/// Only the moments of the scenes are kept.
+StudentResult withoutScenes(StudentResult result)
+{
+    for (StepResult &step : result.steps) {
+        for (CheckOutcome &check : step.report->checks) {
+            check.scene.reset();
+            check.pinned = false;
+        }
+    }
+    return result;
+}
+
 StudentResult of(const CheckReport &report)
 {
     StudentResult result{.id = QStringLiteral("ada")};
@@ -46,7 +58,7 @@ StudentResult of(const CheckReport &report)
          .status = report.passed ? StepResult::Status::Passed : StepResult::Status::Failed,
          .report = report});
     result.steps.back().report->elapsedMs = 0;
-    return result;
+    return withoutScenes(result);
 }
 
 } // namespace
@@ -69,13 +81,9 @@ void TestStudentResultJson::reportsSurvive_data()
     QTest::newRow("stopped") << reports::stopped();
     CheckReport scored = reports::failed();
     scored.checks[0].points = 2.5;
-    scored.checks[1].scene = Preset{};
-    scored.checks[1].scene->circles.resize(2);
-    scored.checks[1].scene->circles[1].body.position = {1.0, 0.1};
-    scored.checks[1].pinned = true;
     scored.findings = {Finding{
         .aspect = Aspect::Response, .message = QStringLiteral("x"), .line = 3, .calls = {9, 3}}};
-    QTest::newRow("with points, a scene and calls") << scored;
+    QTest::newRow("with points and calls") << scored;
 }
 
 void TestStudentResultJson::reportsSurvive()

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_results.h"
 
+#include "model/file_io.h"
 #include "model/json_schema.h"
+#include "tasks/grading/student_page.h"
 #include "tasks/grading/student_result_json.h"
 
 #include <QDir>
@@ -13,8 +15,6 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
                                        const ClassFacts &facts,
                                        const std::function<void(int, int)> &progress)
 {
-    Q_UNUSED(lab);
-    Q_UNUSED(facts);
     const QDir students(resultsFolder + QStringLiteral("/students"));
     const QStringList names =
         students.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
@@ -27,6 +27,9 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
         const auto student = readStudentResult(*text, path);
         if (!student)
             return student.error();
+        const QString page = students.filePath(name.chopped(4) + QStringLiteral("html"));
+        if (auto error = writeFile(page, studentPage(*student, lab, facts)))
+            return error;
         if (progress)
             progress(++done, static_cast<int>(names.size()));
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/student_result_json.h"
 
-#include "model/preset_json.h"
 #include "tasks/grading/points.h"
 #include "tasks/report_json.h"
 
@@ -13,29 +12,10 @@ namespace cradle {
 
 namespace {
 
-QJsonValue sceneOf(const CheckOutcome &check)
-{
-    if (!check.scene)
-        return QJsonValue::Null;
-    return QJsonDocument::fromJson(writePreset(*check.scene)).object();
-}
-
 /// Adds to the report what only pages need.
 QJsonObject jsonOf(const CheckReport &report)
 {
     QJsonObject json = reportObject(report);
-    QJsonArray checks = json.value(QStringLiteral("checks")).toArray();
-    for (std::size_t i = 0; i < report.checks.size(); ++i) {
-        const CheckOutcome &check = report.checks[i];
-        if (!check.scene)
-            continue;
-        const auto index = static_cast<qsizetype>(i);
-        QJsonObject extended = checks[index].toObject();
-        extended.insert(QStringLiteral("scene"), sceneOf(check));
-        extended.insert(QStringLiteral("pinned"), check.pinned);
-        checks[index] = extended;
-    }
-    json.insert(QStringLiteral("checks"), checks);
     if (report.error) {
         QJsonObject error = json.value(QStringLiteral("error")).toObject();
         error.insert(QStringLiteral("time"), report.error->time);

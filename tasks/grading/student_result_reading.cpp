@@ -8,8 +8,6 @@
 #include "tasks/report_text.h"
 #include "tasks/script/script_limits.h"
 
-#include "model/preset_json.h"
-
 #include <QCoreApplication>
 #include <QJsonDocument>
 
@@ -63,15 +61,6 @@ CheckOutcome readCheck(JsonFields json)
         check.step = json.integer("step", 0, mostStep);
     if (json.has("points"))
         check.points = json.number("points", 0.0, 1e6);
-    if (json.has("scene")) {
-        const auto scene =
-            parsePreset(QJsonDocument(json.object("scene")).toJson(QJsonDocument::Compact));
-        if (scene)
-            check.scene = *scene;
-        else
-            json.refuse(QStringLiteral("scene") + scene.error().pointer, scene.error().message);
-        check.pinned = json.flag("pinned");
-    }
     return check;
 }
 
