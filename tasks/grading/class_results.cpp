@@ -4,12 +4,39 @@
 
 #include "model/file_io.h"
 #include "model/json_schema.h"
+#include "tasks/grading/gradebooks.h"
+#include "tasks/grading/grader_files.h"
 #include "tasks/grading/student_page.h"
 #include "tasks/grading/student_result_json.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 
 namespace cradle {
+
+namespace {
+
+struct ResultsText {
+    Q_DECLARE_TR_FUNCTIONS(Grading)
+};
+
+Result<StudentResult> readResult(const QString &path)
+{
+    const auto text = readFile(path, mostResultBytes);
+    if (!text)
+        return text.error();
+    auto student = readStudentResult(*text, path);
+    // It names files.
+    if (student && student->id != QFileInfo(path).completeBaseName())
+        return Error{.message = ResultsText::tr("this is the result of \"%1\", whose file has "
+                                                "another name")
+                                    .arg(student->id),
+                     .file = path};
+    return student;
+}
+
+} // namespace
 
 std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &lab,
                                        const ClassFacts &facts,
@@ -18,22 +45,24 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
     const QDir students(resultsFolder + QStringLiteral("/students"));
     const QStringList names =
         students.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
+    Gradebooks gradebooks(lab, facts);
     int done = 0;
     for (const QString &name : names) {
-        const QString path = students.filePath(name);
-        const auto text = readFile(path, mostResultBytes);
-        if (!text)
-            return text.error();
-        const auto student = readStudentResult(*text, path);
+        const auto student = readResult(students.filePath(name));
         if (!student)
             return student.error();
-        const QString page = students.filePath(name.chopped(4) + QStringLiteral("html"));
+        gradebooks.add(*student);
+        const QString page = students.filePath(student->id + QStringLiteral(".html"));
         if (auto error = writeFile(page, studentPage(*student, lab, facts)))
             return error;
+        if (facts.graderFiles) {
+            if (auto error = writeGraderFiles(resultsFolder, *student, lab, facts))
+                return error;
+        }
         if (progress)
             progress(++done, static_cast<int>(names.size()));
     }
-    return std::nullopt;
+    return gradebooks.write(resultsFolder);
 }
 
 } // namespace cradle

@@ -16,22 +16,26 @@ struct MissingStudent {
     QString email{};
 };
 
+/// Where what was handed in was downloaded; it gave out the numbers of the students.
+enum class Platform { None, Moodle, Canvas, Blackboard, GitHub };
+
 /// What is known of a class besides the results of its students; a plain value.
 struct ClassFacts {
     QString className{};
-    QString labPath{};   ///< the lab's folder as the command was given it, for Gradescope's kit
+    Platform platform = Platform::None;
     QString isolation{}; ///< in a few words: "rlimits, seccomp; no namespaces"
     QString program{};   ///< name and version of what judged: "Cradle 0.1.0"
     LateRule late{};
     std::vector<MissingStudent> missing{};
-    QStringList remarks{};                   ///< what else the teacher should know; plain text
+    bool graderFiles = true; ///< whether each student is written for other graders, too
+    QStringList remarks{};   ///< what else the teacher should know; plain text
     QString language = QStringLiteral("en"); ///< of the pages: that in force
 };
 
 /// Writes everything that follows from the results in \p resultsFolder/students (ID.json, one for
-/// each student, read one after another): students/ID.html, the gradebooks, files for other
-/// graders, and class.html. The same results and facts give the same bytes. Files that are there
-/// are replaced whole.
+/// each student, read one after another): students/ID.html, gradebook.csv and
+/// gradebooks/, the folders of other graders, and class.html. The same results and facts give the
+/// same bytes. Files that are there are replaced whole.
 /// \param progress  after every student
 /// \return what could not be read or written
 [[nodiscard]] std::optional<Error>

@@ -47,11 +47,12 @@ pre, code { font-family: "JetBrains Mono", "DejaVu Sans Mono", ui-monospace, mon
 code { font-size: .9em; }
 pre { font-size: .8125rem; line-height: 1.5; background: var(--card); padding: .5rem .75rem;
   border: 1px solid var(--rule); border-radius: 6px; overflow-x: auto; margin: .5rem 0; }
-pre.program { padding: .5rem 0; } pre.program span { display: block; padding: 0 .75rem; }
+pre.program { padding: .5rem 0; white-space: pre-wrap; }
+pre.program span { display: block; padding: 0 .75rem 0 6.5ch; text-indent: -5ch; min-height: 1.5em; }
 pre.program span::before { content: attr(data-line); display: inline-block; width: 3.5ch;
-  margin-right: 1.5ch; text-align: right; color: var(--muted); }
+  margin-right: 1.5ch; text-align: right; text-indent: 0; color: var(--muted); font-weight: 400; }
 pre.program .marked { background: var(--mark); font-weight: 600; }
-table { border-collapse: collapse; font-size: .9375rem; }
+table { border-collapse: collapse; font-size: .9375rem; } caption { text-align: left; }
 th, td { text-align: left; vertical-align: top; padding: .3rem .6rem;
   border-bottom: 1px solid var(--rule); }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
@@ -76,7 +77,7 @@ figure.scene svg text[fill="#212529"], figure.scene svg polygon[fill="#212529"] 
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   a { text-decoration: none; } pre { white-space: pre-wrap; }
   h2, h3, summary { break-after: avoid; } figure, tr, pre.program { break-inside: avoid; }
-  details { border: 0; padding: 0; }
+  details { border: 0; padding: 0; } summary { list-style: none; }
   details::details-content { content-visibility: visible; display: block; } }
 )css");
 

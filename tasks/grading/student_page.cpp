@@ -235,12 +235,9 @@ private:
                            "<div>\n%3")
                 .arg(index == 0 ? QStringLiteral(" open") : QString(),
                      escaped(headlineOf(finding.message)), markdownHtml(bodyOf(finding.message)));
-        if (finding.line > 0) {
-            const QString code = codeAround(step.program, finding.line);
-            if (!code.isEmpty())
-                paragraph(StudentText::tr("Look at line %1 of your program.").arg(finding.line));
-            m_html += code;
-        }
+        const QString code = codeAround(step.program, finding.line);
+        if (!code.isEmpty())
+            paragraph(StudentText::tr("Look at line %1 of your program.").arg(finding.line));
         if (!finding.calls.empty()) {
             QStringList lines;
             for (const int line : finding.calls)
@@ -254,7 +251,7 @@ private:
             if (moment.check == finding.check)
                 writeMoment(*step.report, moment);
         }
-        m_html += QStringLiteral("</div>\n</details>\n");
+        m_html += QStringLiteral("</div>\n%1</details>\n").arg(code);
     }
 
     void writeMoment(const CheckReport &report, const StepMoment &moment)
@@ -264,8 +261,11 @@ private:
                          [&](const CheckOutcome &each) { return each.id == moment.check; });
         if (check == report.checks.end())
             return;
-        QString caption = StudentText::tr("“%1” first goes wrong here, at %2 s.")
-                              .arg(check->title, QLocale().toString(moment.scene.time, 'f', 2));
+        QString caption =
+            moment.scene.time > 0.0
+                ? StudentText::tr("“%1” first goes wrong here, at %2 s.")
+                      .arg(check->title, QLocale().toString(moment.scene.time, 'f', 2))
+                : StudentText::tr("“%1” goes wrong from the start.").arg(check->title);
         if (!check->variant.isEmpty() && check->variant != QLatin1String("preset"))
             caption += QLatin1Char(' ') + StudentText::tr("Scene: %1.").arg(check->variant);
         m_html += QStringLiteral("<figure class=\"scene\">\n%1<figcaption>%2</figcaption>\n"

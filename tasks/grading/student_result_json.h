@@ -19,9 +19,8 @@ inline constexpr qint64 mostResultBytes = 32 * 1024 * 1024;
 [[nodiscard]] QByteArray writeStudentResult(const StudentResult &result, const Lab &lab);
 
 /// Reads it back without trust: whatever wrote it, what comes is a result whose texts and lists are
-/// of bounded length and whose pictures can be drawn. The points in it are not read: they follow from
-/// the checks.
-/// \param source  the file's name for messages
+/// of bounded length and whose pictures can be drawn. The points in it are not read: they follow
+/// from the checks. \param source  the file's name for messages
 Result<StudentResult> readStudentResult(const QByteArray &text, const QString &source);
 
 } // namespace cradle
