@@ -160,10 +160,11 @@ void WholeFile::append(const QByteArray &part)
         fail(fault);
 }
 
-std::optional<Error> WholeFile::commit()
+std::optional<Error> WholeFile::commit(Keeping keeping)
 {
     const bool replaces = !m_unfinished.isEmpty();
-    if (m_fault == 0 && replaces && ::fsync(m_descriptor) != 0 && errno != EINVAL)
+    const bool syncs = replaces && keeping == Keeping::Synced;
+    if (m_fault == 0 && syncs && ::fsync(m_descriptor) != 0 && errno != EINVAL)
         fail(errno);
     if (m_fault == 0) {
         const int descriptor = m_descriptor;
@@ -196,11 +197,11 @@ void WholeFile::giveUp()
     m_unfinished.clear();
 }
 
-std::optional<Error> writeFile(const QString &path, const QByteArray &content)
+std::optional<Error> writeFile(const QString &path, const QByteArray &content, Keeping keeping)
 {
     WholeFile file(path);
     file.append(content);
-    return file.commit();
+    return file.commit(keeping);
 }
 
 std::optional<Error> writeStandardOutput(const QByteArray &content)

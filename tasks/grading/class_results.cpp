@@ -53,7 +53,7 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
             return student.error();
         gradebooks.add(*student);
         const QString page = students.filePath(student->id + QStringLiteral(".html"));
-        if (auto error = writeFile(page, studentPage(*student, lab, facts)))
+        if (auto error = writeFile(page, studentPage(*student, lab, facts), Keeping::Derivable))
             return error;
         if (facts.graderFiles) {
             if (auto error = writeGraderFiles(resultsFolder, *student, lab, facts))

@@ -217,7 +217,7 @@ std::optional<Error> writeGraderFiles(const QString &folder, const StudentResult
         }
         if (auto error = makeFolder(path.section(QLatin1Char('/'), 0, -2)))
             return error;
-        if (auto error = writeFile(path, file.text))
+        if (auto error = writeFile(path, file.text, Keeping::Derivable))
             return error;
     }
     return std::nullopt;
