@@ -4,6 +4,8 @@
 
 #include "model/file_io.h"
 #include "model/json_schema.h"
+#include "tasks/grading/class_page.h"
+#include "tasks/grading/class_summary.h"
 #include "tasks/grading/gradebooks.h"
 #include "tasks/grading/grader_files.h"
 #include "tasks/grading/student_page.h"
@@ -46,12 +48,14 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
     const QStringList names =
         students.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
     Gradebooks gradebooks(lab, facts);
+    ClassSummary summary(lab, facts);
     int done = 0;
     for (const QString &name : names) {
         const auto student = readResult(students.filePath(name));
         if (!student)
             return student.error();
         gradebooks.add(*student);
+        summary.add(*student);
         const QString page = students.filePath(student->id + QStringLiteral(".html"));
         if (auto error = writeFile(page, studentPage(*student, lab, facts), Keeping::Derivable))
             return error;
@@ -62,7 +66,12 @@ std::optional<Error> writeClassResults(const QString &resultsFolder, const Lab &
         if (progress)
             progress(++done, static_cast<int>(names.size()));
     }
-    return gradebooks.write(resultsFolder);
+    const auto readAgain = [&](int index) { return readResult(students.filePath(names[index])); };
+    if (auto error = summary.finish(readAgain))
+        return error;
+    if (auto error = gradebooks.write(resultsFolder))
+        return error;
+    return writeFile(resultsFolder + QStringLiteral("/class.html"), classPage(summary, lab, facts));
 }
 
 } // namespace cradle
