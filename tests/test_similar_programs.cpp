@@ -231,10 +231,11 @@ void TestSimilarPrograms::sharedLinesAreThoseOfTheCopy()
     similar.add(second);
     QCOMPARE(similar.pairs(10).size(), std::size_t(1));
     const auto shared = similar.sharedLines(first, second);
-    QCOMPARE(shared.taskId, QStringLiteral("L42T5"));
-    QVERIFY(shared.first.front() > static_cast<int>(host.count(QLatin1Char('\n'))));
-    QVERIFY(shared.second.size() > 15);
-    QVERIFY(shared.second.back() <= static_cast<int>(own.count(QLatin1Char('\n'))));
+    QCOMPARE(shared.first.taskId, QStringLiteral("L42T5"));
+    QCOMPARE(shared.second.taskId, QStringLiteral("L42T5"));
+    QVERIFY(shared.first.lines.front() > static_cast<int>(host.count(QLatin1Char('\n'))));
+    QVERIFY(shared.second.lines.size() > 15);
+    QVERIFY(shared.second.lines.back() <= static_cast<int>(own.count(QLatin1Char('\n'))));
 }
 
 void TestSimilarPrograms::thousandsAreCompared()

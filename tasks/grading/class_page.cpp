@@ -25,12 +25,13 @@ const QString style = QStringLiteral(R"css(
   --bar-open: #a85a17; --bar-quiet: #3b4248; --bar-trouble: #a13a45; --bar-ink: #f1f3f5; } }
 @media print { :root { --heat: #e8590c; --bar-good: #69b57a; --bar-open: #f0a35e;
   --bar-quiet: #dee2e6; --bar-trouble: #d6616b; --bar-ink: #212529; }
-  @page { size: A4 landscape; margin: 12mm; } .wide { overflow: visible; }
+  @page { size: A4 landscape; margin: 12mm; } .met > li > details:not([open]) { display: none; } .wide { overflow: visible; } .heat { break-inside: avoid; }
   .who { font-size: 7.5pt; } .who td, .who th { padding: .1rem .2rem; } }
 body { max-width: 76rem; }
-.facts { display: flex; flex-wrap: wrap; gap: .75rem 2.5rem; margin: 1rem 0; padding: 0; }
-.facts div { min-width: 6rem; } .facts dt { color: var(--muted); font-size: .875rem; }
-.facts dd { margin: 0; font-size: 1.5rem; font-weight: 600; line-height: 1.2; }
+.facts { display: flex; flex-wrap: wrap; gap: .75rem 2.5rem; margin: 1rem 0; padding: 0;
+  list-style: none; }
+.facts span { display: block; color: var(--muted); font-size: .875rem; }
+.facts b { font-size: 1.5rem; font-weight: 600; line-height: 1.2; }
 .wide { overflow-x: auto; }
 .stand text { font: 13px Inter, "DejaVu Sans", sans-serif; fill: var(--ink); }
 .stand .in { fill: var(--bar-ink); font-size: 12px; text-anchor: middle; }
@@ -52,7 +53,8 @@ body { max-width: 76rem; }
 .met { padding-left: 0; list-style: none; } .met > li { margin: .35rem 0; }
 .met .count { display: inline-block; min-width: 3.2rem; font-weight: 600; text-align: right;
   margin-right: .75rem; font-variant-numeric: tabular-nums; }
-.met details { margin: .25rem 0 .5rem 4rem; } .met summary { font-weight: 400; padding: .3rem 0; }
+.met details { border: 0; margin: 0 0 .25rem 3.95rem; padding: 0; }
+.met summary { font-weight: 400; padding: 0; color: var(--link); font-size: .875rem; }
 .pair { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 1rem; }
 .pair pre { white-space: pre-wrap; }
 @media (max-width: 50rem) { .pair { grid-template-columns: minmax(0, 1fr); } }
@@ -74,9 +76,9 @@ void writeFacts(QString &html, const ClassSummary &summary, const ClassFacts &fa
         }
     }
     const auto fact = [&](const QString &name, const QString &value) {
-        html += QStringLiteral("<div><dt>%1</dt><dd>%2</dd></div>\n").arg(escaped(name), value);
+        html += QStringLiteral("<li><span>%1</span><b>%2</b></li>\n").arg(escaped(name), value);
     };
-    html += QStringLiteral("<dl class=\"facts\">\n");
+    html += QStringLiteral("<ul class=\"facts\">\n");
     fact(ClassText::tr("handed in"), QString::number(summary.rows().size()));
     if (!facts.missing.empty())
         fact(ClassText::tr("handed in nothing"), QString::number(facts.missing.size()));
@@ -91,7 +93,7 @@ void writeFacts(QString &html, const ClassSummary &summary, const ClassFacts &fa
              QString::number(std::transform_reduce(
                  summary.steps().begin(), summary.steps().end(), 0, std::plus<>(),
                  [](const ClassSummary::Step &step) { return step.notGraded; })));
-    html += QStringLiteral("</dl>\n");
+    html += QStringLiteral("</ul>\n");
 }
 
 void writeNotGraded(QString &html, const ClassSummary &summary)

@@ -10,6 +10,8 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace cradle {
@@ -22,7 +24,8 @@ struct ClassText {
 
 constexpr int fewestForVerdict = 3;    ///< students; of fewer nothing is said about a check
 constexpr std::size_t mostListed = 12; ///< misunderstandings of a step
-constexpr double mostHeat = 55.0;      ///< %: text on it can still be read
+constexpr double leastHeat = 12.0;     ///< %: of one student among many
+constexpr double mostHeat = 70.0;      ///< %: text on it can still be read
 constexpr double barWidth = 640.0;     ///< px
 constexpr double barStart = 300.0;     ///< px
 constexpr double barRow = 26.0;        ///< px
@@ -79,7 +82,8 @@ QString heatCell(int count, int judged)
 {
     if (count == 0)
         return QStringLiteral("<td></td>");
-    const double part = mostHeat * std::min(1.0, static_cast<double>(count) / std::max(1, judged));
+    const double share = std::min(1.0, static_cast<double>(count) / std::max(1, judged));
+    const double part = leastHeat + (mostHeat - leastHeat) * share;
     return QStringLiteral("<td style=\"--part: %1%\">%2</td>").arg(part, 0, 'f', 1).arg(count);
 }
 
@@ -129,7 +133,8 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
     std::stable_sort(all.begin(), all.end(),
                      [](const auto *a, const auto *b) { return a->count > b->count; });
     html +=
-        QStringLiteral("<details%1>\n<summary>%2 · %3 <span class=\"muted\">%4</span></summary>"
+        QStringLiteral("<details class=\"printed\"%1>\n<summary>%2 · %3 <span "
+                       "class=\"muted\">%4</span></summary>"
                        "\n<ul class=\"met\">\n")
             .arg(open ? QStringLiteral(" open") : QString(), escaped(step.id), escaped(step.title),
                  escaped(ClassText::tr("%1 of %2 do not pass")
@@ -147,10 +152,13 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
 }
 
 template <typename Value>
-Value medianOf(std::vector<Value> values)
+QString medianText(std::vector<Value> values)
 {
     std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
+    const std::size_t half = values.size() / 2;
+    const auto upper = static_cast<double>(values[half]);
+    const auto lower = static_cast<double>(values[values.size() % 2 == 1 ? half : half - 1]);
+    return QLocale().toString(std::round(5.0 * (lower + upper)) / 10.0, 'g', 6);
 }
 
 const char *signOf(StepResult::Status status)
@@ -243,10 +251,12 @@ void writeMisunderstandings(QString &html, const ClassSummary &summary)
         html += paragraph(ClassText::tr("Nothing was found."));
         return;
     }
-    html += paragraph(ClassText::tr("How many students have a finding of that sort in that step; "
-                                    "the darker, the larger their part of those who were judged. "
-                                    "The examples are of one student each, without names and "
-                                    "comments."));
+    html +=
+        paragraph(ClassText::tr("How many students have a finding of that sort in that step; "
+                                "the stronger the colour, the larger their part of those who were "
+                                "judged. "
+                                "The examples are of one student each, without names and "
+                                "comments."));
     writeHeat(html, summary);
     bool open = true;
     for (const ClassSummary::Step &step : summary.steps()) {
@@ -277,7 +287,8 @@ void writeChecks(QString &html, const ClassSummary &summary)
         html += QStringLiteral("<h3>%1</h3>\n<ul>\n%2</ul>\n")
                     .arg(escaped(ClassText::tr("Nobody passes")), nobody);
     if (!everybody.isEmpty())
-        html += QStringLiteral("<details>\n<summary>%1</summary>\n<ul>\n%2</ul>\n</details>\n")
+        html += QStringLiteral("<details class=\"printed\">\n<summary>%1</summary>\n<ul>\n%2</ul>\n"
+                               "</details>\n")
                     .arg(escaped(ClassText::tr("Everybody passes")), everybody);
 }
 
@@ -306,9 +317,9 @@ void writeEffort(QString &html, const ClassSummary &summary)
                            "<td class=\"number\">%4</td><td class=\"number\">%5</td>"
                            "<td class=\"number\">%6</td></tr>\n")
                 .arg(escaped(step.id), escaped(step.title), QString::number(step.attempts.size()),
-                     QString::number(medianOf(step.attempts)),
+                     escaped(medianText(step.attempts)),
                      QString::number(*std::max_element(step.attempts.begin(), step.attempts.end())),
-                     escaped(QLocale().toString(medianOf(step.minutes), 'f', 0)));
+                     escaped(medianText(step.minutes)));
     }
     html += QStringLiteral("</tbody>\n</table></div>\n");
 }
@@ -333,13 +344,13 @@ void writeAlike(QString &html, const ClassSummary &summary)
                                "</summary>\n<div class=\"pair\">\n")
                     .arg(escapedName(pair.first), escapedName(pair.second),
                          escaped(ClassText::tr("share %1 % of what the one with less has of their "
-                                               "own; most of it in %2")
-                                     .arg(part, pair.taskId)));
-        const std::pair<const QString &, const QString &> sides[] = {
-            {pair.first, pair.firstCode}, {pair.second, pair.secondCode}};
-        for (const auto &[name, code] : sides)
-            html += QStringLiteral("<div><h3>%1</h3>\n<pre>%2</pre></div>\n")
-                        .arg(escapedName(name), escaped(code));
+                                               "own")
+                                     .arg(part)));
+        const std::array<QString, 3> sides[] = {{pair.first, pair.firstTask, pair.firstCode},
+                                                {pair.second, pair.secondTask, pair.secondCode}};
+        for (const auto &[name, task, code] : sides)
+            html += QStringLiteral("<div><h3>%1 · %2</h3>\n<pre>%3</pre></div>\n")
+                        .arg(escapedName(name), escaped(task), escaped(code));
         html += QStringLiteral("</div>\n</details>\n");
     }
 }

@@ -22,13 +22,17 @@ constexpr std::size_t mostSharedLines = 30; ///< of a program that are shown
 constexpr int exampleContext = 2;           ///< lines around the marked one
 
 /// The lines of a program with their numbers, and a sign where some are left out.
-QString numbered(const QString &program, const std::vector<int> &lines)
+QString numbered(const StudentResult &student, const SimilarPrograms::Lines &lines)
 {
-    const QStringList all = program.split(QLatin1Char('\n'));
+    QStringList all;
+    for (const StepResult &step : student.steps) {
+        if (step.taskId == lines.taskId)
+            all = step.program.split(QLatin1Char('\n'));
+    }
     QString text;
     int last = 0;
     std::size_t count = 0;
-    for (const int line : lines) {
+    for (const int line : lines.lines) {
         if (line < 1 || line > all.size())
             continue;
         if (++count > mostSharedLines) {
@@ -41,15 +45,6 @@ QString numbered(const QString &program, const std::vector<int> &lines)
         last = line;
     }
     return text;
-}
-
-QString programOf(const StudentResult &student, const QString &taskId)
-{
-    for (const StepResult &step : student.steps) {
-        if (step.taskId == taskId)
-            return step.program;
-    }
-    return {};
 }
 
 /// What a finding is counted as: a known mistake, or a law in its own words.
@@ -189,9 +184,10 @@ std::optional<Error> ClassSummary::finish(const std::function<Result<StudentResu
                            .second = m_rows[static_cast<std::size_t>(pair.second)].name,
                            .shared = pair.shared,
                            .part = pair.part,
-                           .taskId = lines.taskId,
-                           .firstCode = numbered(programOf(*first, lines.taskId), lines.first),
-                           .secondCode = numbered(programOf(*second, lines.taskId), lines.second)});
+                           .firstTask = lines.first.taskId,
+                           .secondTask = lines.second.taskId,
+                           .firstCode = numbered(*first, lines.first),
+                           .secondCode = numbered(*second, lines.second)});
     }
     return std::nullopt;
 }

@@ -56,7 +56,8 @@ public:
         QString second{};
         int shared = 0;
         double part = 0.0;
-        QString taskId{};
+        QString firstTask{}; ///< in whose programs they share most
+        QString secondTask{};
         QString firstCode{}; ///< the lines that they share, with their numbers
         QString secondCode{};
     };

@@ -78,7 +78,7 @@ figure.scene svg text[fill="#212529"], figure.scene svg polygon[fill="#212529"] 
   a { text-decoration: none; } pre { white-space: pre-wrap; }
   h2, h3, summary { break-after: avoid; } figure, tr, pre.program { break-inside: avoid; }
   details { border: 0; padding: 0; } summary { list-style: none; }
-  details::details-content { content-visibility: visible; display: block; } }
+  details.printed::details-content { content-visibility: visible; display: block; } }
 )css");
 
 QString classOf(Tone tone)

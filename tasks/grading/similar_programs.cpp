@@ -8,6 +8,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace cradle {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t runTokens = 18;                ///< k
 constexpr std::size_t windowRuns = 8;                ///< w
 constexpr int leastShared = 8;                       ///< fingerprints; fewer are chance
+constexpr int manyShared = 20;                       ///< whatever part of the programs they are
 constexpr double leastPart = 0.5;                    ///< of what the shorter program has of its own
 constexpr quint64 startOfHash = 0xcbf29ce484222325u; // FNV-1a, 64 bits
 constexpr quint64 primeOfHash = 0x100000001b3u;
@@ -202,7 +204,7 @@ std::vector<AlikePair> SimilarPrograms::pairs(std::size_t most)
         const int fewer =
             std::min(own[static_cast<std::size_t>(first)], own[static_cast<std::size_t>(second)]);
         const double part = static_cast<double>(count) / fewer;
-        if (count >= leastShared && part >= leastPart)
+        if (count >= manyShared || (count >= leastShared && part >= leastPart))
             pairs.push_back({first, second, count, part});
     }
     std::sort(pairs.begin(), pairs.end(), [](const AlikePair &a, const AlikePair &b) {
@@ -227,31 +229,43 @@ bool SimilarPrograms::isOwn(quint64 hash) const
 SimilarPrograms::SharedLines SimilarPrograms::sharedLines(const StudentResult &first,
                                                           const StudentResult &second) const
 {
-    SharedLines best;
-    std::size_t bestCount = 0;
-    for (const StepResult &mine : first.steps) {
-        for (const StepResult &theirs : second.steps) {
-            if (mine.taskId != theirs.taskId)
-                continue;
-            std::unordered_multimap<quint64, Fingerprint> others;
-            for (const Fingerprint &fingerprint : fingerprintsOf(theirs.program))
-                others.emplace(fingerprint.hash, fingerprint);
-            SharedLines lines{.taskId = mine.taskId};
-            std::size_t count = 0;
-            for (const Fingerprint &fingerprint : fingerprintsOf(mine.program)) {
-                const auto [begin, end] = others.equal_range(fingerprint.hash);
-                if (begin == end || !isOwn(fingerprint.hash))
-                    continue;
-                ++count;
-                addLines(lines.first, fingerprint);
-                for (auto it = begin; it != end; ++it)
-                    addLines(lines.second, it->second);
+    struct OwnPart {
+        QString taskId;
+        std::multimap<quint64, Fingerprint> own{};
+    };
+    const auto programsOfStudent = [this](const StudentResult &student) {
+        std::vector<OwnPart> programs;
+        for (const StepResult &step : student.steps) {
+            programs.push_back({step.taskId});
+            for (const Fingerprint &fingerprint : fingerprintsOf(step.program)) {
+                if (isOwn(fingerprint.hash))
+                    programs.back().own.emplace(fingerprint.hash, fingerprint);
             }
-            if (count > bestCount) {
-                sortOnce(lines.first);
-                sortOnce(lines.second);
-                best = std::move(lines);
-                bestCount = count;
+        }
+        return programs;
+    };
+    const std::vector<OwnPart> others = programsOfStudent(second);
+    SharedLines best;
+    std::size_t most = 0;
+    for (const OwnPart &mine : programsOfStudent(first)) {
+        for (const OwnPart &theirs : others) {
+            SharedLines shared{{mine.taskId}, {theirs.taskId}};
+            std::size_t count = 0;
+            for (const auto &[hash, fingerprint] : mine.own) {
+                const auto [begin, end] = theirs.own.equal_range(hash);
+                if (begin == end)
+                    continue;
+                count += 2;
+                addLines(shared.first.lines, fingerprint);
+                for (auto it = begin; it != end; ++it)
+                    addLines(shared.second.lines, it->second);
+            }
+            count += count > 0 && mine.taskId == theirs.taskId;
+            if (count > most) {
+                sortOnce(shared.first.lines);
+                sortOnce(shared.second.lines);
+                best = std::move(shared);
+                most = count;
             }
         }
     }

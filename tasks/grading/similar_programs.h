@@ -49,13 +49,17 @@ public:
     /// What more students share is taken for common: a tenth of them, 4 to 20.
     [[nodiscard]] int commonFrom() const;
 
-    /// Some lines of two programs of a step.
-    struct SharedLines {
+    /// Some lines of a program.
+    struct Lines {
         QString taskId{};
-        std::vector<int> first{};  ///< lines of the first student's program, from 1
-        std::vector<int> second{}; ///< lines of the second's
+        std::vector<int> lines{}; ///< from 1, rising
     };
-    /// Where two students share most; only after pairs().
+    struct SharedLines {
+        Lines first{};
+        Lines second{};
+    };
+    /// The two programs in which two students share most, of the same step if there is a choice;
+    /// only after pairs().
     [[nodiscard]] SharedLines sharedLines(const StudentResult &first,
                                           const StudentResult &second) const;
 

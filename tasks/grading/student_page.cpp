@@ -231,8 +231,9 @@ private:
     void writeFinding(const StepResult &step, const Finding &finding, std::size_t index)
     {
         m_html +=
-            QStringLiteral("<details%1>\n<summary>%2</summary>\n<div class=\"finding\">\n"
-                           "<div>\n%3")
+            QStringLiteral(
+                "<details class=\"printed\"%1>\n<summary>%2</summary>\n<div class=\"finding\">\n"
+                "<div>\n%3")
                 .arg(index == 0 ? QStringLiteral(" open") : QString(),
                      escaped(headlineOf(finding.message)), markdownHtml(bodyOf(finding.message)));
         const QString code = codeAround(step.program, finding.line);
