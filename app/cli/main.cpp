@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "tasks/grading/worker_server.h"
+
 #include <QCoreApplication>
 #include <QTextStream>
 
@@ -22,6 +24,7 @@ struct Entry {
 
 constexpr std::array subcommands{
     Entry{"check", "judges a program or a preset for one step of a lab", check},
+    Entry{"grade", "judges a class", grade},
     Entry{"hand-in", "writes a student's work into one file", handIn},
     Entry{"report", "writes the report of a student's work", report},
     Entry{"simulate", "runs a scene and writes what happens", simulate},
@@ -60,6 +63,8 @@ int main(int argc, char **argv)
         QTextStream(stdout) << "cradle-cli " << CRADLE_VERSION << '\n';
         return Done;
     }
+    if (name == QLatin1String("judge-server")) // started by this program alone
+        return cradle::runJudgingServer();
     for (const Entry &entry : subcommands) {
         if (name != QLatin1String(entry.name))
             continue;
