@@ -123,8 +123,9 @@ public:
             return complainUnwritten(workers.error());
         const Isolation isolation = (*workers)->isolation();
         if (m_request.requireIsolation && !isolation.isWhole())
-            return complain(GradeText::tr("--require-isolation: this machine has only: %1")
-                                .arg(isolationText(isolation)));
+            return complainUnwritten(
+                {GradeText::tr("--require-isolation: this machine has only: %1")
+                     .arg(isolationText(isolation))});
         Manifest manifest = manifestOf(found, *secret, isolation);
         if (const auto code = takeOver(manifest))
             return *code;

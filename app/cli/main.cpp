@@ -12,6 +12,9 @@
 #include <cstdio>
 #include <exception>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace {
 
 using namespace cradle::cli;
@@ -43,10 +46,22 @@ void printUsage(FILE *where)
            "1 something did not pass, 2 wrong usage or unreadable input, 3 a defect of ours.\n";
 }
 
+/// Where one of the standard streams is closed, the next file that is opened would take its place,
+/// and what is meant for the stream would be written into it. So something has the place that can
+/// only be used the wrong way round: that fails, and is told.
+void guardStandardStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0)
+            (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
+    guardStandardStreams();
     // A file that may not grow is told by the write that fails, and in words.
     std::signal(SIGXFSZ, SIG_IGN);
     const QCoreApplication app(argc, argv);

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -41,12 +40,12 @@ std::optional<std::pair<Descriptor, Descriptor>> openPipe()
     return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
 }
 
-std::optional<Descriptor> memoryFile(const QByteArray &content)
+std::optional<std::pair<Descriptor, Descriptor>> openStream()
 {
-    Descriptor file(::memfd_create("cradle", MFD_CLOEXEC));
-    if (!file || !writeAll(file.number(), content) || ::lseek(file.number(), 0, SEEK_SET) != 0)
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return std::nullopt;
-    return file;
+    return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
 }
 
 std::optional<QByteArray> readAll(int descriptor, qint64 most)
@@ -70,6 +69,20 @@ bool writeAll(int descriptor, const QByteArray &bytes)
     for (qsizetype at = 0; at < bytes.size();) {
         const ssize_t size = ::write(descriptor, bytes.constData() + at,
                                      static_cast<std::size_t>(bytes.size() - at));
+        if (size < 0 && errno == EINTR)
+            continue;
+        if (size <= 0)
+            return false;
+        at += size;
+    }
+    return true;
+}
+
+bool sendAll(int stream, const QByteArray &bytes)
+{
+    for (qsizetype at = 0; at < bytes.size();) {
+        const ssize_t size = ::send(stream, bytes.constData() + at,
+                                    static_cast<std::size_t>(bytes.size() - at), MSG_NOSIGNAL);
         if (size < 0 && errno == EINTR)
             continue;
         if (size <= 0)

@@ -62,12 +62,15 @@ struct ReceivedMessage {
 std::optional<std::pair<Descriptor, Descriptor>> connectedPair();
 /// The end to read from, then that to write to.
 std::optional<std::pair<Descriptor, Descriptor>> openPipe();
-/// A file without a name that holds \p content, to be read from its start.
-std::optional<Descriptor> memoryFile(const QByteArray &content);
+/// The end to read from, then that to write to by sendAll(), which does not count as a file.
+std::optional<std::pair<Descriptor, Descriptor>> openStream();
 /// All that \p descriptor still gives, at most \p most bytes.
 [[nodiscard]] std::optional<QByteArray> readAll(int descriptor, qint64 most);
 /// \return whether all was written
 bool writeAll(int descriptor, const QByteArray &bytes);
+
+/// The same to a stream; waits for who reads. \return false also if the other end is gone
+bool sendAll(int stream, const QByteArray &bytes);
 
 /// \return whether it was sent
 bool sendMessage(int socket, const ServerMessage &message,

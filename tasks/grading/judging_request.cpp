@@ -76,8 +76,9 @@ private:
 };
 
 StepResult judgeStep(const Lab &lab, const Task &task, const StepWork &work,
-                     const QByteArray &bytes, qint64 seed)
+                     const QByteArray &bytes, const JudgingRequest &request)
 {
+    const qint64 seed = request.seed;
     StepResult result{.taskId = task.id};
     tellHistory(result, work.versions);
     if (work.isEmpty())
@@ -111,7 +112,8 @@ StepResult judgeStep(const Lab &lab, const Task &task, const StepWork &work,
             check.scene.reset();
     }
     result.status = result.report->passed ? StepResult::Status::Passed : StepResult::Status::Failed;
-    result.moments = momentsOf(*result.report, task, submission.program());
+    if (request.moments)
+        result.moments = momentsOf(*result.report, task, submission.program());
     return result;
 }
 
@@ -137,7 +139,7 @@ QByteArray bytesOf(const JudgingRequest &request)
     QByteArray bytes;
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out.setVersion(stream);
-    out << request.seed << request.steps << request.files << request.archive;
+    out << request.seed << request.steps << request.files << request.archive << request.moments;
     return bytes;
 }
 
@@ -146,7 +148,7 @@ std::optional<JudgingRequest> requestFrom(const QByteArray &bytes)
     JudgingRequest request;
     QDataStream in(bytes);
     in.setVersion(stream);
-    in >> request.seed >> request.steps >> request.files >> request.archive;
+    in >> request.seed >> request.steps >> request.files >> request.archive >> request.moments;
     return in.status() == QDataStream::Ok ? std::optional(request) : std::nullopt;
 }
 
@@ -193,7 +195,7 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
                                                 .arg(fault)});
         else
             result = judgeStep(lab, lab.tasks[static_cast<std::size_t>(index)], work.step(id),
-                               files.value(QStringLiteral("steps/%1.lua").arg(id)), request.seed);
+                               files.value(QStringLiteral("steps/%1.lua").arg(id)), request);
         done(result);
     }
 }

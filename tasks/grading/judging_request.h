@@ -17,6 +17,7 @@ struct JudgingRequest {
     QStringList steps{};  ///< ids, in the order in which they are judged
     WorkFiles files{};    ///< of a workspace, by their paths in it
     QByteArray archive{}; ///< a .cradle-work file in the place of files; empty if there is none
+    bool moments = true;  ///< whether StepResult::moments are wanted
 
     friend bool operator==(const JudgingRequest &, const JudgingRequest &) = default;
 };

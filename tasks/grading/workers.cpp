@@ -135,11 +135,15 @@ Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &
     std::unique_ptr<Workers> workers(new Workers);
     if (!program.isEmpty()) {
         auto pair = connectedPair();
-        const auto content = memoryFile(cradle::bytesOf(files, folder));
-        if (pair && content) {
+        auto stream = openStream();
+        if (pair && stream) {
             const pid_t server =
-                startBubblewrapped(program, pair->second.number(), content->number());
+                startBubblewrapped(program, pair->second.number(), stream->first.number());
             pair->second.close();
+            stream->first.close();
+            if (server > 0)
+                sendAll(stream->second.number(), cradle::bytesOf(files, folder));
+            stream->second.close();
             if (workers->connect(server, std::move(pair->first)))
                 return workers;
         }
@@ -197,13 +201,18 @@ void Workers::judge(int worker, const JudgingRequest &request)
     running.expected = request.steps;
     running.since = now();
     auto pipe = openPipe();
-    const auto content = memoryFile(cradle::bytesOf(request));
-    const bool sent = pipe && content && m_alive
+    auto stream = openStream();
+    const bool sent = pipe && stream && m_alive
                       && sendMessage(m_control.number(), {ServerMessage::Kind::Judge, worker, 0},
-                                     {content->number(), pipe->second.number()});
+                                     {stream->first.number(), pipe->second.number()});
+    if (sent) {
+        stream->first.close();
+        sendAll(stream->second.number(), cradle::bytesOf(request));
+    }
     if (pipe)
         running.results = std::move(pipe->first);
-    if (!sent) {
+    // Else the server tells how it ended, or its end does.
+    if (!pipe || !stream || !m_alive) {
         running.results.close();
         running.status = W_EXITCODE(0, SIGKILL);
     }
