@@ -97,6 +97,8 @@ QString wordsForFault(int number)
         return FileText::tr("this is a folder; the name of a file is right");
     case ENAMETOOLONG:
         return FileText::tr("the name is too long");
+    case EBADF:
+        return FileText::tr("it is closed");
     case EIO:
         return FileText::tr("the disk has a fault");
     default:
