@@ -101,6 +101,7 @@ void TestStudentResultJson::everythingOfAStudentSurvives()
                          .name = QStringLiteral("Ada </script><b>O'Neill\" =1+1, \u00e4\u4e2d"),
                          .number = QStringLiteral("0012"),
                          .email = QStringLiteral("ada@example.org"),
+                         .platform = Platform::Canvas,
                          .seed = -7'000'000'000'000'000'001,
                          .lateDays = 1.5,
                          .remark = QStringLiteral("two files\nof one step")};

@@ -226,7 +226,6 @@ private:
     std::optional<Error> writeResults(const Manifest &manifest)
     {
         ClassFacts facts{.className = manifest.className,
-                         .labPath = m_lab.folder,
                          .isolation = manifest.isolation,
                          .program = manifest.version.cradle,
                          .late = m_request.late,

@@ -106,6 +106,7 @@ private:
             student.id = platform.number;
             student.name = platform.student;
             student.number = platform.number;
+            student.platform = platform.platform;
             student.how = ClassText::tr("download of %1").arg(platformText(platform.platform));
         }
         if (platform.late)

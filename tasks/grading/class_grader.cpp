@@ -82,6 +82,7 @@ std::optional<Error> ClassGrader::begin(const FoundStudent &student, int number)
                   .name = student.name,
                   .number = student.number,
                   .email = student.email,
+                  .platform = student.platform,
                   .seed = job.request.seed,
                   .lateDays = student.lateDays,
                   .remark = handedIn.remark};

@@ -16,13 +16,9 @@ struct MissingStudent {
     QString email{};
 };
 
-/// Where what was handed in was downloaded; it gave out the numbers of the students.
-enum class Platform { None, Moodle, Canvas, Blackboard, GitHub };
-
 /// What is known of a class besides the results of its students; a plain value.
 struct ClassFacts {
     QString className{};
-    Platform platform = Platform::None;
     QString isolation{}; ///< in a few words: "rlimits, seccomp; no namespaces"
     QString program{};   ///< name and version of what judged: "Cradle 0.1.0"
     LateRule late{};

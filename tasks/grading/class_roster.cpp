@@ -141,8 +141,10 @@ void applyRoster(ClassFolder &found, const std::vector<RosterRow> &roster)
             student.id = studentIdFrom(row.id);
         if (!row.name.isEmpty())
             student.name = row.name;
-        if (!row.number.isEmpty())
+        if (!row.number.isEmpty() && row.number != student.number) {
             student.number = row.number;
+            student.platform = Platform::None;
+        }
         student.email = row.email;
         student.lateDays = row.lateDays;
     }

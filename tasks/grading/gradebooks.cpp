@@ -54,8 +54,8 @@ Gradebooks::Gradebooks(const Lab &lab, const ClassFacts &facts)
         plain.append(task.id);
     }
     m_plain = csvRow(plain);
-    m_moodle = csvRow({QStringLiteral("Full name"), QStringLiteral("ID number"),
-                       QStringLiteral("Email address"), lab.title,
+    m_moodle = csvRow({QStringLiteral("Identifier"), QStringLiteral("Full name"),
+                       QStringLiteral("ID number"), QStringLiteral("Email address"), lab.title,
                        QStringLiteral("%1 (Feedback)").arg(lab.title)});
     const QString most = pointsText(m_most);
     m_canvas =
@@ -70,17 +70,21 @@ Gradebooks::Gradebooks(const Lab &lab, const ClassFacts &facts)
 
 void Gradebooks::addTo(const Person &person, const QString &sum, const QString &word)
 {
-    const auto from = [&](Platform platform) { return m_facts.platform == platform; };
-    const QString name = person.name.isEmpty() ? person.id : person.name;
-    m_moodle += csvRow({name, person.number, person.email, sum, word});
     // A number means a person only where it was given out: Canvas would look up another's ID.
-    m_canvas += csvRow({name, from(Platform::Canvas) ? person.number : QString(),
-                        from(Platform::Canvas) ? QString() : person.number, person.email,
-                        m_facts.className, sum});
+    const auto numberIf = [&](Platform platform) {
+        return person.platform == platform ? person.number : QString();
+    };
+    const QString ofUniversity = numberIf(Platform::None);
+    const QString name = person.name.isEmpty() ? person.id : person.name;
+    const QString moodle = numberIf(Platform::Moodle);
+    m_moodle += csvRow({moodle.isEmpty() ? QString() : QStringLiteral("Participant ") + moodle,
+                        name, ofUniversity, person.email, sum, word});
+    m_canvas += csvRow(
+        {name, numberIf(Platform::Canvas), ofUniversity, person.email, m_facts.className, sum});
     const auto [last, first] = lastAndFirst(name);
-    m_blackboard += csvRow({last, first, from(Platform::Blackboard) ? person.number : person.id,
-                            from(Platform::Blackboard) ? QString() : person.number, sum},
-                           true);
+    const QString account = numberIf(Platform::Blackboard);
+    m_blackboard +=
+        csvRow({last, first, account.isEmpty() ? person.id : account, ofUniversity, sum}, true);
 }
 
 void Gradebooks::add(const StudentResult &student)
@@ -103,7 +107,7 @@ void Gradebooks::add(const StudentResult &student)
     QString word = GradebookText::tr("%1 of %2 steps pass").arg(passed).arg(m_lab.tasks.size());
     if (notGraded > 0)
         word += QStringLiteral("; ") + GradebookText::tr("%n not graded", nullptr, notGraded);
-    addTo({student.id, student.name, student.number, student.email}, sum, word);
+    addTo({student.id, student.name, student.number, student.email, student.platform}, sum, word);
 }
 
 std::optional<Error> Gradebooks::write(const QString &folder)

@@ -28,6 +28,7 @@ private:
         QString name{};
         QString number{};
         QString email{};
+        Platform platform = Platform::None;
     };
     void addTo(const Person &person, const QString &sum, const QString &word);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/check_report.h"
+#include "tasks/grading/platform_names.h"
 #include "tasks/lab_report/drawn_moment.h"
 
 #include <QString>
@@ -48,7 +49,8 @@ struct StudentResult {
     QString name{};   ///< of the person, as the roster or the folder has it
     QString number{}; ///< of the learning platform or the university; may be empty
     QString email{};
-    qint64 seed = 1; ///< of this student's scenes
+    Platform platform = Platform::None; ///< that gave out the number; none: the university
+    qint64 seed = 1;                    ///< of this student's scenes
     double lateDays = 0.0;
     QString remark{}; ///< what is strange about what was handed in; plain text
     std::vector<StepResult> steps{};

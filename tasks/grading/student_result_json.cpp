@@ -92,10 +92,12 @@ QByteArray writeStudentResult(const StudentResult &result, const Lab &lab)
         steps.append(jsonOf(step, lab));
     const QJsonObject json{
         {QStringLiteral("format"), 1},
-        {QStringLiteral("student"), QJsonObject{{QStringLiteral("id"), result.id},
-                                                {QStringLiteral("name"), result.name},
-                                                {QStringLiteral("number"), result.number},
-                                                {QStringLiteral("email"), result.email}}},
+        {QStringLiteral("student"),
+         QJsonObject{{QStringLiteral("id"), result.id},
+                     {QStringLiteral("name"), result.name},
+                     {QStringLiteral("number"), result.number},
+                     {QStringLiteral("email"), result.email},
+                     {QStringLiteral("platform"), platformText(result.platform)}}},
         {QStringLiteral("lab"), QJsonObject{{QStringLiteral("id"), lab.id},
                                             {QStringLiteral("version"), lab.version},
                                             {QStringLiteral("hash"), lab.hash}}},
