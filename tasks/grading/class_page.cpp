@@ -87,7 +87,7 @@ void writeFacts(QString &html, const ClassSummary &summary, const ClassFacts &fa
         fact(ClassText::tr("points on average"),
              escaped(ClassText::tr("%1 of %2")
                          .arg(QLocale().toString(sum / counted, 'f', 1),
-                              QLocale().toString(most, 'g', 6))));
+                              QLocale().toString(most, 'g', 8))));
     if (!summary.notGraded().empty())
         fact(ClassText::tr("steps not graded"),
              QString::number(std::transform_reduce(

@@ -158,7 +158,7 @@ QString medianText(std::vector<Value> values)
     const std::size_t half = values.size() / 2;
     const auto upper = static_cast<double>(values[half]);
     const auto lower = static_cast<double>(values[values.size() % 2 == 1 ? half : half - 1]);
-    return QLocale().toString(std::round(5.0 * (lower + upper)) / 10.0, 'g', 6);
+    return QLocale().toString(std::round(5.0 * (lower + upper)) / 10.0, 'g', 8);
 }
 
 const char *signOf(StepResult::Status status)
@@ -376,7 +376,7 @@ void writeWho(QString &html, const ClassSummary &summary)
             html += QString::fromUtf8(signOf(status));
         html += QStringLiteral("<td class=number>%1<td class=number>%2\n")
                     .arg(QString::number(row.passed),
-                         row.points.earned ? escaped(QLocale().toString(*row.points.earned, 'g', 6))
+                         row.points.earned ? escaped(QLocale().toString(*row.points.earned, 'g', 8))
                                            : QStringLiteral("–"));
     }
     html += QStringLiteral("</tbody>\n</table></div>\n");

@@ -105,7 +105,7 @@ QString escaped(const QString &text)
 
 QString escapedName(const QString &name)
 {
-    return QStringLiteral("<bdi>%1</bdi>").arg(escaped(name));
+    return QStringLiteral("<bdi>%1</bdi>").arg(escaped(name.simplified()));
 }
 
 QString pageStart(const QString &title, const QString &language, const QString &style)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/points.h"
 
-#include "model/shortest_number.h"
 #include "tasks/report_text.h"
 
 #include <algorithm>
@@ -87,7 +86,12 @@ double roundedPoints(double points)
 
 QString pointsText(double points)
 {
-    return shortestNumber(roundedPoints(points));
+    QString text = QString::number(roundedPoints(points), 'f', 2);
+    while (text.endsWith(QLatin1Char('0')))
+        text.chop(1);
+    if (text.endsWith(QLatin1Char('.')))
+        text.chop(1);
+    return text;
 }
 
 QString statusName(StepResult::Status status)

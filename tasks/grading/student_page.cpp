@@ -88,7 +88,7 @@ private:
                      escaped(text));
     }
 
-    static QString number(double value) { return QLocale().toString(value, 'g', 6); }
+    static QString number(double value) { return QLocale().toString(value, 'g', 8); }
 
     void writeSum()
     {
