@@ -226,7 +226,7 @@ private:
     std::optional<Error> writeResults(const Manifest &manifest)
     {
         ClassFacts facts{.className = manifest.className,
-                         .labPath = m_lab.folder,
+                         .platform = manifest.platform,
                          .isolation = manifest.isolation,
                          .program = manifest.version.cradle,
                          .late = m_request.late,

@@ -51,6 +51,7 @@ struct Manifest {
     Shard shard{};
     bool complete = false;
     QString className{};
+    Platform platform = Platform::None;    ///< that it was downloaded from
     QString isolation{};                   ///< of the workers, see isolationText()
     std::vector<MissingStudent> missing{}; ///< who handed in nothing
     QStringList remarks{};                 ///< what was not understood
