@@ -238,9 +238,9 @@ std::optional<Error> ClassJournal::keep(const QString &id, const QByteArray &res
     return std::nullopt;
 }
 
-std::optional<Error> ClassJournal::finish()
+std::optional<Error> ClassJournal::finish(bool complete)
 {
-    m_manifest.complete = true;
+    m_manifest.complete = complete;
     if (auto error = writeFile(m_folder + manifestName, bytesOf(m_manifest)))
         return error;
     m_file.close();

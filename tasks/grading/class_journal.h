@@ -80,8 +80,8 @@ public:
     /// \param done  its resultHash is that of \p result, whatever it says
     [[nodiscard]] std::optional<Error> keep(const QString &id, const QByteArray &result,
                                             DoneStudent done);
-    /// The index, last.
-    [[nodiscard]] std::optional<Error> finish();
+    /// The index, last. \param complete  whether all of the class are in it
+    [[nodiscard]] std::optional<Error> finish(bool complete);
 
     [[nodiscard]] const Manifest &manifest() const { return m_manifest; }
     [[nodiscard]] QString studentPath(const QString &id) const;
