@@ -63,6 +63,11 @@ public:
         for (auto &[key, student] : m_students)
             m_class.students.push_back(std::move(student));
         m_class.root = m_root;
+        const auto most =
+            std::max_element(m_platforms.begin(), m_platforms.end(),
+                             [](const auto &a, const auto &b) { return a.second < b.second; });
+        if (most != m_platforms.end() && most->second * 2 > static_cast<int>(m_students.size()))
+            m_class.platform = most->first;
         return std::move(m_class);
     }
 
@@ -103,6 +108,7 @@ private:
             platformText(platform.platform) + u'/' + platform.student + u'/' + platform.number;
         FoundStudent &student = m_students[key];
         if (student.id.isEmpty()) {
+            ++m_platforms[platform.platform];
             student.id = platform.number;
             student.name = platform.student;
             student.number = platform.number;
@@ -135,6 +141,7 @@ private:
             && name.size() > assignment.size()) {
             student.name = name.mid(assignment.size());
             student.how = ClassText::tr("clone of GitHub Classroom");
+            ++m_platforms[Platform::GitHub];
         }
         student.id = studentIdFrom(student.name);
         m_students[QStringLiteral("folder/") + QString::fromLatin1(path.toHex())] =
@@ -164,7 +171,8 @@ private:
     QString m_labId;
     ClassFolder m_class{};
     std::map<QString, FoundStudent> m_students{};
-    QMap<QString, QString> m_attempts{}; ///< the latest, by student
+    QMap<QString, QString> m_attempts{};   ///< the latest, by student
+    std::map<Platform, int> m_platforms{}; ///< students of each
 };
 
 /// Ids that would be one on a disk that knows no capitals get a piece of the hash of their place.

@@ -40,6 +40,7 @@ struct FoundStudent {
 struct ClassFolder {
     QByteArray root{};                     ///< nothing outside is ever read
     std::vector<FoundStudent> students{};  ///< by id
+    Platform platform = Platform::None;    ///< that most of it was downloaded from
     std::vector<MissingStudent> missing{}; ///< who is in the roster and handed in nothing
     QStringList remarks{};                 ///< what was not understood
 };

@@ -4,6 +4,7 @@
 
 #include "model/file_io.h"
 #include "model/json_schema.h"
+#include "tasks/grading/platform_names.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -120,6 +121,7 @@ QByteArray bytesOf(const Manifest &manifest)
                      {QStringLiteral("complete"), manifest.complete},
                      {QStringLiteral("version"), version},
                      {QStringLiteral("name"), manifest.className},
+                     {QStringLiteral("platform"), platformText(manifest.platform)},
                      {QStringLiteral("isolation"), manifest.isolation},
                      {QStringLiteral("missing"), jsonOf(manifest.missing)},
                      {QStringLiteral("remarks"), QJsonArray::fromStringList(manifest.remarks)},
@@ -146,6 +148,7 @@ Result<Manifest> manifestFrom(const QByteArray &text, const QString &source)
     if (shard.size() == 2)
         manifest.shard = {shard.at(0).toInt(), shard.at(1).toInt()};
     manifest.className = json.value(QStringLiteral("name")).toString();
+    manifest.platform = platformFrom(json.value(QStringLiteral("platform")).toString());
     manifest.isolation = json.value(QStringLiteral("isolation")).toString();
     manifest.missing = missingFrom(json.value(QStringLiteral("missing")).toArray());
     manifest.remarks = textsFrom(json.value(QStringLiteral("remarks")).toArray());
@@ -235,9 +238,9 @@ std::optional<Error> ClassJournal::keep(const QString &id, const QByteArray &res
     return std::nullopt;
 }
 
-std::optional<Error> ClassJournal::finish()
+std::optional<Error> ClassJournal::finish(bool complete)
 {
-    m_manifest.complete = true;
+    m_manifest.complete = complete;
     if (auto error = writeFile(m_folder + manifestName, bytesOf(m_manifest)))
         return error;
     m_file.close();

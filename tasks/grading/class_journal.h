@@ -51,6 +51,7 @@ struct Manifest {
     Shard shard{};
     bool complete = false;
     QString className{};
+    Platform platform = Platform::None;    ///< that it was downloaded from
     QString isolation{};                   ///< of the workers, see isolationText()
     std::vector<MissingStudent> missing{}; ///< who handed in nothing
     QStringList remarks{};                 ///< what was not understood
@@ -79,8 +80,8 @@ public:
     /// \param done  its resultHash is that of \p result, whatever it says
     [[nodiscard]] std::optional<Error> keep(const QString &id, const QByteArray &result,
                                             DoneStudent done);
-    /// The index, last.
-    [[nodiscard]] std::optional<Error> finish();
+    /// The index, last. \param complete  whether all of the class are in it
+    [[nodiscard]] std::optional<Error> finish(bool complete);
 
     [[nodiscard]] const Manifest &manifest() const { return m_manifest; }
     [[nodiscard]] QString studentPath(const QString &id) const;

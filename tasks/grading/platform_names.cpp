@@ -75,10 +75,22 @@ QString platformText(Platform platform)
         return QStringLiteral("Canvas");
     case Platform::Blackboard:
         return QStringLiteral("Blackboard");
+    case Platform::GitHub:
+        return QStringLiteral("GitHub");
     case Platform::None:
         break;
     }
     return {};
+}
+
+Platform platformFrom(const QString &text)
+{
+    for (const Platform each :
+         {Platform::Moodle, Platform::Canvas, Platform::Blackboard, Platform::GitHub}) {
+        if (platformText(each) == text)
+            return each;
+    }
+    return Platform::None;
 }
 
 } // namespace cradle

@@ -8,8 +8,8 @@
 
 namespace cradle {
 
-/// Where a name comes from.
-enum class Platform { None, Moodle, Canvas, Blackboard };
+/// Where a name, or a number of a student, comes from.
+enum class Platform { None, Moodle, Canvas, Blackboard, GitHub };
 
 /// What a learning platform says by the name of a file or folder that it gives out.
 struct PlatformName {
@@ -30,7 +30,8 @@ struct PlatformName {
 /// \return nothing if it is none of these
 [[nodiscard]] std::optional<PlatformName> platformName(const QString &name, bool isFolder);
 
-/// "Moodle", "Canvas", "Blackboard" or nothing.
+/// "Moodle", "Canvas", "Blackboard", "GitHub" or nothing; and back.
 [[nodiscard]] QString platformText(Platform platform);
+[[nodiscard]] Platform platformFrom(const QString &text);
 
 } // namespace cradle

@@ -212,11 +212,7 @@ Result<StudentResult> readStudentResult(const QByteArray &text, const QString &s
                          .seed = json.integer("seed", leastSeed, mostSeed),
                          .lateDays = json.number("late_days", 0.0, 1e6),
                          .remark = json.text("remark", messageLetters)};
-    const QString platform = who.text("platform", nameLetters);
-    for (const Platform each : {Platform::Moodle, Platform::Canvas, Platform::Blackboard}) {
-        if (platformText(each) == platform)
-            result.platform = each;
-    }
+    result.platform = platformFrom(who.text("platform", nameLetters));
     result.steps = readAll<StepResult>(json, "steps", mostSteps, readStep);
     if (json.fault())
         return *json.fault();
