@@ -60,10 +60,10 @@ bool isShown(ReportFormat format, const QString &output)
 }
 
 QByteArray textOf(const CheckReport &report, ReportFormat format, const QString &program,
-                  const Isolation &isolation)
+                  const Task &task, const Isolation &isolation)
 {
     if (format != ReportFormat::Json)
-        return writeReport(report, format, program);
+        return writeReport(report, format, program, &task);
     QJsonObject json = reportObject(report);
     json.insert(QStringLiteral("format"), 1);
     json.insert(QStringLiteral("elapsed_ms"), report.elapsedMs);
@@ -143,7 +143,7 @@ ExitCode check(const QStringList &arguments)
     const CheckReport &report = judged->report;
     if (report.error && !isShown(*format, parser.value(output)))
         QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
-    const QByteArray text = textOf(report, *format, program, judged->isolation);
+    const QByteArray text = textOf(report, *format, program, task, judged->isolation);
     if (const auto error = writeText(parser.value(output), text))
         return complainUnwritten(*error);
     return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
