@@ -146,8 +146,7 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
                 .arg(QString::number(all[i]->count), escaped(all[i]->headline), example(*all[i]));
     html += QStringLiteral("</ul>\n");
     if (all.size() > mostListed)
-        html += paragraph(ClassText::tr("And %n more, each of fewer students.", nullptr,
-                                        static_cast<int>(all.size() - mostListed)));
+        html += paragraph(ClassText::tr("And %1 more.").arg(all.size() - mostListed));
     html += QStringLiteral("</details>\n");
 }
 

@@ -106,7 +106,7 @@ void Gradebooks::add(const StudentResult &student)
                       + steps);
     QString word = GradebookText::tr("%1 of %2 steps pass").arg(passed).arg(m_lab.tasks.size());
     if (notGraded > 0)
-        word += QStringLiteral("; ") + GradebookText::tr("%n not graded", nullptr, notGraded);
+        word += QStringLiteral("; ") + GradebookText::tr("%1 not graded").arg(notGraded);
     addTo({student.id, student.name, student.number, student.email, student.platform}, sum, word);
 }
 

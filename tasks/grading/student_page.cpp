@@ -110,15 +110,17 @@ private:
         else
             paragraph(steps, "sum");
         if (notGraded > 0)
-            paragraph(StudentText::tr("%n step(s) could not be graded, so there is no sum of "
-                                      "points yet. That is not the fault of what was handed in.",
-                                      nullptr, notGraded));
+            paragraph(
+                StudentText::tr("Steps that could not be graded: %1. There is no sum of points "
+                                "yet; that is not the fault of what was handed in.")
+                    .arg(notGraded));
         const double kept = keptWhenLate(m_student.lateDays, m_facts.late);
         if (kept < 1.0)
-            paragraph(StudentText::tr("Handed in %n day(s) late: %1 % of the points are taken off; "
-                                      "the sum above has them taken off already.",
-                                      nullptr, static_cast<int>(std::ceil(m_student.lateDays)))
-                          .arg(number(roundedPoints(100.0 * (1.0 - kept)))));
+            paragraph(
+                StudentText::tr("Days late, a begun one counted whole: %1. That takes %2 % of "
+                                "the points; the sum above has them taken off already.")
+                    .arg(number(std::ceil(m_student.lateDays)),
+                         number(roundedPoints(100.0 * (1.0 - kept)))));
         if (!m_student.remark.trimmed().isEmpty())
             m_html += QStringLiteral("<div class=\"note\">%1</div>\n")
                           .arg(escaped(m_student.remark)
