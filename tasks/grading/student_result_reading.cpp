@@ -212,7 +212,8 @@ Result<StudentResult> readStudentResult(const QByteArray &text, const QString &s
                          .seed = json.integer("seed", leastSeed, mostSeed),
                          .lateDays = json.number("late_days", 0.0, 1e6),
                          .remark = json.text("remark", messageLetters)};
-    result.platform = platformFrom(who.text("platform", nameLetters));
+    if (who.has("platform"))
+        result.platform = platformFrom(who.text("platform", nameLetters));
     result.steps = readAll<StepResult>(json, "steps", mostSteps, readStep);
     if (json.fault())
         return *json.fault();
