@@ -327,8 +327,8 @@ void writeAlike(QString &html, const ClassSummary &summary)
 {
     html += heading(ClassText::tr("Programs that are alike"));
     html += paragraph(
-        ClassText::tr("Compared by what the programs do, whatever their names, comments and order "
-                      "(winnowing of tokens). What the lab gives is left out, and so is what more "
+        ClassText::tr("Compared token by token, whatever their names, comments and order "
+                      "(winnowing). What the lab gives is left out, and so is what more "
                       "than %1 students share. There are many good reasons for programs to be "
                       "alike: working together where that is allowed, the same book, the same "
                       "idea. A pair below proves nothing; read both, and ask.")

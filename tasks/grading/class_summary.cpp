@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_summary.h"
 
+#include "tasks/grading/page.h"
 #include "tasks/lab_report/lab_report.h"
 #include "tasks/report_json.h"
 #include "tasks/script/lua_tokens.h"
@@ -157,7 +158,7 @@ void ClassSummary::addStep(Step &sum, const StudentResult &student, const StepRe
             continue;
         met.aspect = finding.aspect;
         met.headline = headlineOf(finding.message);
-        met.message = withoutNames(finding.message, student);
+        met.message = withoutNames(belowHeadline(finding.message), student);
         const QStringList lines =
             withoutNames(withoutComments(step.program), student).split(QLatin1Char('\n'));
         if (finding.line < 1 || finding.line > lines.size())

@@ -26,7 +26,7 @@ public:
     struct Misunderstanding {
         Aspect aspect = Aspect::Motion;
         QString headline{}; ///< plain text
-        QString message{};  ///< CommonMark
+        QString message{};  ///< below the headline; CommonMark
         QString code{};     ///< some lines of the program around the line, without comments
         int codeLine = 0;   ///< the marked one of them, from 1; 0 if there is none
         int count = 0;      ///< students

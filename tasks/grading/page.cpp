@@ -44,7 +44,7 @@ a { color: var(--link); }
 footer { margin-top: 3rem; padding-top: .75rem; border-top: 1px solid var(--rule);
   font-size: .875rem; }
 pre, code { font-family: "JetBrains Mono", "DejaVu Sans Mono", ui-monospace, monospace; }
-code { font-size: .9em; }
+pre, code { font-variant-ligatures: none; } code { font-size: .9em; }
 pre { font-size: .8125rem; line-height: 1.5; background: var(--card); padding: .5rem .75rem;
   border: 1px solid var(--rule); border-radius: 6px; overflow-x: auto; margin: .5rem 0; }
 pre.program { padding: .5rem 0; white-space: pre-wrap; }
@@ -145,6 +145,12 @@ QString codeAround(const QString &program, int line, int context)
     }
     return QStringLiteral("<pre class=\"program\" role=\"group\" aria-label=\"%1\">%2</pre>\n")
         .arg(escaped(PageText::tr("The program around line %1").arg(line)), rows);
+}
+
+QString belowHeadline(const QString &message)
+{
+    const auto end = message.indexOf(QLatin1Char('\n'));
+    return end < 0 ? QString() : message.mid(end + 1).trimmed();
 }
 
 QString badge(const QString &text, Tone tone)

@@ -23,6 +23,9 @@ namespace cradle {
 /// A part of a program around \p line (from 1), which is marked; nothing if it has no such line.
 [[nodiscard]] QString codeAround(const QString &program, int line, int context = 3);
 
+/// What a message says below its headline; CommonMark.
+[[nodiscard]] QString belowHeadline(const QString &message);
+
 /// A word about how something stands, in a colour and with a sign of its own.
 enum class Tone { Good, Open, Trouble, Quiet };
 [[nodiscard]] QString badge(const QString &text, Tone tone);

@@ -35,13 +35,6 @@ section > h2 .badge { margin-left: .4rem; vertical-align: .12em; }
 @media print { section { break-inside: auto; } .finding > figure { width: 220px; } }
 )css");
 
-/// The words after the headline of a message.
-QString bodyOf(const QString &message)
-{
-    const auto end = message.indexOf(QLatin1Char('\n'));
-    return end < 0 ? QString() : message.mid(end + 1).trimmed();
-}
-
 /// Writes the page piece by piece.
 class Writer
 {
@@ -237,7 +230,8 @@ private:
                 "<details class=\"printed\"%1>\n<summary>%2</summary>\n<div class=\"finding\">\n"
                 "<div>\n%3")
                 .arg(index == 0 ? QStringLiteral(" open") : QString(),
-                     escaped(headlineOf(finding.message)), markdownHtml(bodyOf(finding.message)));
+                     escaped(headlineOf(finding.message)),
+                     markdownHtml(belowHeadline(finding.message)));
         const QString code = codeAround(step.program, finding.line);
         if (!code.isEmpty())
             paragraph(StudentText::tr("Look at line %1 of your program.").arg(finding.line));
