@@ -122,6 +122,13 @@ private:
                               QCoreApplication::applicationFilePath());
     }
 
+    /// That of the folder, or of the zip.
+    [[nodiscard]] QString className() const
+    {
+        const QString name = shownName(lastName(QFile::encodeName(m_request.submissions)));
+        return name.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive) ? name.chopped(4) : name;
+    }
+
     [[nodiscard]] Manifest manifestOf(const ClassFolder &found, const QByteArray &secret,
                                       const Isolation &isolation) const
     {
@@ -132,8 +139,7 @@ private:
                                       .labHash = m_lab.lab.hash,
                                       .secretHash = sha256("cradle class secret " + secret)},
                           .shard = m_request.shard,
-                          .className =
-                              shownName(lastName(QFile::encodeName(m_request.submissions))),
+                          .className = className(),
                           .isolation = isolationText(isolation),
                           .missing = found.missing,
                           .remarks = found.remarks};

@@ -49,7 +49,7 @@ QString shortText(const QStringList &work)
             others.append(file);
     }
     if (programs > 0)
-        others.prepend(DryRunText::tr("%n program(s)", nullptr, programs));
+        others.prepend(DryRunText::tr("programs: %1").arg(programs));
     return others.isEmpty() ? DryRunText::tr("nothing to judge")
                             : others.join(QStringLiteral(", "));
 }
@@ -90,8 +90,7 @@ ExitCode tellClass(const GradeRequest &request, const Lab &lab, const ClassFolde
         text += DryRunText::tr("missing: %1 %2").arg(each.id, each.name) + QLatin1Char('\n');
     for (const QString &remark : found.remarks)
         text += remark + QLatin1Char('\n');
-    text += DryRunText::tr("%n student(s)", nullptr, static_cast<int>(students.size()))
-            + QLatin1Char('\n');
+    text += DryRunText::tr("students: %1").arg(students.size()) + QLatin1Char('\n');
     const auto error = writeText({}, request.events ? jsonOf(found, students) : text.toUtf8());
     return error ? complainUnwritten(*error) : Done;
 }

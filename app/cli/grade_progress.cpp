@@ -76,7 +76,7 @@ void GradeProgress::start(int students, const QString &isolation)
         return event({{QStringLiteral("event"), QStringLiteral("start")},
                       {QStringLiteral("students"), students},
                       {QStringLiteral("isolation"), isolation}});
-    QTextStream(stderr) << ProgressText::tr("%n student(s)", nullptr, students) << '\n'
+    QTextStream(stderr) << ProgressText::tr("students: %1").arg(students) << '\n'
                         << ProgressText::tr("isolation: %1").arg(isolation) << Qt::endl;
 }
 

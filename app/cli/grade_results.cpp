@@ -14,11 +14,13 @@ void removeOthers(const QString &results, Manifest &manifest, const QStringList 
     std::erase_if(manifest.students, [&](const auto &each) {
         if (wanted.contains(each.first))
             return false;
-        // Whatever was written of a student has the id for its name.
+        // Whatever was written of a student has the id for its name, as a folder or as a file.
         for (const QString &folder : folders) {
+            const QString start =
+                results + QLatin1Char('/') + folder + QLatin1Char('/') + each.first;
             for (const char *suffix : {".json", ".html", ".xml", ".tap"})
-                QFile::remove(results + QLatin1Char('/') + folder + QLatin1Char('/') + each.first
-                              + QLatin1String(suffix));
+                QFile::remove(start + QLatin1String(suffix));
+            QDir(start).removeRecursively();
         }
         return true;
     });

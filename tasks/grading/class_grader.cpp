@@ -41,6 +41,7 @@ std::optional<Error> ClassGrader::run(const std::vector<FoundStudent> &students,
                                       std::unique_ptr<Workers> workers)
 {
     m_workers = std::move(workers);
+    m_isolation = m_workers->isolation();
     m_progress.students = static_cast<int>(students.size());
     std::size_t next = 0;
     while (next < students.size() || !m_jobs.empty()) {
@@ -102,16 +103,17 @@ std::optional<Error> ClassGrader::begin(const FoundStudent &student, int number)
 /// Somebody may kill the process that forks workers, with all of them: it is begun anew.
 std::optional<Error> ClassGrader::revive()
 {
-    if (m_workers->isAlive())
-        return std::nullopt;
-    if (++m_deaths > mostDeaths)
-        return Error{.message = GraderText::tr("the process that judges was killed %1 times "
-                                               "without getting anything done")
-                                    .arg(m_deaths - 1)};
-    auto workers = m_hooks.startWorkers();
-    if (!workers)
-        return workers.error();
-    m_workers = std::move(*workers);
+    // One that has less of isolation would make the index untrue.
+    while (!m_workers->isAlive() || m_workers->isolation() != m_isolation) {
+        if (++m_deaths > mostDeaths)
+            return Error{.message = GraderText::tr("the process that judges was killed %1 times "
+                                                   "without getting anything done")
+                                        .arg(m_deaths - 1)};
+        auto workers = m_hooks.startWorkers();
+        if (!workers)
+            return workers.error();
+        m_workers = std::move(*workers);
+    }
     return std::nullopt;
 }
 

@@ -74,6 +74,7 @@ private:
     ClassJournal &m_journal;
     Hooks m_hooks;
     std::unique_ptr<Workers> m_workers{};
+    Isolation m_isolation{}; ///< of all that judge this class
     std::map<int, Job> m_jobs{};
     ClassProgress m_progress{};
     int m_deaths = 0; ///< of the process that forks workers, since one has done something

@@ -106,11 +106,6 @@ StepResult judgeStep(const Lab &lab, const Task &task, const StepWork &work,
         return noVerdict(result, reason);
     }
     result.report->elapsedMs = 0;
-    for (CheckOutcome &check : result.report->checks) {
-        // A program may lead to scenes that no file of a scene may hold.
-        if (check.scene && findFault(*check.scene))
-            check.scene.reset();
-    }
     result.status = result.report->passed ? StepResult::Status::Passed : StepResult::Status::Failed;
     if (request.moments)
         result.moments = momentsOf(*result.report, task, submission.program());

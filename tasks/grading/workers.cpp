@@ -30,6 +30,7 @@ struct WorkersText {
 
 /// Above anything that a worker takes for a step, on however busy a machine: it was stopped.
 constexpr double patience = 3600.0;
+constexpr int mostStarts = 5; ///< of a server that is killed before it says anything
 
 double now()
 {
@@ -133,23 +134,12 @@ Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &
                                                 const QString &folder, const QString &program)
 {
     std::unique_ptr<Workers> workers(new Workers);
-    if (!program.isEmpty()) {
+    if (!program.isEmpty() && workers->startInNamespaces(files, folder, program))
+        return workers;
+    for (int attempt = 0; attempt < mostStarts; ++attempt) {
         auto pair = connectedPair();
-        auto stream = openStream();
-        if (pair && stream) {
-            const pid_t server =
-                startBubblewrapped(program, pair->second.number(), stream->first.number());
-            pair->second.close();
-            stream->first.close();
-            if (server > 0)
-                sendAll(stream->second.number(), cradle::bytesOf(files, folder));
-            stream->second.close();
-            if (workers->connect(server, std::move(pair->first)))
-                return workers;
-        }
-    }
-    auto pair = connectedPair();
-    if (pair) {
+        if (!pair)
+            break;
         const pid_t server = startForked(lab, pair->second.number());
         pair->second.close();
         if (workers->connect(server, std::move(pair->first)))
@@ -157,6 +147,35 @@ Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &
     }
     return Error{.message = WorkersText::tr("no process to judge in can be started: %1")
                                 .arg(QString::fromLocal8Bit(std::strerror(errno)))};
+}
+
+/// \return false where that is not to be had; a server that somebody killed is started anew
+bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
+                                const QString &program)
+{
+    for (int attempt = 0; attempt < mostStarts; ++attempt) {
+        auto pair = connectedPair();
+        auto stream = openStream();
+        if (!pair || !stream)
+            return false;
+        const pid_t server =
+            startBubblewrapped(program, pair->second.number(), stream->first.number());
+        if (server < 0)
+            return false;
+        pair->second.close();
+        stream->first.close();
+        sendAll(stream->second.number(), cradle::bytesOf(files, folder));
+        stream->second.close();
+        if (connect(server, std::move(pair->first)))
+            return true;
+        // What is not allowed says so by itself.
+        const int status = m_endOfServer;
+        const bool killed = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+                            || (WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGKILL);
+        if (!killed)
+            return false;
+    }
+    return false;
 }
 
 /// \return whether the server says that it is there
@@ -169,7 +188,10 @@ bool Workers::connect(pid_t server, Descriptor control)
     const auto hello = receiveMessage(m_control.number());
     m_alive = hello && hello->message.kind == ServerMessage::Kind::Hello;
     if (!m_alive) {
-        stop();
+        // It has closed its end, so it ends.
+        waitpid(m_server, &m_endOfServer, 0);
+        m_server = -1;
+        m_control.close();
         return false;
     }
     const int flags = hello->message.value;

@@ -63,6 +63,7 @@ private:
     };
 
     Workers() = default;
+    bool startInNamespaces(const LabFiles &files, const QString &folder, const QString &program);
     bool connect(pid_t server, Descriptor control);
     void stop();
     void readControl(std::vector<WorkerEvent> &events);
@@ -71,6 +72,7 @@ private:
     void end(int worker, Running &running, std::vector<WorkerEvent> &events);
 
     pid_t m_server = -1;
+    int m_endOfServer = 0; ///< as wait() tells it, of one that never said anything
     bool m_alive = false;
     Descriptor m_control{};
     Isolation m_isolation{};
