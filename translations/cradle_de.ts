@@ -1146,13 +1146,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>the shard</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n program(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>nothing to judge</source>
         <translation type="unfinished"></translation>
@@ -1160,13 +1153,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>missing: %1 %2</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n student(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
     </message>
     <message>
         <source>none of the folders has the lab; --lab LAB is right</source>
@@ -1295,6 +1281,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>cannot be read: %1</source>
         <translation type="unfinished">kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>programs: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>students: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2895,10 +2889,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
         <translation>Programme, die sich gleichen</translation>
     </message>
     <message>
-        <source>Compared by what the programs do, whatever their names, comments and order (winnowing of tokens). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
-        <translation>Verglichen wird, was die Programme tun, gleich welche Namen, Kommentare und Reihenfolge sie haben (Winnowing der Token). Was das Praktikum vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lesen Sie beide, und fragen Sie nach.</translation>
-    </message>
-    <message>
         <source>There are none.</source>
         <translation>Es gibt keine.</translation>
     </message>
@@ -3228,6 +3218,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     <message>
         <source>Days late, a begun one counted whole: %1. That takes %2 % of the points; the sum above has them taken off already.</source>
         <translation>Tage Verspätung, angefangene ganz gezählt: %1. Das kostet %2 % der Punkte; in der Summe oben sind sie schon abgezogen.</translation>
+    </message>
+    <message>
+        <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
+        <translation>Verglichen wird Token für Token, gleich welche Namen, Kommentare und Reihenfolge (Winnowing). Was das Praktikum vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lesen Sie beide, und fragen Sie nach.</translation>
     </message>
 </context>
 <context>
