@@ -34,6 +34,7 @@ private slots:
     void canvasHasItsTwoHeadLines();
     void numbersGoWhereTheyWereGivenOut();
     void gradescopeAddsUp();
+    void stepIsWorthWhatTheLabSays();
     void gitHubAddsUp();
     void whatHasNoVerdictIsNoFile();
     void junitIsValid();
@@ -251,6 +252,26 @@ void TestGradebooks::gradescopeAddsUp()
     QCOMPARE(score, 1.0);
     QCOMPARE(most, 5.5);
     QVERIFY(!json.contains(QStringLiteral("execution_time")));
+}
+
+void TestGradebooks::stepIsWorthWhatTheLabSays()
+{
+    Lab lab = smallLab();
+    lab.tasks[0].points = 30.0; // its checks are worth 1 and 2
+    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 10.0);
+    QCOMPARE(pointsOf(mallory(lab), lab).most, 32.5);
+    const QJsonObject json = parsed(gradescopeFile(mallory(lab), lab, {}));
+    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), 10.0);
+    double score = 0.0;
+    double most = 0.0;
+    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
+        score += test.toObject().value(QStringLiteral("score")).toDouble();
+        most += test.toObject().value(QStringLiteral("max_score")).toDouble();
+    }
+    QCOMPARE(score, 10.0);
+    QCOMPARE(most, 32.5);
+    lab.tasks[0].points = 0.0;
+    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 0.0);
 }
 
 void TestGradebooks::gitHubAddsUp()

@@ -2749,10 +2749,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
         <translation>Die Programme waren abgeschottet durch: %1.</translation>
     </message>
     <message>
-        <source>A step is worth the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
-        <translation>Ein Schritt ist so viel wert wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
-    </message>
-    <message>
         <source>Each day late that has begun takes %1 % of the points, at most %2 %.</source>
         <translation>Jeder angefangene Tag Verspätung kostet %1 % der Punkte, höchstens %2 %.</translation>
     </message>
@@ -3222,6 +3218,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     <message>
         <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
         <translation>Verglichen wird Token für Token, gleich welche Namen, Kommentare und Reihenfolge (Winnowing). Was das Praktikum vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lesen Sie beide, und fragen Sie nach.</translation>
+    </message>
+    <message>
+        <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
+        <translation>Ein Schritt ist so viel wert, wie das Praktikum sagt, sonst so viel wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
     </message>
 </context>
 <context>
@@ -5382,6 +5382,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     <message>
         <source>one of program, laws, either</source>
         <translation>eines von program, laws, either</translation>
+    </message>
+    <message>
+        <source>what the step is worth, a number from 0 to 1000</source>
+        <translation>was der Schritt wert ist, eine Zahl von 0 bis 1000</translation>
     </message>
 </context>
 <context>

@@ -134,7 +134,8 @@ void writeHow(QString &html, const Lab &lab, const ClassFacts &facts)
                   lab.version.isEmpty() ? QStringLiteral("?") : lab.version, lab.id, lab.hash));
     if (!facts.isolation.isEmpty())
         item(ClassText::tr("Programs were kept apart by: %1.").arg(facts.isolation));
-    item(ClassText::tr("A step is worth the points of its checks; a check that passes brings its "
+    item(ClassText::tr("A step is worth what the lab says, else the points of its checks; a check "
+                       "that passes brings its "
                        "points also where others fail. Points are rounded to the hundredth, halves "
                        "up, once, after all else."));
     const QLocale locale;

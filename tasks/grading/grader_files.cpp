@@ -54,6 +54,10 @@ void append(QJsonArray &tests, const QJsonObject &json, const Task &task)
         QJsonObject test = value.toObject();
         test.insert(QStringLiteral("name"),
                     task.id + QStringLiteral(": ") + test.value(QStringLiteral("name")).toString());
+        for (const QString &key : {QStringLiteral("score"), QStringLiteral("max_score")}) {
+            if (test.contains(key))
+                test.insert(key, test.value(key).toDouble() * pointScale(task));
+        }
         tests.append(test);
     }
 }

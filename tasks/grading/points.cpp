@@ -19,14 +19,25 @@ constexpr std::array statusNames{
     std::pair{StepResult::Status::NotGraded, "not_graded"},
 };
 
-} // namespace
-
-double mostPoints(const Task &task)
+double pointsOfChecks(const Task &task)
 {
     double sum = 0.0;
     for (const CheckSpec &check : task.checks)
         sum += check.points;
     return sum;
+}
+
+} // namespace
+
+double mostPoints(const Task &task)
+{
+    return task.points.value_or(pointsOfChecks(task));
+}
+
+double pointScale(const Task &task)
+{
+    const double all = pointsOfChecks(task);
+    return task.points && all > 0.0 ? *task.points / all : 1.0;
 }
 
 Points pointsOf(const StepResult &step, const Task &task)
@@ -52,7 +63,7 @@ Points pointsOf(const StepResult &step, const Task &task)
             && std::any_of(step.report->checks.begin(), step.report->checks.end(), passed))
             sum += check.points;
     }
-    return {sum, most};
+    return {sum * pointScale(task), most};
 }
 
 Points pointsOf(const StudentResult &student, const Lab &lab, const LateRule &rule)

@@ -21,8 +21,11 @@ struct Points {
     double most = 0.0;
 };
 
-/// What a step can bring: the points of its checks.
+/// What a step can bring: what the lab says it is worth, else the points of its checks.
 [[nodiscard]] double mostPoints(const Task &task);
+
+/// What a point of a check counts in the class, where the lab says what the step is worth.
+[[nodiscard]] double pointScale(const Task &task);
 
 /// What a step brought: the points of the checks that passed; nothing handed in, no points.
 [[nodiscard]] Points pointsOf(const StepResult &step, const Task &task);

@@ -283,7 +283,8 @@ private:
             const auto spec =
                 std::find_if(task.checks.begin(), task.checks.end(),
                              [&](const CheckSpec &each) { return each.id == check.id; });
-            const double worth = spec == task.checks.end() ? 0.0 : spec->points;
+            const double worth =
+                spec == task.checks.end() ? 0.0 : roundedPoints(spec->points * pointScale(task));
             m_html +=
                 QStringLiteral("<tr><td aria-label=\"%1\">%2</td><td>%3</td>"
                                "<td class=\"number\">%4</td></tr>\n")
