@@ -1040,7 +1040,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>Macht aus den Lösungen eines Labors Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
+        <translation>Macht aus den Lösungen eines Labs Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
     </message>
     <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
@@ -1128,7 +1128,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>the lab</source>
-        <translation>das Labor</translation>
+        <translation>das Lab</translation>
     </message>
     <message>
         <source>the secret</source>
@@ -1156,11 +1156,11 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>none of the folders has the lab; --lab LAB is right</source>
-        <translation>keiner der Ordner hat das Labor; richtig ist --lab LABOR</translation>
+        <translation>keiner der Ordner hat das Lab; richtig ist --lab LAB</translation>
     </message>
     <message>
         <source>the results were judged by another version of the lab</source>
-        <translation>die Ergebnisse wurden nach einer anderen Fassung des Labors beurteilt</translation>
+        <translation>die Ergebnisse wurden nach einer anderen Fassung des Labs beurteilt</translation>
     </message>
     <message>
         <source>the results of all may not go where those of a shard are</source>
@@ -2682,7 +2682,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>these results are of another version of the lab, of Cradle or of the secret than those before; they cannot be put together</source>
-        <translation>diese Ergebnisse gehören zu einer anderen Fassung des Labors, von Cradle oder des Geheimnisses als die davor; sie lassen sich nicht zusammenfügen</translation>
+        <translation>diese Ergebnisse gehören zu einer anderen Fassung des Labs, von Cradle oder des Geheimnisses als die davor; sie lassen sich nicht zusammenfügen</translation>
     </message>
     <message>
         <source>these results are of another class, or of another number of shards, than those before</source>
