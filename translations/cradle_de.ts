@@ -1040,7 +1040,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>Macht aus den Lösungen eines Labors Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
+        <translation>Macht aus den Lösungen eines Labs Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
     </message>
     <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
@@ -1104,191 +1104,191 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>the program to judge; - is standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>das zu beurteilende Programm; - ist die Standardeingabe</translation>
     </message>
     <message>
         <source>judge only where rlimits, seccomp and namespaces are to be had</source>
-        <translation type="unfinished"></translation>
+        <translation>nur beurteilen, wo es rlimits, seccomp und Namensräume gibt</translation>
     </message>
     <message>
         <source>left out of the zip: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aus dem Zip ausgelassen: %1</translation>
     </message>
     <message>
         <source>the results may not go where the submissions are</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ergebnisse dürfen nicht dorthin, wo die Abgaben sind</translation>
     </message>
     <message>
         <source>there is no folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Ordner %1</translation>
     </message>
     <message>
         <source>a secret was made for the scenes of this class: %1; keep it, and publish it to nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>für die Szenen dieser Klasse wurde ein Geheimnis gemacht: %1; bewahre es auf und gib es niemandem</translation>
     </message>
     <message>
         <source>the lab</source>
-        <translation type="unfinished"></translation>
+        <translation>das Lab</translation>
     </message>
     <message>
         <source>the secret</source>
-        <translation type="unfinished"></translation>
+        <translation>das Geheimnis</translation>
     </message>
     <message>
         <source>--require-isolation: this machine has only: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>--require-isolation: dieser Rechner hat nur: %1</translation>
     </message>
     <message>
         <source>%1 holds results of another version (%2); another folder is right, or --again to begin anew</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält Ergebnisse einer anderen Fassung (%2); richtig ist ein anderer Ordner, oder --again, um neu zu beginnen</translation>
     </message>
     <message>
         <source>the shard</source>
-        <translation type="unfinished"></translation>
+        <translation>der Teil</translation>
     </message>
     <message>
         <source>nothing to judge</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts zu beurteilen</translation>
     </message>
     <message>
         <source>missing: %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlt: %1 %2</translation>
     </message>
     <message>
         <source>none of the folders has the lab; --lab LAB is right</source>
-        <translation type="unfinished"></translation>
+        <translation>keiner der Ordner hat das Lab; richtig ist --lab LAB</translation>
     </message>
     <message>
         <source>the results were judged by another version of the lab</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ergebnisse wurden nach einer anderen Fassung des Labs beurteilt</translation>
     </message>
     <message>
         <source>the results of all may not go where those of a shard are</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ergebnisse aller dürfen nicht dorthin, wo die eines Teils sind</translation>
     </message>
     <message>
         <source>%1 holds results of another version; another folder is right, or --again to begin anew</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält Ergebnisse einer anderen Fassung; richtig ist ein anderer Ordner, oder --again, um neu zu beginnen</translation>
     </message>
     <message>
         <source>isolation: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Isolation: %1</translation>
     </message>
     <message>
         <source>%1 of %2 students</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Studierenden</translation>
     </message>
     <message>
         <source>, %1 a minute, %2 left</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 in der Minute, noch %2</translation>
     </message>
     <message>
         <source>, %1 steps not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 Schritte nicht bestanden</translation>
     </message>
     <message>
         <source>, %1 not graded</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 nicht bewertet</translation>
     </message>
     <message>
         <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Studierenden, davon %3 wie zuvor; Schritte: %4 bestanden, %5 nicht bestanden, %6 nicht bewertet; %7</translation>
     </message>
     <message>
         <source>the folder of the results</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner der Ergebnisse</translation>
     </message>
     <message>
         <source>from which, with the id, each student&apos;s scenes follow; without it one is made and kept in RESULTS/secret.txt</source>
-        <translation type="unfinished"></translation>
+        <translation>daraus und aus der Kennung folgen die Szenen jedes Studierenden; ohne wird eines gemacht und in ERGEBNISSE/secret.txt aufbewahrt</translation>
     </message>
     <message>
         <source>students at a time; without it as many as processors</source>
-        <translation type="unfinished"></translation>
+        <translation>Studierende zugleich; ohne so viele wie Prozessoren</translation>
     </message>
     <message>
         <source>who is in the class: a table with columns id, folder, name, number, email, late days</source>
-        <translation type="unfinished"></translation>
+        <translation>wer in der Klasse ist: eine Tabelle mit den Spalten id, folder, name, number, email, late days</translation>
     </message>
     <message>
         <source>what each late day takes of the points; 0 without it</source>
-        <translation type="unfinished"></translation>
+        <translation>was jeder Tag Verspätung an Punkten nimmt; ohne 0</translation>
     </message>
     <message>
         <source>more percent are never taken; 100 without it</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Prozent werden nie genommen; ohne 100</translation>
     </message>
     <message>
         <source>judge part I of N of the class, for --merge</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil I von N der Klasse beurteilen, für --merge</translation>
     </message>
     <message>
         <source>judge nothing; put together the results of shards, each a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts beurteilen; die Ergebnisse von Teilen zusammenfügen, jeder ein Ordner</translation>
     </message>
     <message>
         <source>tell how the folder was understood, and judge nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>sagen, wie der Ordner verstanden wurde, und nichts beurteilen</translation>
     </message>
     <message>
         <source>begin anew where RESULTS holds those of another version</source>
-        <translation type="unfinished"></translation>
+        <translation>neu beginnen, wo ERGEBNISSE die einer anderen Fassung enthält</translation>
     </message>
     <message>
         <source>text, or json: events on standard output, one a line</source>
-        <translation type="unfinished"></translation>
+        <translation>text oder json: Ereignisse auf der Standardausgabe, eines je Zeile</translation>
     </message>
     <message>
         <source>exit with 0 also if somebody did not pass, if only all are graded</source>
-        <translation type="unfinished"></translation>
+        <translation>mit 0 enden, auch wenn jemand nicht bestanden hat, wenn nur alle bewertet sind</translation>
     </message>
     <message>
         <source>--jobs %1: a number from 1 to %2 is right</source>
-        <translation type="unfinished"></translation>
+        <translation>--jobs %1: richtig ist eine Zahl von 1 bis %2</translation>
     </message>
     <message>
         <source>--shard %1: I/N is right, with I from 1 to N</source>
-        <translation type="unfinished"></translation>
+        <translation>--shard %1: richtig ist I/N, mit I von 1 bis N</translation>
     </message>
     <message>
         <source>--shard needs --secret FILE, the same for every shard</source>
-        <translation type="unfinished"></translation>
+        <translation>--shard braucht --secret DATEI, für jeden Teil dieselbe</translation>
     </message>
     <message>
         <source>--late-percent and --late-most are numbers from 0 to 100</source>
-        <translation type="unfinished"></translation>
+        <translation>--late-percent und --late-most sind Zahlen von 0 bis 100</translation>
     </message>
     <message>
         <source>Judges a class: every step of every student, each in a process of its own that can do nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if not all passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beurteilt eine Klasse: jeden Schritt aller Studierenden, jeden in einem eigenen Prozess, der nichts anderes kann. SUBMISSIONS ist ein Ordner aus Ordnern oder .cradle-work-Dateien, ein Download von Moodle, Canvas oder Blackboard, Klone von GitHub Classroom oder ein Zip von alledem; nichts darin wird geschrieben. Jederzeit angehalten geht es dort weiter, wo es war. Endstatus: 1, wenn nicht alle bestanden haben.</translation>
     </message>
     <message>
         <source>what was handed in; with --merge: results</source>
-        <translation type="unfinished"></translation>
+        <translation>was abgegeben wurde; mit --merge: Ergebnisse</translation>
     </message>
     <message>
         <source>--out RESULTS is missing: where are the results to go?</source>
-        <translation type="unfinished"></translation>
+        <translation>--out ERGEBNISSE fehlt: wohin sollen die Ergebnisse?</translation>
     </message>
     <message>
         <source>there is no verdict; of the process that judged: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Urteil; vom Prozess, der urteilte: %1</translation>
     </message>
     <message>
         <source>this is a folder; a file is right</source>
-        <translation type="unfinished">das ist ein Ordner; richtig ist eine Datei</translation>
+        <translation>das ist ein Ordner; richtig ist eine Datei</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation type="unfinished">kann nicht gelesen werden: %1</translation>
+        <translation>kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>programs: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Programme: %1</translation>
     </message>
     <message>
         <source>students: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Studierende: %1</translation>
     </message>
 </context>
 <context>
@@ -1402,7 +1402,7 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     </message>
     <message>
         <source>it is closed</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist geschlossen</translation>
     </message>
 </context>
 <context>
@@ -2594,111 +2594,111 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     <name>Grading</name>
     <message>
         <source>%1 is a link, which is not followed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Verweis, dem nicht gefolgt wird</translation>
     </message>
     <message>
         <source>%1 is neither a file nor a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist weder Datei noch Ordner</translation>
     </message>
     <message>
         <source>download of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Download von %1</translation>
     </message>
     <message>
         <source>Canvas says: late</source>
-        <translation type="unfinished"></translation>
+        <translation>Canvas sagt: verspätet</translation>
     </message>
     <message>
         <source>several attempts; the last one counts</source>
-        <translation type="unfinished"></translation>
+        <translation>mehrere Versuche; der letzte zählt</translation>
     </message>
     <message>
         <source>folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>clone of GitHub Classroom</source>
-        <translation type="unfinished"></translation>
+        <translation>Klon von GitHub Classroom</translation>
     </message>
     <message>
         <source>%1 is no work of a student</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist keine Arbeit von Studierenden</translation>
     </message>
     <message>
         <source>file</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>this is the work of one student; the folder that holds those of all is right</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist die Arbeit einer einzelnen Person; richtig ist der Ordner, der die aller enthält</translation>
     </message>
     <message>
         <source>%1 handed in no file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine Datei abgegeben</translation>
     </message>
     <message>
         <source>the process that judges was killed %1 times without getting anything done</source>
-        <translation type="unfinished"></translation>
+        <translation>der Prozess, der urteilt, wurde %1-mal beendet, ohne etwas fertigzubringen</translation>
     </message>
     <message>
         <source>the process that judged it gave no verdict: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Prozess, der darüber urteilte, kam zu keinem Urteil: %1</translation>
     </message>
     <message>
         <source>this is no manifest of results of format 1</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Verzeichnis von Ergebnissen im Format 1</translation>
     </message>
     <message>
         <source>another process is writing results there</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderer Prozess schreibt dort Ergebnisse</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 weitere</translation>
     </message>
     <message>
         <source>%1: there are no results; its shard never began</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: es gibt keine Ergebnisse; dieser Teil hat nie begonnen</translation>
     </message>
     <message>
         <source>%1: shard %2 of %3 did not come to its end</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Teil %2 von %3 kam nicht zu Ende</translation>
     </message>
     <message>
         <source>none of these folders has results</source>
-        <translation type="unfinished"></translation>
+        <translation>keiner dieser Ordner hat Ergebnisse</translation>
     </message>
     <message>
         <source>judged more than once, with the same result: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als einmal beurteilt, mit gleichem Ergebnis: %1</translation>
     </message>
     <message>
         <source>missing of %1 shards: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>von %1 Teilen fehlen: %2</translation>
     </message>
     <message>
         <source>without results: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Ergebnisse: %1</translation>
     </message>
     <message>
         <source>these results are of another version of the lab, of Cradle or of the secret than those before; they cannot be put together</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Ergebnisse gehören zu einer anderen Fassung des Labs, von Cradle oder des Geheimnisses als die davor; sie lassen sich nicht zusammenfügen</translation>
     </message>
     <message>
         <source>these results are of another class, or of another number of shards, than those before</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Ergebnisse gehören zu einer anderen Klasse oder einer anderen Zahl von Teilen als die davor</translation>
     </message>
     <message>
         <source>%1: other isolation: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: andere Isolation: %2</translation>
     </message>
     <message>
         <source>%1 is not as its manifest says, and is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht so, wie das Verzeichnis sagt, und bleibt weg</translation>
     </message>
     <message>
         <source>the results of %1 differ from those in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ergebnisse von %1 weichen von denen in %2 ab</translation>
     </message>
     <message>
         <source>handed in</source>
@@ -2918,23 +2918,23 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>%1 is not in the roster</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 steht nicht auf der Liste</translation>
     </message>
     <message>
         <source>there are more than %1 files in it</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind mehr als %1 Dateien darin</translation>
     </message>
     <message>
         <source>a broken entry</source>
-        <translation type="unfinished"></translation>
+        <translation>ein kaputter Eintrag</translation>
     </message>
     <message>
         <source>it holds absurdly much</source>
-        <translation type="unfinished"></translation>
+        <translation>es enthält unsinnig viel</translation>
     </message>
     <message>
         <source>this is no zip: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Zip: %1</translation>
     </message>
     <message>
         <source>%1 of %2 steps pass</source>
@@ -2946,11 +2946,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>%1 was passed over for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde zugunsten von %2 übergangen</translation>
     </message>
     <message>
         <source>nothing that was handed in is a program</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts von dem, was abgegeben wurde, ist ein Programm</translation>
     </message>
     <message>
         <source>an object is right here</source>
@@ -2986,23 +2986,23 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>judging took more than %1 s of processor time</source>
-        <translation type="unfinished"></translation>
+        <translation>das Urteilen brauchte mehr als %1 s Rechenzeit</translation>
     </message>
     <message>
         <source>not judged: the program cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht beurteilt: das Programm kann nicht gelesen werden</translation>
     </message>
     <message>
         <source>the lab has no step %1</source>
-        <translation type="unfinished">das Lab hat keinen Schritt %1</translation>
+        <translation>das Lab hat keinen Schritt %1</translation>
     </message>
     <message>
         <source>the file that was handed in cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die abgegebene Datei kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne %1</translation>
     </message>
     <message>
         <source>The program around line %1</source>
@@ -3010,31 +3010,31 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>this is no folder</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Ordner</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation type="unfinished">kann nicht gelesen werden: %1</translation>
+        <translation>kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>this is a link that leads elsewhere; it is not followed</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist ein Verweis, der woandershin führt; ihm wird nicht gefolgt</translation>
     </message>
     <message>
         <source>this is no plain file</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>this is no roster: its first line has neither a column &quot;id&quot; nor a column &quot;folder&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine Liste: ihre erste Zeile hat weder eine Spalte „id“ noch eine Spalte „folder“</translation>
     </message>
     <message>
         <source>row %1 names nobody: it has neither an id nor a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 nennt niemanden: sie hat weder Kennung noch Ordner</translation>
     </message>
     <message>
         <source>row %1: late days are a number from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: Tage der Verspätung sind eine Zahl ab 0</translation>
     </message>
     <message>
         <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
@@ -3173,31 +3173,31 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen, und er wurde noch
     </message>
     <message>
         <source>this is no secret: at least %1 letters are right</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Geheimnis: richtig sind mindestens %1 Zeichen</translation>
     </message>
     <message>
         <source>no process to judge in can be started: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es lässt sich kein Prozess zum Urteilen starten: %1</translation>
     </message>
     <message>
         <source>it has sent too much</source>
-        <translation type="unfinished"></translation>
+        <translation>er hat zu viel gesendet</translation>
     </message>
     <message>
         <source>it has sent what it was not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>er hat gesendet, wonach nicht gefragt war</translation>
     </message>
     <message>
         <source>it tried what no judgement needs, and was stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>er versuchte, was kein Urteil braucht, und wurde gestoppt</translation>
     </message>
     <message>
         <source>it was ended by signal %1</source>
-        <translation type="unfinished"></translation>
+        <translation>er wurde durch Signal %1 beendet</translation>
     </message>
     <message>
         <source>it broke down</source>
-        <translation type="unfinished"></translation>
+        <translation>er brach zusammen</translation>
     </message>
     <message>
         <source>And %1 more.</source>
