@@ -64,6 +64,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("&Hand in…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), &window,
         &MainWindow::openHandIn);
     add(menu, MenuText::tr("Share with &git…"), {}, &window, &MainWindow::shareWork);
+    add(menu, MenuText::tr("Grade a &class…"), {}, &window, &MainWindow::openGrading);
     menu->addSeparator();
     addLabs(window, menu);
     add(menu, MenuText::tr("&Open lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), &window,

@@ -84,6 +84,7 @@ public slots:
     void savePresetAs();
     void openReport(); ///< looks back at the work so far, from where a report is written
     void openHandIn();
+    void openGrading();     ///< of a class, by the open lab
     void shareWork();       ///< with a git repository elsewhere
     void authorLab();       ///< opens the open lab in a window in which it can be written
     void pinRun();          ///< keeps the run to be compared with later ones

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/grade_dialog.h"
 #include "app/hand_in_dialog.h"
 #include "app/keeping_desk.h"
 #include "app/notice_bar.h"
@@ -116,6 +117,17 @@ void MainWindow::lookBack(bool finished)
 void MainWindow::openReport()
 {
     lookBack(false);
+}
+
+void MainWindow::openGrading()
+{
+    if (!m_workbench.task()) {
+        m_notice->showNotice(tr("Open a step of a lab first."));
+        return;
+    }
+    auto *dialog = new GradeDialog(m_workbench.lab(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::openHandIn()

@@ -97,6 +97,8 @@ QString wordsForFault(int number)
         return FileText::tr("this is a folder; the name of a file is right");
     case ENAMETOOLONG:
         return FileText::tr("the name is too long");
+    case EBADF:
+        return FileText::tr("it is closed");
     case EIO:
         return FileText::tr("the disk has a fault");
     default:
@@ -160,10 +162,11 @@ void WholeFile::append(const QByteArray &part)
         fail(fault);
 }
 
-std::optional<Error> WholeFile::commit()
+std::optional<Error> WholeFile::commit(Keeping keeping)
 {
     const bool replaces = !m_unfinished.isEmpty();
-    if (m_fault == 0 && replaces && ::fsync(m_descriptor) != 0 && errno != EINVAL)
+    const bool syncs = replaces && keeping == Keeping::Synced;
+    if (m_fault == 0 && syncs && ::fsync(m_descriptor) != 0 && errno != EINVAL)
         fail(errno);
     if (m_fault == 0) {
         const int descriptor = m_descriptor;
@@ -196,11 +199,11 @@ void WholeFile::giveUp()
     m_unfinished.clear();
 }
 
-std::optional<Error> writeFile(const QString &path, const QByteArray &content)
+std::optional<Error> writeFile(const QString &path, const QByteArray &content, Keeping keeping)
 {
     WholeFile file(path);
     file.append(content);
-    return file.commit();
+    return file.commit(keeping);
 }
 
 std::optional<Error> writeStandardOutput(const QByteArray &content)

@@ -10,6 +10,12 @@
 
 namespace cradle {
 
+/// How sure it is that a file outlives a power cut.
+enum class Keeping {
+    Synced,   ///< as soon as it is written; takes the disk some milliseconds
+    Derivable ///< some seconds later: for thousands of files that can be written again
+};
+
 /// A file that is written in parts and replaces the one that was there only once all of it is on
 /// the disk: written, flushed, synced, and only then renamed. What fails on the way (a full disk,
 /// above all) leaves the old file as it was, byte for byte. The folder must be there.
@@ -28,7 +34,7 @@ public:
     /// After a fault there is nothing more to write; commit() tells it.
     void append(const QByteArray &part);
     /// \return what kept it from being written, in words for the user
-    [[nodiscard]] std::optional<Error> commit();
+    [[nodiscard]] std::optional<Error> commit(Keeping keeping = Keeping::Synced);
 
 private:
     void open();
@@ -47,7 +53,8 @@ private:
 inline constexpr char unfinishedPrefix[] = ".cradle-unfinished-";
 
 /// Writes a file whole or not at all; see WholeFile.
-[[nodiscard]] std::optional<Error> writeFile(const QString &path, const QByteArray &content);
+[[nodiscard]] std::optional<Error> writeFile(const QString &path, const QByteArray &content,
+                                             Keeping keeping = Keeping::Synced);
 
 /// The same to standard output, which cannot be taken back.
 [[nodiscard]] std::optional<Error> writeStandardOutput(const QByteArray &content);

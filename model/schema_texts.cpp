@@ -70,6 +70,7 @@ namespace cradle {
     QT_TRANSLATE_NOOP("Schema", "two numbers [x, y] in m/s, each from -1e7 to 1e7"),
     QT_TRANSLATE_NOOP("Schema", "two numbers [x, y] in m/s², each from -10000 to 10000"),
     QT_TRANSLATE_NOOP("Schema", "what passing the check is worth, a number from 0 to 1000"),
+    QT_TRANSLATE_NOOP("Schema", "what the step is worth, a number from 0 to 1000"),
 };
 // clang-format on
 

@@ -69,6 +69,7 @@ struct Task {
     std::vector<KnownScript> mistakes{};
     std::vector<RemarkSpec> remarks{};
     bool extra = false;                     ///< not in the original lab
+    std::optional<double> points{};         ///< what it is worth; none: its checks together
     Mover moves = Mover::Either;            ///< who moves the circles
     QStringList locked{};                   ///< what the student may not change, see locks.h
     std::optional<Prediction> prediction{}; ///< asked before the scene is watched

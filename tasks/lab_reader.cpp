@@ -168,6 +168,8 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
         check.language = language;
     task.moves = moverOf(text("moves"));
     task.extra = json->value(QStringLiteral("extra")).toBool();
+    if (json->contains(QStringLiteral("points")))
+        task.points = json->value(QStringLiteral("points")).toDouble();
     task.solutionScene = solution;
     if (solution)
         task.laws = solution->laws;

@@ -25,7 +25,8 @@ constexpr std::array formats{Entry{"text", ReportFormat::Text},
                              Entry{"junit", ReportFormat::JUnit},
                              Entry{"tap", ReportFormat::Tap},
                              Entry{"gradescope", ReportFormat::Gradescope},
-                             Entry{"exercism", ReportFormat::Exercism}};
+                             Entry{"exercism", ReportFormat::Exercism},
+                             Entry{"github", ReportFormat::GitHub}};
 
 void writeCase(QXmlStreamWriter &xml, const CheckReport &report, std::size_t index,
                const QString &program)
@@ -100,7 +101,8 @@ std::optional<ReportFormat> reportFormatFromName(const QString &name)
     return found == formats.end() ? std::nullopt : std::optional(found->format);
 }
 
-QByteArray writeReport(const CheckReport &report, ReportFormat format, const QString &program)
+QByteArray writeReport(const CheckReport &report, ReportFormat format, const QString &program,
+                       const Task *task)
 {
     switch (format) {
     case ReportFormat::Json:
@@ -112,23 +114,17 @@ QByteArray writeReport(const CheckReport &report, ReportFormat format, const QSt
     case ReportFormat::Gradescope:
         return writeGradescope(report, program);
     case ReportFormat::Exercism:
-        return writeExercism(report, program);
+        return writeExercism(report, program, task);
+    case ReportFormat::GitHub:
+        return writeGitHub(report, program, task);
     case ReportFormat::Text:
         break;
     }
     return describeReport(report, program).toUtf8();
 }
 
-QByteArray writeJUnit(const CheckReport &report, const QString &program)
+void writeJUnitSuite(QXmlStreamWriter &xml, const CheckReport &report, const QString &program)
 {
-    QByteArray text;
-    QXmlStreamWriter xml(&text);
-    xml.setAutoFormatting(true);
-    xml.setAutoFormattingIndent(2);
-    xml.writeStartDocument();
-    xml.writeStartElement(QStringLiteral("testsuites"));
-    xml.writeAttribute(QStringLiteral("name"), report.labId);
-    writeCounts(xml, report);
     xml.writeStartElement(QStringLiteral("testsuite"));
     xml.writeAttribute(QStringLiteral("name"), report.taskId);
     writeCounts(xml, report);
@@ -145,6 +141,20 @@ QByteArray writeJUnit(const CheckReport &report, const QString &program)
     xml.writeTextElement(QStringLiteral("system-out"), summaryOf(report, program));
     for (std::size_t i = 0; i < report.checks.size(); ++i)
         writeCase(xml, report, i, program);
+    xml.writeEndElement();
+}
+
+QByteArray writeJUnit(const CheckReport &report, const QString &program)
+{
+    QByteArray text;
+    QXmlStreamWriter xml(&text);
+    xml.setAutoFormatting(true);
+    xml.setAutoFormattingIndent(2);
+    xml.writeStartDocument();
+    xml.writeStartElement(QStringLiteral("testsuites"));
+    xml.writeAttribute(QStringLiteral("name"), report.labId);
+    writeCounts(xml, report);
+    writeJUnitSuite(xml, report, program);
     xml.writeEndDocument();
     return text;
 }

@@ -54,7 +54,39 @@ QString statusOf(const CheckReport &report, const CheckOutcome &check)
     return wasStopped(report, check) ? QStringLiteral("error") : QStringLiteral("fail");
 }
 
+bool nothingJudged(const CheckReport &report)
+{
+    return report.error
+           && std::all_of(report.checks.begin(), report.checks.end(),
+                          [&](const CheckOutcome &check) { return wasStopped(report, check); });
+}
+
+QString overallStatus(const CheckReport &report)
+{
+    if (report.passed)
+        return QStringLiteral("pass");
+    return nothingJudged(report) ? QStringLiteral("error") : QStringLiteral("fail");
+}
+
 } // namespace
+
+QString testCodeOf(const Task *task, const QString &checkId)
+{
+    if (!task)
+        return {};
+    const auto check = std::find_if(task->checks.begin(), task->checks.end(),
+                                    [&](const CheckSpec &each) { return each.id == checkId; });
+    if (check == task->checks.end())
+        return {};
+    if (!check->source.isEmpty())
+        return check->source;
+    QJsonObject json{{QStringLiteral("kind"), check->kind}};
+    if (!check->parameters.isEmpty())
+        json.insert(QStringLiteral("parameters"), check->parameters);
+    if (!check->scene.isEmpty())
+        json.insert(QStringLiteral("scene"), check->scene);
+    return QString::fromUtf8(QJsonDocument(json).toJson()).trimmed();
+}
 
 QByteArray writeGradescope(const CheckReport &report, const QString &program)
 {
@@ -88,7 +120,7 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
     return QJsonDocument(json).toJson();
 }
 
-QByteArray writeExercism(const CheckReport &report, const QString &program)
+QByteArray writeExercism(const CheckReport &report, const QString &program, const Task *task)
 {
     const QString file = fileName(program);
     QJsonArray tests;
@@ -96,6 +128,8 @@ QByteArray writeExercism(const CheckReport &report, const QString &program)
         const CheckOutcome &check = report.checks[i];
         QJsonObject test{{QStringLiteral("name"), check.title},
                          {QStringLiteral("status"), statusOf(report, check)}};
+        if (const QString code = testCodeOf(task, check.id); !code.isEmpty())
+            test.insert(QStringLiteral("test_code"), code);
         if (!check.passed)
             test.insert(QStringLiteral("message"),
                         feedbackOn(report, i, file).left(longestMessage));
@@ -106,17 +140,35 @@ QByteArray writeExercism(const CheckReport &report, const QString &program)
         tests.append(test);
     }
     QJsonObject json{{QStringLiteral("version"), 3}, {QStringLiteral("tests"), tests}};
-    const bool nothingJudged =
-        report.error
-        && std::all_of(report.checks.begin(), report.checks.end(),
-                       [&](const CheckOutcome &check) { return wasStopped(report, check); });
-    json.insert(QStringLiteral("status"), report.passed   ? QStringLiteral("pass")
-                                          : nothingJudged ? QStringLiteral("error")
-                                                          : QStringLiteral("fail"));
+    json.insert(QStringLiteral("status"), overallStatus(report));
     json.insert(QStringLiteral("message"),
-                nothingJudged ? QJsonValue(explanationOf(report, file).left(longestMessage))
-                              : QJsonValue(QJsonValue::Null));
+                nothingJudged(report) ? QJsonValue(explanationOf(report, file).left(longestMessage))
+                                      : QJsonValue(QJsonValue::Null));
     return QJsonDocument(json).toJson();
+}
+
+QByteArray writeGitHub(const CheckReport &report, const QString &program, const Task *task)
+{
+    const QString file = fileName(program);
+    QJsonArray tests;
+    for (std::size_t i = 0; i < report.checks.size(); ++i) {
+        const CheckOutcome &check = report.checks[i];
+        // What is said of work that passes has no other place.
+        const QString message =
+            i == 0 && check.passed ? remarksOf(report) : feedbackOn(report, i, file);
+        tests.append(QJsonObject{{QStringLiteral("name"), check.title},
+                                 {QStringLiteral("status"), statusOf(report, check)},
+                                 {QStringLiteral("score"), check.passed ? check.points : 0.0},
+                                 {QStringLiteral("message"), message},
+                                 {QStringLiteral("test_code"), testCodeOf(task, check.id)},
+                                 {QStringLiteral("filename"), file},
+                                 {QStringLiteral("line_no"), check.line}});
+    }
+    return QJsonDocument(QJsonObject{{QStringLiteral("version"), 1},
+                                     {QStringLiteral("status"), overallStatus(report)},
+                                     {QStringLiteral("max_score"), fullScoreOf(report)},
+                                     {QStringLiteral("tests"), tests}})
+        .toJson();
 }
 
 } // namespace cradle

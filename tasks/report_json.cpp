@@ -6,7 +6,6 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
 
 namespace cradle {
 
@@ -37,25 +36,6 @@ QJsonObject jsonOf(const CheckOutcome &check, bool scored)
     return json;
 }
 
-QString nameOf(Aspect aspect)
-{
-    switch (aspect) {
-    case Aspect::Start:
-        return QStringLiteral("start");
-    case Aspect::Motion:
-        return QStringLiteral("motion");
-    case Aspect::Walls:
-        return QStringLiteral("walls");
-    case Aspect::Contact:
-        return QStringLiteral("contact");
-    case Aspect::Response:
-        return QStringLiteral("response");
-    case Aspect::Course:
-        break;
-    }
-    return QStringLiteral("course");
-}
-
 QJsonValue mistakeOf(const Finding &finding)
 {
     return finding.mistake.isEmpty() ? QJsonValue(QJsonValue::Null) : QJsonValue(finding.mistake);
@@ -77,7 +57,7 @@ QJsonArray jsonOf(const std::vector<Finding> &findings)
         for (const int line : finding.calls)
             calls.append(line);
         array.append(
-            QJsonObject{{QStringLiteral("aspect"), nameOf(finding.aspect)},
+            QJsonObject{{QStringLiteral("aspect"), aspectName(finding.aspect)},
                         {QStringLiteral("mistake"), mistakeOf(finding)},
                         {QStringLiteral("message"), finding.message},
                         {QStringLiteral("check"), finding.check},
@@ -109,13 +89,49 @@ QJsonValue jsonOf(const std::optional<ProgramError> &error)
 
 } // namespace
 
+QString aspectName(Aspect aspect)
+{
+    switch (aspect) {
+    case Aspect::Start:
+        return QStringLiteral("start");
+    case Aspect::Motion:
+        return QStringLiteral("motion");
+    case Aspect::Walls:
+        return QStringLiteral("walls");
+    case Aspect::Contact:
+        return QStringLiteral("contact");
+    case Aspect::Response:
+        return QStringLiteral("response");
+    case Aspect::Course:
+        break;
+    }
+    return QStringLiteral("course");
+}
+
+std::optional<Aspect> aspectFromName(const QString &name)
+{
+    for (const Aspect aspect : {Aspect::Start, Aspect::Motion, Aspect::Walls, Aspect::Contact,
+                                Aspect::Response, Aspect::Course}) {
+        if (aspectName(aspect) == name)
+            return aspect;
+    }
+    return std::nullopt;
+}
+
 QByteArray writeReport(const CheckReport &report)
+{
+    QJsonObject json = reportObject(report);
+    json.insert(QStringLiteral("format"), 1);
+    json.insert(QStringLiteral("elapsed_ms"), report.elapsedMs);
+    return QJsonDocument(json).toJson();
+}
+
+QJsonObject reportObject(const CheckReport &report)
 {
     QJsonArray checks;
     for (const CheckOutcome &check : report.checks)
         checks.append(jsonOf(check, isScored(report)));
-    QJsonObject json{{QStringLiteral("format"), 1},
-                     {QStringLiteral("lab"), report.labId},
+    QJsonObject json{{QStringLiteral("lab"), report.labId},
                      {QStringLiteral("lab_hash"), report.labHash},
                      {QStringLiteral("task"), report.taskId},
                      {QStringLiteral("seed"), report.seed},
@@ -127,13 +143,12 @@ QByteArray writeReport(const CheckReport &report)
                      {QStringLiteral("diagnosis"), jsonOf(report.diagnosis())},
                      {QStringLiteral("findings"), jsonOf(report.findings)},
                      {QStringLiteral("remarks"), jsonOf(report.remarks)},
-                     {QStringLiteral("error"), jsonOf(report.error)},
-                     {QStringLiteral("elapsed_ms"), report.elapsedMs}};
+                     {QStringLiteral("error"), jsonOf(report.error)}};
     if (isScored(report)) {
         json.insert(QStringLiteral("score"), scoreOf(report));
         json.insert(QStringLiteral("max_score"), fullScoreOf(report));
     }
-    return QJsonDocument(json).toJson();
+    return json;
 }
 
 } // namespace cradle

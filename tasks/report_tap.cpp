@@ -76,23 +76,42 @@ QString yamlOf(const CheckReport &report, const CheckOutcome &check)
 
 } // namespace
 
-QByteArray writeTap(const CheckReport &report, const QString &program)
+QString tapTests(const CheckReport &report, const QString &program, int &number,
+                 const QString &prefix)
 {
-    QString text = QStringLiteral("TAP version 13\n1..%1\n").arg(report.checks.size());
+    QString text;
     if (const QString explanation = explanationOf(report, program); !explanation.isEmpty())
         text += comment(explanation);
-    int number = 0;
     for (const CheckOutcome &check : report.checks) {
         text += QStringLiteral("%1 %2 - %3\n")
                     .arg(check.passed ? QStringLiteral("ok") : QStringLiteral("not ok"))
                     .arg(++number)
-                    .arg(described(check.title));
+                    .arg(described(prefix + check.title));
         if (!check.passed)
             text += yamlOf(report, check) + commentsOn(report, check, program);
     }
     for (const Remark &remark : report.remarks)
         text += comment(plainText(remark.message, terminalColumns - 2));
-    return (text + comment(verdictOf(report))).toUtf8();
+    return text + comment(verdictOf(report));
+}
+
+QString tapSkipped(int number, const QString &name, const QString &reason)
+{
+    return QStringLiteral("ok %1 - %2 # SKIP %3\n")
+        .arg(number)
+        .arg(described(name), described(reason));
+}
+
+QString tapFailed(int number, const QString &name)
+{
+    return QStringLiteral("not ok %1 - %2\n").arg(number).arg(described(name));
+}
+
+QByteArray writeTap(const CheckReport &report, const QString &program)
+{
+    int number = 0;
+    const QString tests = tapTests(report, program, number, {});
+    return (QStringLiteral("TAP version 13\n1..%1\n").arg(number) + tests).toUtf8();
 }
 
 } // namespace cradle

@@ -133,6 +133,16 @@ QString kindName(ProgramError::Kind kind)
     return QStringLiteral("runtime");
 }
 
+std::optional<ProgramError::Kind> kindFromName(const QString &name)
+{
+    using Kind = ProgramError::Kind;
+    for (const Kind kind : {Kind::Syntax, Kind::Runtime, Kind::Time, Kind::Memory, Kind::Machine}) {
+        if (kindName(kind) == name)
+            return kind;
+    }
+    return std::nullopt;
+}
+
 QString placedMessage(const ProgramError &error, const QString &program)
 {
     return Error{.message = printable(error.message), .file = nameOf(program), .line = error.line}

@@ -14,8 +14,9 @@ inline constexpr int terminalColumns = 80;
 /// \param program  the name of the program's file, for "FILE:LINE"
 [[nodiscard]] QString describeReport(const CheckReport &report, const QString &program = {});
 
-/// "syntax", "runtime", "time" or "memory".
+/// "syntax", "runtime", "time", "memory" or "machine"; and back.
 [[nodiscard]] QString kindName(ProgramError::Kind kind);
+[[nodiscard]] std::optional<ProgramError::Kind> kindFromName(const QString &name);
 
 /// "FILE:LINE: message", with "lab.lua" for a program without a name.
 [[nodiscard]] QString placedMessage(const ProgramError &error, const QString &program);

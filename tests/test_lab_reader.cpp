@@ -182,7 +182,7 @@ void TestLabReader::leavesABrokenStepOutAndSaysWhy_data()
     row("step_missing", "/S9/task.json: cannot be read");
     row("task_missing", "/S2/task.json: cannot be read");
     row("duplicate_id", "/S2/task.json: /id: another step has the id S1");
-    row("task_unknown_key", "/S2/task.json: /points: unknown key");
+    row("task_unknown_key", "/S2/task.json: /marks: unknown key");
     row("task_wrong_format", "/S2/task.json: /format: ");
     row("task_broken_syntax", "/S2/task.json:4: this is not JSON");
     row("unknown_check", "/S2/task.json: /checks/1/kind: \"teleports\"");

@@ -133,7 +133,7 @@ QByteArray inFormat(const CheckReport &report, const QString &name)
 void TestReportFormats::everyFormatHasAName()
 {
     QCOMPARE(reportFormatNames().join(QLatin1Char(' ')),
-             QStringLiteral("text json junit tap gradescope exercism"));
+             QStringLiteral("text json junit tap gradescope exercism github"));
     for (const QString &name : reportFormatNames())
         QVERIFY(!inFormat(failed(), name).isEmpty());
     QVERIFY(!reportFormatFromName(QStringLiteral("JSON")));

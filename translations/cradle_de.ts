@@ -977,10 +977,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>Prüft ein Programm, oder mit --preset allein die Gesetze der Engine, für einen Schritt: danach, was sie tun. Ein Programm, das sich nicht laden lässt oder das anhält, besteht nicht; warum, steht auch in der Fehlerausgabe, als DATEI:ZEILE: Meldung.</translation>
     </message>
     <message>
-        <source>the program to judge</source>
-        <translation>das Programm, das geprüft wird</translation>
-    </message>
-    <message>
         <source>the scene; without it that of the step</source>
         <translation>die Szene; ohne sie die des Schritts</translation>
     </message>
@@ -1044,7 +1040,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>Macht aus den Lösungen eines Labors Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
+        <translation>Macht aus den Lösungen eines Labs Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
     </message>
     <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
@@ -1105,6 +1101,194 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>this is text in UTF-16; UTF-8 would be right</source>
         <translation>das ist Text in UTF-16; richtig wäre UTF-8</translation>
+    </message>
+    <message>
+        <source>the program to judge; - is standard input</source>
+        <translation>das zu beurteilende Programm; - ist die Standardeingabe</translation>
+    </message>
+    <message>
+        <source>judge only where rlimits, seccomp and namespaces are to be had</source>
+        <translation>nur beurteilen, wo es rlimits, seccomp und Namensräume gibt</translation>
+    </message>
+    <message>
+        <source>left out of the zip: %1</source>
+        <translation>aus dem Zip ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>the results may not go where the submissions are</source>
+        <translation>die Ergebnisse dürfen nicht dorthin, wo die Abgaben sind</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>es gibt keinen Ordner %1</translation>
+    </message>
+    <message>
+        <source>a secret was made for the scenes of this class: %1; keep it, and publish it to nobody</source>
+        <translation>für die Szenen dieser Klasse wurde ein Geheimnis gemacht: %1; bewahre es auf und gib es niemandem</translation>
+    </message>
+    <message>
+        <source>the lab</source>
+        <translation>das Lab</translation>
+    </message>
+    <message>
+        <source>the secret</source>
+        <translation>das Geheimnis</translation>
+    </message>
+    <message>
+        <source>--require-isolation: this machine has only: %1</source>
+        <translation>--require-isolation: dieser Rechner hat nur: %1</translation>
+    </message>
+    <message>
+        <source>%1 holds results of another version (%2); another folder is right, or --again to begin anew</source>
+        <translation>%1 enthält Ergebnisse einer anderen Fassung (%2); richtig ist ein anderer Ordner, oder --again, um neu zu beginnen</translation>
+    </message>
+    <message>
+        <source>the shard</source>
+        <translation>der Teil</translation>
+    </message>
+    <message>
+        <source>nothing to judge</source>
+        <translation>nichts zu beurteilen</translation>
+    </message>
+    <message>
+        <source>missing: %1 %2</source>
+        <translation>fehlt: %1 %2</translation>
+    </message>
+    <message>
+        <source>none of the folders has the lab; --lab LAB is right</source>
+        <translation>keiner der Ordner hat das Lab; richtig ist --lab LAB</translation>
+    </message>
+    <message>
+        <source>the results were judged by another version of the lab</source>
+        <translation>die Ergebnisse wurden nach einer anderen Fassung des Labs beurteilt</translation>
+    </message>
+    <message>
+        <source>the results of all may not go where those of a shard are</source>
+        <translation>die Ergebnisse aller dürfen nicht dorthin, wo die eines Teils sind</translation>
+    </message>
+    <message>
+        <source>%1 holds results of another version; another folder is right, or --again to begin anew</source>
+        <translation>%1 enthält Ergebnisse einer anderen Fassung; richtig ist ein anderer Ordner, oder --again, um neu zu beginnen</translation>
+    </message>
+    <message>
+        <source>isolation: %1</source>
+        <translation>Isolation: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students</source>
+        <translation>%1 von %2 Studierenden</translation>
+    </message>
+    <message>
+        <source>, %1 a minute, %2 left</source>
+        <translation>, %1 in der Minute, noch %2</translation>
+    </message>
+    <message>
+        <source>, %1 steps not passed</source>
+        <translation>, %1 Schritte nicht bestanden</translation>
+    </message>
+    <message>
+        <source>, %1 not graded</source>
+        <translation>, %1 nicht bewertet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
+        <translation>%1 von %2 Studierenden, davon %3 wie zuvor; Schritte: %4 bestanden, %5 nicht bestanden, %6 nicht bewertet; %7</translation>
+    </message>
+    <message>
+        <source>the folder of the results</source>
+        <translation>der Ordner der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>from which, with the id, each student&apos;s scenes follow; without it one is made and kept in RESULTS/secret.txt</source>
+        <translation>daraus und aus der Kennung folgen die Szenen jedes Studierenden; ohne wird eines gemacht und in ERGEBNISSE/secret.txt aufbewahrt</translation>
+    </message>
+    <message>
+        <source>students at a time; without it as many as processors</source>
+        <translation>Studierende zugleich; ohne so viele wie Prozessoren</translation>
+    </message>
+    <message>
+        <source>who is in the class: a table with columns id, folder, name, number, email, late days</source>
+        <translation>wer in der Klasse ist: eine Tabelle mit den Spalten id, folder, name, number, email, late days</translation>
+    </message>
+    <message>
+        <source>what each late day takes of the points; 0 without it</source>
+        <translation>was jeder Tag Verspätung an Punkten nimmt; ohne 0</translation>
+    </message>
+    <message>
+        <source>more percent are never taken; 100 without it</source>
+        <translation>mehr Prozent werden nie genommen; ohne 100</translation>
+    </message>
+    <message>
+        <source>judge part I of N of the class, for --merge</source>
+        <translation>Teil I von N der Klasse beurteilen, für --merge</translation>
+    </message>
+    <message>
+        <source>judge nothing; put together the results of shards, each a folder</source>
+        <translation>nichts beurteilen; die Ergebnisse von Teilen zusammenfügen, jeder ein Ordner</translation>
+    </message>
+    <message>
+        <source>tell how the folder was understood, and judge nothing</source>
+        <translation>sagen, wie der Ordner verstanden wurde, und nichts beurteilen</translation>
+    </message>
+    <message>
+        <source>begin anew where RESULTS holds those of another version</source>
+        <translation>neu beginnen, wo ERGEBNISSE die einer anderen Fassung enthält</translation>
+    </message>
+    <message>
+        <source>text, or json: events on standard output, one a line</source>
+        <translation>text oder json: Ereignisse auf der Standardausgabe, eines je Zeile</translation>
+    </message>
+    <message>
+        <source>exit with 0 also if somebody did not pass, if only all are graded</source>
+        <translation>mit 0 enden, auch wenn jemand nicht bestanden hat, wenn nur alle bewertet sind</translation>
+    </message>
+    <message>
+        <source>--jobs %1: a number from 1 to %2 is right</source>
+        <translation>--jobs %1: richtig ist eine Zahl von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>--shard %1: I/N is right, with I from 1 to N</source>
+        <translation>--shard %1: richtig ist I/N, mit I von 1 bis N</translation>
+    </message>
+    <message>
+        <source>--shard needs --secret FILE, the same for every shard</source>
+        <translation>--shard braucht --secret DATEI, für jeden Teil dieselbe</translation>
+    </message>
+    <message>
+        <source>--late-percent and --late-most are numbers from 0 to 100</source>
+        <translation>--late-percent und --late-most sind Zahlen von 0 bis 100</translation>
+    </message>
+    <message>
+        <source>Judges a class: every step of every student, each in a process of its own that can do nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if not all passed.</source>
+        <translation>Beurteilt eine Klasse: jeden Schritt aller Studierenden, jeden in einem eigenen Prozess, der nichts anderes kann. SUBMISSIONS ist ein Ordner aus Ordnern oder .cradle-work-Dateien, ein Download von Moodle, Canvas oder Blackboard, Klone von GitHub Classroom oder ein Zip von alledem; nichts darin wird geschrieben. Jederzeit angehalten geht es dort weiter, wo es war. Endstatus: 1, wenn nicht alle bestanden haben.</translation>
+    </message>
+    <message>
+        <source>what was handed in; with --merge: results</source>
+        <translation>was abgegeben wurde; mit --merge: Ergebnisse</translation>
+    </message>
+    <message>
+        <source>--out RESULTS is missing: where are the results to go?</source>
+        <translation>--out ERGEBNISSE fehlt: wohin sollen die Ergebnisse?</translation>
+    </message>
+    <message>
+        <source>there is no verdict; of the process that judged: %1</source>
+        <translation>es gibt kein Urteil; vom Prozess, der urteilte: %1</translation>
+    </message>
+    <message>
+        <source>this is a folder; a file is right</source>
+        <translation>das ist ein Ordner; richtig ist eine Datei</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>programs: %1</source>
+        <translation>Programme: %1</translation>
+    </message>
+    <message>
+        <source>students: %1</source>
+        <translation>Studierende: %1</translation>
     </message>
 </context>
 <context>
@@ -1215,6 +1399,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>the disk has a fault</source>
         <translation>der Datenträger hat einen Fehler</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>sie ist geschlossen</translation>
     </message>
 </context>
 <context>
@@ -2500,6 +2688,640 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>OpenGL has no memory for the scene</source>
         <translation>OpenGL hat keinen Speicher für die Szene</translation>
+    </message>
+</context>
+<context>
+    <name>Grading</name>
+    <message>
+        <source>%1 is a link, which is not followed</source>
+        <translation>%1 ist ein Verweis, dem nicht gefolgt wird</translation>
+    </message>
+    <message>
+        <source>%1 is neither a file nor a folder</source>
+        <translation>%1 ist weder Datei noch Ordner</translation>
+    </message>
+    <message>
+        <source>download of %1</source>
+        <translation>Download von %1</translation>
+    </message>
+    <message>
+        <source>Canvas says: late</source>
+        <translation>Canvas sagt: verspätet</translation>
+    </message>
+    <message>
+        <source>several attempts; the last one counts</source>
+        <translation>mehrere Versuche; der letzte zählt</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>clone of GitHub Classroom</source>
+        <translation>Klon von GitHub Classroom</translation>
+    </message>
+    <message>
+        <source>%1 is no work of a student</source>
+        <translation>%1 ist keine Arbeit von Studierenden</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>this is the work of one student; the folder that holds those of all is right</source>
+        <translation>das ist die Arbeit einer einzelnen Person; richtig ist der Ordner, der die aller enthält</translation>
+    </message>
+    <message>
+        <source>%1 handed in no file</source>
+        <translation>%1 hat keine Datei abgegeben</translation>
+    </message>
+    <message>
+        <source>the process that judges was killed %1 times without getting anything done</source>
+        <translation>der Prozess, der urteilt, wurde %1-mal beendet, ohne etwas fertigzubringen</translation>
+    </message>
+    <message>
+        <source>the process that judged it gave no verdict: %1</source>
+        <translation>der Prozess, der darüber urteilte, kam zu keinem Urteil: %1</translation>
+    </message>
+    <message>
+        <source>this is no manifest of results of format 1</source>
+        <translation>das ist kein Verzeichnis von Ergebnissen im Format 1</translation>
+    </message>
+    <message>
+        <source>another process is writing results there</source>
+        <translation>ein anderer Prozess schreibt dort Ergebnisse</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1: there are no results; its shard never began</source>
+        <translation>%1: es gibt keine Ergebnisse; dieser Teil hat nie begonnen</translation>
+    </message>
+    <message>
+        <source>%1: shard %2 of %3 did not come to its end</source>
+        <translation>%1: Teil %2 von %3 kam nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>none of these folders has results</source>
+        <translation>keiner dieser Ordner hat Ergebnisse</translation>
+    </message>
+    <message>
+        <source>judged more than once, with the same result: %1</source>
+        <translation>mehr als einmal beurteilt, mit gleichem Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>missing of %1 shards: %2</source>
+        <translation>von %1 Teilen fehlen: %2</translation>
+    </message>
+    <message>
+        <source>without results: %1</source>
+        <translation>ohne Ergebnisse: %1</translation>
+    </message>
+    <message>
+        <source>these results are of another version of the lab, of Cradle or of the secret than those before; they cannot be put together</source>
+        <translation>diese Ergebnisse gehören zu einer anderen Fassung des Labs, von Cradle oder des Geheimnisses als die davor; sie lassen sich nicht zusammenfügen</translation>
+    </message>
+    <message>
+        <source>these results are of another class, or of another number of shards, than those before</source>
+        <translation>diese Ergebnisse gehören zu einer anderen Klasse oder einer anderen Zahl von Teilen als die davor</translation>
+    </message>
+    <message>
+        <source>%1: other isolation: %2</source>
+        <translation>%1: andere Isolation: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not as its manifest says, and is left out</source>
+        <translation>%1 ist nicht so, wie das Verzeichnis sagt, und bleibt weg</translation>
+    </message>
+    <message>
+        <source>the results of %1 differ from those in %2</source>
+        <translation>die Ergebnisse von %1 weichen von denen in %2 ab</translation>
+    </message>
+    <message>
+        <source>handed in</source>
+        <translation>abgegeben</translation>
+    </message>
+    <message>
+        <source>handed in nothing</source>
+        <translation>nichts abgegeben</translation>
+    </message>
+    <message>
+        <source>pass every step</source>
+        <translation>bestehen jeden Schritt</translation>
+    </message>
+    <message>
+        <source>points on average</source>
+        <translation>Punkte im Mittel</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>steps not graded</source>
+        <translation>Schritte nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Not graded</source>
+        <translation>Nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Here no verdict could be reached. These steps count neither as passed nor as failed, and the gradebooks leave the points of their students empty.</source>
+        <translation>Hier kam kein Urteil zustande. Diese Schritte zählen weder als bestanden noch als nicht bestanden, und die Notenlisten lassen die Punkte dieser Studierenden leer.</translation>
+    </message>
+    <message>
+        <source>Handed in nothing</source>
+        <translation>Nichts abgegeben</translation>
+    </message>
+    <message>
+        <source>How it was judged</source>
+        <translation>Wie geurteilt wurde</translation>
+    </message>
+    <message>
+        <source>By %1, with version %2 of the lab %3 (sha256 %4).</source>
+        <translation>Von %1, mit Fassung %2 des Praktikums %3 (sha256 %4).</translation>
+    </message>
+    <message>
+        <source>Programs were kept apart by: %1.</source>
+        <translation>Die Programme waren abgeschottet durch: %1.</translation>
+    </message>
+    <message>
+        <source>Each day late that has begun takes %1 % of the points, at most %2 %.</source>
+        <translation>Jeder angefangene Tag Verspätung kostet %1 % der Punkte, höchstens %2 %.</translation>
+    </message>
+    <message>
+        <source>Handing in late takes no points.</source>
+        <translation>Verspätung kostet keine Punkte.</translation>
+    </message>
+    <message>
+        <source>For the teacher alone: this page has names. What students read of themselves is in the folder students.</source>
+        <translation>Nur für die Lehrenden: Auf dieser Seite stehen Namen. Was Studierende über sich selbst lesen, liegt im Ordner students.</translation>
+    </message>
+    <message>
+        <source>How it starts</source>
+        <translation>Der Anfang</translation>
+    </message>
+    <message>
+        <source>Free motion</source>
+        <translation>Freie Bewegung</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>When two touch</source>
+        <translation>Wann zwei sich berühren</translation>
+    </message>
+    <message>
+        <source>What a hit does</source>
+        <translation>Was ein Stoß bewirkt</translation>
+    </message>
+    <message>
+        <source>In the long run</source>
+        <translation>Auf die Dauer</translation>
+    </message>
+    <message>
+        <source>Students with a finding</source>
+        <translation>Studierende mit Befund</translation>
+    </message>
+    <message>
+        <source>The program stops</source>
+        <translation>Das Programm bricht ab</translation>
+    </message>
+    <message>
+        <source>an example</source>
+        <translation>ein Beispiel</translation>
+    </message>
+    <message>
+        <source>%1 of %2 do not pass</source>
+        <translation>%1 von %2 bestehen nicht</translation>
+    </message>
+    <message>
+        <source>Where the class stands</source>
+        <translation>Wo der Kurs steht</translation>
+    </message>
+    <message>
+        <source>How many pass each step</source>
+        <translation>Wie viele jeden Schritt bestehen</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>bestehen</translation>
+    </message>
+    <message>
+        <source>do not pass yet</source>
+        <translation>bestehen noch nicht</translation>
+    </message>
+    <message>
+        <source>not graded</source>
+        <translation>nicht bewertet</translation>
+    </message>
+    <message>
+        <source>not handed in</source>
+        <translation>nicht abgegeben</translation>
+    </message>
+    <message>
+        <source>What the class misunderstood</source>
+        <translation>Was der Kurs missverstanden hat</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Es wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>How many students have a finding of that sort in that step; the stronger the colour, the larger their part of those who were judged. The examples are of one student each, without names and comments.</source>
+        <translation>Wie viele Studierende in dem Schritt einen Befund dieser Art haben; je kräftiger die Farbe, desto größer ihr Anteil an allen Beurteilten. Die Beispiele stammen von je einer Person, ohne Namen und Kommentare.</translation>
+    </message>
+    <message>
+        <source>Checks that tell nobody apart</source>
+        <translation>Prüfungen, die niemanden unterscheiden</translation>
+    </message>
+    <message>
+        <source>In brackets: how many were judged by it.</source>
+        <translation>In Klammern: wie viele danach beurteilt wurden.</translation>
+    </message>
+    <message>
+        <source>Nobody passes</source>
+        <translation>Niemand besteht</translation>
+    </message>
+    <message>
+        <source>Everybody passes</source>
+        <translation>Alle bestehen</translation>
+    </message>
+    <message>
+        <source>Checks and time on the way</source>
+        <translation>Prüfungen und Zeit unterwegs</translation>
+    </message>
+    <message>
+        <source>Of those who handed in a history. Minutes are those in which the program changed; who thinks on paper shows none.</source>
+        <translation>Von denen, die einen Verlauf abgegeben haben. Als Minuten zählen die, in denen sich das Programm änderte; wer auf Papier denkt, zeigt keine.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Studierende</translation>
+    </message>
+    <message>
+        <source>Checks, median</source>
+        <translation>Prüfungen, Median</translation>
+    </message>
+    <message>
+        <source>Checks, most</source>
+        <translation>Prüfungen, höchstens</translation>
+    </message>
+    <message>
+        <source>Minutes, median</source>
+        <translation>Minuten, Median</translation>
+    </message>
+    <message>
+        <source>Programs that are alike</source>
+        <translation>Programme, die sich gleichen</translation>
+    </message>
+    <message>
+        <source>There are none.</source>
+        <translation>Es gibt keine.</translation>
+    </message>
+    <message>
+        <source>share %1 % of what the one with less has of their own</source>
+        <translation>haben %1 % dessen gemeinsam, was auf der Seite mit weniger Eigenem steht</translation>
+    </message>
+    <message>
+        <source>Who is where</source>
+        <translation>Wer wo steht</translation>
+    </message>
+    <message>
+        <source>✓ passes, ○ does not pass yet, · not handed in, ? not graded</source>
+        <translation>✓ besteht, ○ besteht noch nicht, · nicht abgegeben, ? nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>this is the result of &quot;%1&quot;, whose file has another name</source>
+        <translation>das ist das Ergebnis von „%1“, dessen Datei anders heißt</translation>
+    </message>
+    <message>
+        <source>%1 is not in the roster</source>
+        <translation>%1 steht nicht auf der Liste</translation>
+    </message>
+    <message>
+        <source>there are more than %1 files in it</source>
+        <translation>es sind mehr als %1 Dateien darin</translation>
+    </message>
+    <message>
+        <source>a broken entry</source>
+        <translation>ein kaputter Eintrag</translation>
+    </message>
+    <message>
+        <source>it holds absurdly much</source>
+        <translation>es enthält unsinnig viel</translation>
+    </message>
+    <message>
+        <source>this is no zip: %1</source>
+        <translation>das ist kein Zip: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass</source>
+        <translation>%1 von %2 Schritten bestehen</translation>
+    </message>
+    <message>
+        <source>Nothing was handed in</source>
+        <translation>Es wurde nichts abgegeben</translation>
+    </message>
+    <message>
+        <source>%1 was passed over for %2</source>
+        <translation>%1 wurde zugunsten von %2 übergangen</translation>
+    </message>
+    <message>
+        <source>nothing that was handed in is a program</source>
+        <translation>nichts von dem, was abgegeben wurde, ist ein Programm</translation>
+    </message>
+    <message>
+        <source>an object is right here</source>
+        <translation>hier ist ein Objekt richtig</translation>
+    </message>
+    <message>
+        <source>%1 is right here</source>
+        <translation>hier ist %1 richtig</translation>
+    </message>
+    <message>
+        <source>a text of at most %1 letters</source>
+        <translation>ein Text von höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a list of at most %1</source>
+        <translation>eine Liste von höchstens %1</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>judging took more than %1 s of processor time</source>
+        <translation>das Urteilen brauchte mehr als %1 s Rechenzeit</translation>
+    </message>
+    <message>
+        <source>not judged: the program cannot be read</source>
+        <translation>nicht beurteilt: das Programm kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the lab has no step %1</source>
+        <translation>das Lab hat keinen Schritt %1</translation>
+    </message>
+    <message>
+        <source>the file that was handed in cannot be read: %1</source>
+        <translation>die abgegebene Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>ohne %1</translation>
+    </message>
+    <message>
+        <source>The program around line %1</source>
+        <translation>Das Programm um Zeile %1</translation>
+    </message>
+    <message>
+        <source>this is no folder</source>
+        <translation>das ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>this is a link that leads elsewhere; it is not followed</source>
+        <translation>das ist ein Verweis, der woandershin führt; ihm wird nicht gefolgt</translation>
+    </message>
+    <message>
+        <source>this is no plain file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>this is no roster: its first line has neither a column &quot;id&quot; nor a column &quot;folder&quot;</source>
+        <translation>das ist keine Liste: ihre erste Zeile hat weder eine Spalte „id“ noch eine Spalte „folder“</translation>
+    </message>
+    <message>
+        <source>row %1 names nobody: it has neither an id nor a folder</source>
+        <translation>Zeile %1 nennt niemanden: sie hat weder Kennung noch Ordner</translation>
+    </message>
+    <message>
+        <source>row %1: late days are a number from 0</source>
+        <translation>Zeile %1: Tage der Verspätung sind eine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
+        <translation>Beurteilt von %1, Fassung %2 des Praktikums, in Szenen, die nur für diese Person gezogen wurden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ besteht</translation>
+    </message>
+    <message>
+        <source>– not handed in</source>
+        <translation>– nicht abgegeben</translation>
+    </message>
+    <message>
+        <source>? not graded</source>
+        <translation>? nicht bewertet</translation>
+    </message>
+    <message>
+        <source>! stops with an error</source>
+        <translation>! bricht mit Fehler ab</translation>
+    </message>
+    <message>
+        <source>○ does not pass yet</source>
+        <translation>○ besteht noch nicht</translation>
+    </message>
+    <message>
+        <source>! cannot be read</source>
+        <translation>! nicht lesbar</translation>
+    </message>
+    <message>
+        <source>– of %1</source>
+        <translation>– von %1</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Nothing was handed in for this step.</source>
+        <translation>Für diesen Schritt wurde nichts abgegeben.</translation>
+    </message>
+    <message>
+        <source>There is no verdict: this step counts neither as passed nor as failed.</source>
+        <translation>Es gibt kein Urteil: Dieser Schritt zählt weder als bestanden noch als nicht bestanden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Checked %n time(s) while working on it.</source>
+        <translation>
+            <numerusform>Beim Arbeiten daran %n-mal geprüft.</numerusform>
+            <numerusform>Beim Arbeiten daran %n-mal geprüft.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program stopped in step %1 of a scene, at %2 s.</source>
+        <translation>Das Programm brach in Zeitschritt %1 einer Szene ab, bei %2 s.</translation>
+    </message>
+    <message>
+        <source>The program does not load.</source>
+        <translation>Das Programm lässt sich nicht laden.</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>There:</source>
+        <translation>Dort:</translation>
+    </message>
+    <message>
+        <source>Look at line %1 of your program.</source>
+        <translation>Sieh dir Zeile %1 deines Programms an.</translation>
+    </message>
+    <message>
+        <source>It is reached by the calls in line %1.</source>
+        <translation>Dorthin führen die Aufrufe in Zeile %1.</translation>
+    </message>
+    <message>
+        <source>“%1” first goes wrong here, at %2 s.</source>
+        <translation>„%1“ geht zuerst hier schief, bei %2 s.</translation>
+    </message>
+    <message>
+        <source>“%1” goes wrong from the start.</source>
+        <translation>„%1“ geht von Anfang an schief.</translation>
+    </message>
+    <message>
+        <source>Scene: %1.</source>
+        <translation>Szene: %1.</translation>
+    </message>
+    <message>
+        <source>The checks of this step</source>
+        <translation>Die Prüfungen dieses Schritts</translation>
+    </message>
+    <message>
+        <source>did not pass</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>there is no such aspect</source>
+        <translation>diesen Aspekt gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such kind of error</source>
+        <translation>diese Art Fehler gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a colour like #1e90ff is right</source>
+        <translation>eine Farbe wie #1e90ff ist richtig</translation>
+    </message>
+    <message>
+        <source>there is no such status</source>
+        <translation>diesen Status gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the status and the report say different things</source>
+        <translation>Status und Bericht sagen Verschiedenes</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>das Ergebnis ist zu groß</translation>
+    </message>
+    <message>
+        <source>this is no result of a student: %1</source>
+        <translation>das ist kein Ergebnis einer Person: %1</translation>
+    </message>
+    <message>
+        <source>not a JSON object</source>
+        <translation>kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>this is no secret: at least %1 letters are right</source>
+        <translation>das ist kein Geheimnis: richtig sind mindestens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>no process to judge in can be started: %1</source>
+        <translation>es lässt sich kein Prozess zum Urteilen starten: %1</translation>
+    </message>
+    <message>
+        <source>it has sent too much</source>
+        <translation>er hat zu viel gesendet</translation>
+    </message>
+    <message>
+        <source>it has sent what it was not asked for</source>
+        <translation>er hat gesendet, wonach nicht gefragt war</translation>
+    </message>
+    <message>
+        <source>it tried what no judgement needs, and was stopped</source>
+        <translation>er versuchte, was kein Urteil braucht, und wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>it was ended by signal %1</source>
+        <translation>er wurde durch Signal %1 beendet</translation>
+    </message>
+    <message>
+        <source>it broke down</source>
+        <translation>er brach zusammen</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>%1 not graded</source>
+        <translation>%1 nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Steps that could not be graded: %1. There is no sum of points yet; that is not the fault of what was handed in.</source>
+        <translation>Schritte, die nicht bewertet werden konnten: %1. Daher gibt es noch keine Punktsumme; an der Abgabe liegt das nicht.</translation>
+    </message>
+    <message>
+        <source>Days late, a begun one counted whole: %1. That takes %2 % of the points; the sum above has them taken off already.</source>
+        <translation>Tage Verspätung, angefangene ganz gezählt: %1. Das kostet %2 % der Punkte; in der Summe oben sind sie schon abgezogen.</translation>
+    </message>
+    <message>
+        <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
+        <translation>Verglichen wird Token für Token, gleich welche Namen, Kommentare und Reihenfolge (Winnowing). Was das Praktikum vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lesen Sie beide, und fragen Sie nach.</translation>
+    </message>
+    <message>
+        <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
+        <translation>Ein Schritt ist so viel wert, wie das Praktikum sagt, sonst so viel wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
     </message>
 </context>
 <context>
@@ -3816,6 +4638,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Share with &amp;git…</source>
         <translation>Mit &amp;git teilen…</translation>
     </message>
+    <message>
+        <source>Grade a &amp;class…</source>
+        <translation>Einen &amp;Kurs bewerten…</translation>
+    </message>
 </context>
 <context>
     <name>MessageText</name>
@@ -4656,6 +5482,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>one of program, laws, either</source>
         <translation>eines von program, laws, either</translation>
+    </message>
+    <message>
+        <source>what the step is worth, a number from 0 to 1000</source>
+        <translation>was der Schritt wert ist, eine Zahl von 0 bis 1000</translation>
     </message>
 </context>
 <context>
@@ -6669,6 +7499,127 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>MathJax does not run: %1</source>
         <translation>MathJax läuft nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::GradeDialog</name>
+    <message>
+        <source>Grade a class: %1</source>
+        <translation>Einen Kurs bewerten: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Handed in:</source>
+        <translation>&amp;Abgaben:</translation>
+    </message>
+    <message>
+        <source>A folder with a folder, or a .cradle-work file, for each student; or a download of Moodle, Canvas, Blackboard or GitHub Classroom. Nothing in it is changed.</source>
+        <translation>Ein Ordner mit einem Ordner oder einer .cradle-work-Datei für jede Person; oder ein Download aus Moodle, Canvas, Blackboard oder GitHub Classroom. Darin wird nichts verändert.</translation>
+    </message>
+    <message>
+        <source>Choose what was handed in</source>
+        <translation>Abgaben wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Results:</source>
+        <translation>&amp;Ergebnisse:</translation>
+    </message>
+    <message>
+        <source>A folder for the results: an empty one, or one with the results of the same class, which then go on where they were.</source>
+        <translation>Ein Ordner für die Ergebnisse: ein leerer, oder einer mit Ergebnissen desselben Kurses, die dann fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the results</source>
+        <translation>Ordner für die Ergebnisse wählen</translation>
+    </message>
+    <message>
+        <source>R&amp;oster:</source>
+        <translation>&amp;Teilnehmerliste:</translation>
+    </message>
+    <message>
+        <source>A table (CSV) of who is in the class: id, folder, name, number, email, late days. It may be left out.</source>
+        <translation>Eine Tabelle (CSV), wer im Kurs ist: id, folder, name, number, email, late days. Sie darf fehlen.</translation>
+    </message>
+    <message>
+        <source>Choose a roster</source>
+        <translation>Teilnehmerliste wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source> % a day</source>
+        <translation> % am Tag</translation>
+    </message>
+    <message>
+        <source>What each day late that has begun takes of the points</source>
+        <translation>Was jeder angefangene Tag Verspätung von den Punkten nimmt</translation>
+    </message>
+    <message>
+        <source>&amp;Late:</source>
+        <translation>&amp;Verspätung:</translation>
+    </message>
+    <message>
+        <source>How the grading goes</source>
+        <translation>Wie die Bewertung läuft</translation>
+    </message>
+    <message>
+        <source>Students done</source>
+        <translation>Fertige Personen</translation>
+    </message>
+    <message>
+        <source>&amp;Grade</source>
+        <translation>&amp;Bewerten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>O&amp;pen the results</source>
+        <translation>Ergebnisse ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>What was handed in is read…</source>
+        <translation>Die Abgaben werden gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students: %3 steps pass, %4 do not, %5 could not be graded.</source>
+        <translation>%1 von %2 Personen: %3 Schritte bestehen, %4 nicht, %5 konnten nicht bewertet werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the students as they were before.</source>
+        <translation>
+            <numerusform>%n davon wie zuvor.</numerusform>
+            <numerusform>%n davon wie zuvor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped. What is judged stays; grading again goes on from here.</source>
+        <translation>Angehalten. Was beurteilt ist, bleibt; erneutes Bewerten geht hier weiter.</translation>
+    </message>
+    <message>
+        <source>No program opened the page. It is %1</source>
+        <translation>Kein Programm hat die Seite geöffnet. Sie liegt in %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::GradeRun</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>cradle-cli broke down</source>
+        <translation>cradle-cli ist abgestürzt</translation>
     </message>
 </context>
 <context>

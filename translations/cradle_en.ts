@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>Grading</name>
+    <message numerus="yes">
+        <source>Checked %n time(s) while working on it.</source>
+        <translation>
+            <numerusform>Checked once while working on it.</numerusform>
+            <numerusform>Checked %n times while working on it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>HandleDrag</name>
     <message numerus="yes">
         <source>Move %n circles</source>
@@ -76,6 +86,16 @@
         <translation>
             <numerusform>%n match</numerusform>
             <numerusform>%n matches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::GradeDialog</name>
+    <message numerus="yes">
+        <source>%n of the students as they were before.</source>
+        <translation>
+            <numerusform>%n of the students as it was before.</numerusform>
+            <numerusform>%n of the students as they were before.</numerusform>
         </translation>
     </message>
 </context>

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <thread>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,8 +20,12 @@ using namespace std::chrono_literals;
 
 constexpr auto look = 1ms; ///< between two looks at the child; a verdict takes a hundred
 
-[[noreturn]] void beChild(const std::function<int()> &work)
+[[noreturn]] void beChild(const std::function<int()> &work, pid_t parent)
 {
+    // It must not go on, and write, after who waits for it was killed.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(Defect);
     int code = Defect;
     try {
         code = work();
@@ -38,11 +43,12 @@ std::variant<int, Killed, Crashed> runApart(const std::function<int()> &work,
                                             std::chrono::milliseconds most)
 {
     std::fflush(nullptr);
+    const pid_t parent = getpid();
     const pid_t child = fork();
     if (child < 0) // No process to be had: do it here.
         return work();
     if (child == 0)
-        beChild(work);
+        beChild(work, parent);
     const auto deadline = std::chrono::steady_clock::now() + most;
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {

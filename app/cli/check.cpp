@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/apart.h"
+#include "app/cli/judged_apart.h"
 #include "app/cli/subcommand.h"
 
 #include "model/preset_json.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/checker.h"
 #include "tasks/lab_list.h"
 #include "tasks/program_text.h"
 #include "tasks/report_formats.h"
+#include "tasks/report_json.h"
 #include "tasks/report_text.h"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTextStream>
 
 #include <cstdio>
@@ -20,9 +21,6 @@
 namespace cradle::cli {
 
 namespace {
-
-/// Of the process that judges; it stops by itself long before, where it can look at the clock.
-constexpr std::chrono::seconds mostTime{90};
 
 struct CheckText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
@@ -36,22 +34,23 @@ QStringList idsOf(const Lab &lab)
     return ids;
 }
 
-Result<Submission> readSubmission(const Task &task, const QString &program, const QString &preset)
+/// What is to be judged, as bytes; a scene that is none is refused.
+Result<WorkFiles> readFiles(const Task &task, const QString &program, const QString &preset)
 {
-    Submission submission(task.preset);
+    WorkFiles files;
     if (!preset.isEmpty()) {
-        const Result<Preset> read = readPreset(preset);
-        if (!read)
-            return read.error();
-        submission.preset = *read;
+        const auto scene = readPreset(preset);
+        if (!scene)
+            return scene.error();
+        files.insert(QStringLiteral("presets/%1.json").arg(task.id), writePreset(*scene));
     }
     if (!program.isEmpty()) {
-        const Result<QString> text = readProgram(program);
-        if (!text)
-            return text.error();
-        submission.script = *text;
+        const auto bytes = readProgramBytes(program);
+        if (!bytes)
+            return bytes.error();
+        files.insert(QStringLiteral("steps/%1.lua").arg(task.id), *bytes);
     }
-    return submission;
+    return files;
 }
 
 /// Whether who reads the report reads its errors there.
@@ -60,11 +59,16 @@ bool isShown(ReportFormat format, const QString &output)
     return format == ReportFormat::Text && output.isEmpty() && isatty(fileno(stdout)) == 1;
 }
 
-/// Nothing is written where there is nothing to say of the program.
-ExitCode noVerdict(const ProgramError &error)
+QByteArray textOf(const CheckReport &report, ReportFormat format, const QString &program,
+                  const Task &task, const Isolation &isolation)
 {
-    QTextStream(stderr) << "cradle-cli: " << error.message << Qt::endl;
-    return Defect;
+    if (format != ReportFormat::Json)
+        return writeReport(report, format, program, &task);
+    QJsonObject json = reportObject(report);
+    json.insert(QStringLiteral("format"), 1);
+    json.insert(QStringLiteral("elapsed_ms"), report.elapsedMs);
+    json.insert(QStringLiteral("isolation"), isolationText(isolation));
+    return QJsonDocument(json).toJson();
 }
 
 } // namespace
@@ -78,7 +82,7 @@ ExitCode check(const QStringList &arguments)
         "on standard error, as FILE:LINE: message."));
     parser.addPositionalArgument(QStringLiteral("TASK"), CheckText::tr("the step, like L42T5"));
     parser.addPositionalArgument(QStringLiteral("SCRIPT.lua"),
-                                 CheckText::tr("the program to judge"),
+                                 CheckText::tr("the program to judge; - is standard input"),
                                  QStringLiteral("[SCRIPT.lua]"));
     const QCommandLineOption preset(QStringLiteral("preset"),
                                     CheckText::tr("the scene; without it that of the step"),
@@ -97,9 +101,12 @@ ExitCode check(const QStringList &arguments)
     const QCommandLineOption output(QStringLiteral("output"),
                                     CheckText::tr("where to write; without it the terminal"),
                                     QStringLiteral("FILE"));
+    const QCommandLineOption requireIsolation(
+        QStringLiteral("require-isolation"),
+        CheckText::tr("judge only where rlimits, seccomp and namespaces are to be had"));
     const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
                                       CheckText::tr("exit with 0 also if it did not pass"));
-    parser.addOptions({preset, labDir, seed, formatName, output, exitZero});
+    parser.addOptions({preset, labDir, seed, formatName, output, requireIsolation, exitZero});
     if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
     const QString program = parser.positionalArguments().value(1);
@@ -116,43 +123,30 @@ ExitCode check(const QStringList &arguments)
         return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
 
     const QString id = parser.positionalArguments().first();
-    const Result<Lab> lab =
-        readLabOrArchive(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id));
+    const auto lab =
+        readLabAtHand(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id));
     if (!lab)
         return complain(lab.error());
-    for (const Error &finding : lab->findings)
-        QTextStream(stderr) << finding.toString() << Qt::endl;
-    const int index = lab->indexOf(id);
+    const int index = lab->lab.indexOf(id);
     if (index < 0)
         return complain(CheckText::tr("the lab has no step %1; it has %2")
-                            .arg(id, idsOf(*lab).join(QStringLiteral(", "))));
-    const Task &task = lab->tasks[static_cast<std::size_t>(index)];
-    const Result<Submission> submission = readSubmission(task, program, parser.value(preset));
-    if (!submission)
-        return complain(submission.error());
-    const auto tell = [&](const CheckReport &report) -> ExitCode {
-        if (report.error && report.error->kind == ProgramError::Kind::Machine)
-            return noVerdict(*report.error);
-        if (report.error && !isShown(*format, parser.value(output)))
-            QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
-        const QByteArray text = writeReport(report, *format, program);
-        if (const auto error = writeText(parser.value(output), text))
-            return complainUnwritten(*error);
-        return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
-    };
-    const auto judge = [&] { return tell(*judgeTask(*lab, task, *submission, seedValue)); };
-    if (program.isEmpty())
-        return judge();
-    const auto judged = runApart(judge, mostTime);
-    if (const int *code = std::get_if<int>(&judged))
-        return static_cast<ExitCode>(*code);
-    if (const auto *crash = std::get_if<Crashed>(&judged)) {
-        QTextStream(stderr) << "cradle-cli: this is a defect of ours: the judgement broke down by "
-                               "signal "
-                            << crash->signal << Qt::endl;
-        return Defect;
-    }
-    return noVerdict(stoppedByMachine(mostTime.count()));
+                            .arg(id, idsOf(lab->lab).join(QStringLiteral(", "))));
+    const Task &task = lab->lab.tasks[static_cast<std::size_t>(index)];
+    const auto files = readFiles(task, program, parser.value(preset));
+    if (!files)
+        return complain(files.error());
+    const auto judged =
+        judgeApart(*lab, {.seed = seedValue, .steps = {task.id}, .files = *files, .moments = false},
+                   parser.isSet(requireIsolation));
+    if (!judged)
+        return complainUnwritten(judged.error());
+    const CheckReport &report = judged->report;
+    if (report.error && !isShown(*format, parser.value(output)))
+        QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
+    const QByteArray text = textOf(report, *format, program, task, judged->isolation);
+    if (const auto error = writeText(parser.value(output), text))
+        return complainUnwritten(*error);
+    return report.passed || parser.isSet(exitZero) ? Done : NotPassed;
 }
 
 } // namespace cradle::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "tasks/grading/worker_server.h"
+
 #include <QCoreApplication>
 #include <QTextStream>
 
@@ -9,6 +11,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace {
 
@@ -22,6 +27,7 @@ struct Entry {
 
 constexpr std::array subcommands{
     Entry{"check", "judges a program or a preset for one step of a lab", check},
+    Entry{"grade", "judges a class", grade},
     Entry{"hand-in", "writes a student's work into one file", handIn},
     Entry{"report", "writes the report of a student's work", report},
     Entry{"simulate", "runs a scene and writes what happens", simulate},
@@ -40,10 +46,22 @@ void printUsage(FILE *where)
            "1 something did not pass, 2 wrong usage or unreadable input, 3 a defect of ours.\n";
 }
 
+/// Where one of the standard streams is closed, the next file that is opened would take its place,
+/// and what is meant for the stream would be written into it. So something has the place that can
+/// only be used the wrong way round: that fails, and is told.
+void guardStandardStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0)
+            (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
+    guardStandardStreams();
     // A file that may not grow is told by the write that fails, and in words.
     std::signal(SIGXFSZ, SIG_IGN);
     const QCoreApplication app(argc, argv);
@@ -60,6 +78,8 @@ int main(int argc, char **argv)
         QTextStream(stdout) << "cradle-cli " << CRADLE_VERSION << '\n';
         return Done;
     }
+    if (name == QLatin1String("judge-server")) // started by this program alone
+        return cradle::runJudgingServer();
     for (const Entry &entry : subcommands) {
         if (name != QLatin1String(entry.name))
             continue;

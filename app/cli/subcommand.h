@@ -16,13 +16,15 @@ enum ExitCode {
     Done = 0,      ///< done, and all passed
     NotPassed = 1, ///< done, and something did not pass
     BadInput = 2,  ///< wrong usage or unreadable input
-    Defect = 3     ///< a defect of ours
+    Defect = 3,    ///< a defect of ours
+    Stopped = 130  ///< by Ctrl+C, as shells have it
 };
 
 /// Runs "cradle-cli NAME ARGUMENTS…"; \p arguments begin with the program's name.
 using Subcommand = ExitCode (*)(const QStringList &arguments);
 
 ExitCode check(const QStringList &arguments);
+ExitCode grade(const QStringList &arguments);
 ExitCode handIn(const QStringList &arguments);
 ExitCode report(const QStringList &arguments);
 ExitCode simulate(const QStringList &arguments);

@@ -109,6 +109,8 @@ QJsonObject jsonFrom(const TaskForm &form)
         json.insert(QStringLiteral("moves"), form.moves);
     if (form.extra)
         json.insert(QStringLiteral("extra"), true);
+    if (form.points)
+        json.insert(QStringLiteral("points"), *form.points);
     if (form.prediction)
         json.insert(predictionKey(), jsonFrom(*form.prediction));
     return json;
@@ -143,6 +145,8 @@ TaskForm formFrom(const QJsonObject &json)
                   .extra = json.value(QStringLiteral("extra")).toBool(),
                   .locked = toStrings(json.value(QStringLiteral("locked"))),
                   .prediction = predictionFrom(json)};
+    if (json.contains(QStringLiteral("points")))
+        form.points = json.value(QStringLiteral("points")).toDouble();
     for (const QJsonValue &check : json.value(QStringLiteral("checks")).toArray())
         form.checks.push_back(checkFrom(check.toObject()));
     for (const QJsonValue &remark : json.value(QStringLiteral("remarks")).toArray())

@@ -45,6 +45,7 @@ struct TaskForm {
     std::vector<RemarkForm> remarks{};
     QString moves{}; ///< who moves the circles: program, laws or either; empty: either
     bool extra = false;
+    std::optional<double> points{};         ///< what the step is worth; none: its checks together
     QStringList locked{};                   ///< fields of the scene that the student may not change
     std::optional<Prediction> prediction{}; ///< in the form's language; right may be none of them
 

@@ -3,14 +3,23 @@
 #pragma once
 
 #include "tasks/check_report.h"
+#include "tasks/grading/platform_names.h"
+#include "tasks/lab_report/drawn_moment.h"
 
-#include <QDateTime>
 #include <QString>
 
 #include <optional>
 #include <vector>
 
 namespace cradle {
+
+/// The scene at the moment when a check first went wrong.
+struct StepMoment {
+    QString check{}; ///< its id
+    DrawnMoment scene{};
+
+    friend bool operator==(const StepMoment &, const StepMoment &) = default;
+};
 
 /// What became of one step of one student.
 struct StepResult {
@@ -25,6 +34,7 @@ struct StepResult {
     Status status = Status::Missing;
     QString reason{};                    ///< why it was not graded
     std::optional<CheckReport> report{}; ///< if it was judged
+    std::vector<StepMoment> moments{};   ///< when it went wrong, see momentsOf()
     QString program{};                   ///< its text, where it could be read
     int attempts = 0;                    ///< checks in the history that was handed in; 0: none told
     double minutes = 0.0;                ///< of work on it that the history shows
@@ -39,7 +49,8 @@ struct StudentResult {
     QString name{};   ///< of the person, as the roster or the folder has it
     QString number{}; ///< of the learning platform or the university; may be empty
     QString email{};
-    qint64 seed = 1; ///< of this student's scenes
+    Platform platform = Platform::None; ///< that gave out the number; none: the university
+    qint64 seed = 1;                    ///< of this student's scenes
     double lateDays = 0.0;
     QString remark{}; ///< what is strange about what was handed in; plain text
     std::vector<StepResult> steps{};

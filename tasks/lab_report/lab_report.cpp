@@ -3,6 +3,7 @@
 #include "tasks/lab_report/lab_report.h"
 
 #include "tasks/judgement.h"
+#include "tasks/lab_report/drawn_moment.h"
 #include "tasks/lab_report/run_pictures.h"
 #include "tasks/mode.h"
 #include "tasks/plain_text.h"
@@ -107,7 +108,7 @@ void tellRun(Told &told, const Task &task, const Submission &submission)
         return;
     const TellingMoment moment = tellingMoment(run);
     told.report.moment = momentText(moment);
-    told.report.scene = sceneSvg(run, moment);
+    told.report.scene = sceneSvg(drawnMoment(run, moment.index));
     told.report.momentum = momentumSvg(run);
     told.report.energy = energySvg(run);
     told.curve = energyCurve(task.id, run);

@@ -20,9 +20,6 @@ struct TellingMoment {
 };
 [[nodiscard]] TellingMoment tellingMoment(const Observation &run);
 
-/// The scene at that moment, with the ways up to it and the velocities: a drawing of 300 × 300 px.
-[[nodiscard]] QByteArray sceneSvg(const Observation &run, const TellingMoment &moment);
-
 /// Σ p_x and Σ p_y over time; and kinetic, potential and total energy. Drawings of 420 × 150 px.
 [[nodiscard]] QByteArray momentumSvg(const Observation &run);
 [[nodiscard]] QByteArray energySvg(const Observation &run);

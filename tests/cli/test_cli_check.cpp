@@ -224,7 +224,7 @@ void TestCliCheck::wrongUsageIsSaid_data()
     row("two steps", words("check L42T1 L42T2 --preset") + QStringList{good}, "L42T2");
     row("unknown option", words("check L42T1 --color --preset") + QStringList{good}, "color");
     row("unknown format", words("check L42T1 --format xml --preset") + QStringList{good},
-        "text, json, junit, tap, gradescope, exercism");
+        "text, json, junit, tap, gradescope, exercism, github");
     row("seed is a word", words("check L42T1 --seed one --preset") + QStringList{good}, "one");
     row("seed is a half", words("check L42T1 --seed 1.5 --preset") + QStringList{good}, "1.5");
     row("empty step", QStringList{text("check"), QString(), text("--preset"), good}, "no step");

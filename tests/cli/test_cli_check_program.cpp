@@ -18,8 +18,11 @@ private slots:
     void stepOfTheOtherLabNeedsNoFolder();
     void programThatStopsIsAnError_data();
     void programThatStopsIsAnError();
-    void unreadableProgramIsRefused_data();
-    void unreadableProgramIsRefused();
+    void programThatIsNotThereIsRefused_data();
+    void programThatIsNotThereIsRefused();
+    void unreadableProgramGetsAReport_data();
+    void unreadableProgramGetsAReport();
+    void programMayComeFromStandardInput();
     void everyFormatIsWritten_data();
     void everyFormatIsWritten();
     void programRunsInTheGivenScene();
@@ -136,21 +139,15 @@ void TestCliCheckProgram::programThatStopsIsAnError()
              outcome.toText().constData());
 }
 
-void TestCliCheckProgram::unreadableProgramIsRefused_data()
+void TestCliCheckProgram::programThatIsNotThereIsRefused_data()
 {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("place"); ///< after the path
     QTest::newRow("missing") << text("nowhere.lua") << text(": ");
     QTest::newRow("folder") << step1("") << text(": ");
-    QTest::newRow("without end") << text("/dev/zero") << text(": ");
-    QTest::newRow("Latin-1") << written(m_folder, "latin1.lua", "x = 1\n-- gr\xfc\xdf\n")
-                             << text(":2: ");
-    QTest::newRow("UTF-16") << written(m_folder, "utf16.lua", QByteArray("x\0=\0001\0", 6))
-                            << text(":1: ");
-    QTest::newRow("too large") << cradle::cliProgram() << text(": ");
 }
 
-void TestCliCheckProgram::unreadableProgramIsRefused()
+void TestCliCheckProgram::programThatIsNotThereIsRefused()
 {
     QFETCH(QString, path);
     QFETCH(QString, place);
@@ -158,6 +155,54 @@ void TestCliCheckProgram::unreadableProgramIsRefused()
     VERIFY_CODE(outcome, 2);
     QVERIFY2(outcome.error.startsWith(path + place), outcome.toText().constData());
     QVERIFY(outcome.out.isEmpty());
+}
+
+void TestCliCheckProgram::unreadableProgramGetsAReport_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("message");
+    QTest::addColumn<int>("line");
+    QTest::newRow("without end") << text("/dev/zero") << text("too long") << 0;
+    QTest::newRow("Latin-1") << written(m_folder, "latin1.lua", "x = 1\n-- gr\xfc\xdf\n")
+                             << text("no text in UTF-8") << 2;
+    QTest::newRow("NUL") << written(m_folder, "nul.lua", QByteArray("x = 1\ny\0", 8))
+                         << text("no text in UTF-8") << 2;
+    QTest::newRow("UTF-16") << written(m_folder, "utf16.lua", QByteArray("x\0=\0001\0", 6))
+                            << text("no text in UTF-8") << 1;
+    QTest::newRow("too large") << written(m_folder, "long.lua", QByteArray(128 * 1024 + 1, '-'))
+                               << text("too long") << 0;
+}
+
+/// One student must never leave a grader without results.
+void TestCliCheckProgram::unreadableProgramGetsAReport()
+{
+    QFETCH(QString, path);
+    QFETCH(QString, message);
+    QFETCH(int, line);
+    for (const char *format : {"json", "text", "junit", "tap", "gradescope", "exercism"}) {
+        const Outcome outcome =
+            runCli({text("check"), text("L42T1"), path, text("--format"), text(format)});
+        VERIFY_CODE(outcome, 1);
+        QVERIFY2(outcome.out.contains(message), outcome.toText().constData());
+    }
+    const Outcome outcome =
+        runCli({text("check"), text("L42T1"), path, text("--format"), text("json")});
+    const QJsonObject report = reportOf(outcome);
+    QCOMPARE(report.value(text("passed")), QJsonValue(false));
+    const QJsonObject error = report.value(text("error")).toObject();
+    QCOMPARE(error.value(text("kind")).toString(), text("syntax"));
+    QCOMPARE(error.value(text("line")).toInt(), line);
+    QVERIFY2(outcome.error.startsWith(path + text(":")), outcome.toText().constData());
+}
+
+void TestCliCheckProgram::programMayComeFromStandardInput()
+{
+    QProcess process;
+    process.start(cradle::cliProgram(), {text("check"), text("L42T1"), text("-")});
+    process.write(contentOf(step1("solution.lua")));
+    process.closeWriteChannel();
+    QVERIFY(process.waitForFinished(patience));
+    QCOMPARE(process.exitCode(), 0);
 }
 
 void TestCliCheckProgram::everyFormatIsWritten_data()

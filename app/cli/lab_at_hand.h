@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/lab_files.h"
+#include "tasks/lab.h"
+
+namespace cradle::cli {
+
+/// A lab with the files that it was read from, for processes that are to have the same.
+struct LabAtHand {
+    QString folder{};
+    LabFiles files{};
+    Lab lab{};
+};
+
+/// Reads the lab in a folder, a resource or an archive; tells on standard error what of it could
+/// not be read.
+Result<LabAtHand> readLabAtHand(const QString &path);
+
+} // namespace cradle::cli

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+
+namespace cradle {
+
+/// A row of CSV by RFC 4180 (UTF-8, quotes where they are needed, CRLF). A text that a spreadsheet
+/// would take for a formula (it begins with = + - @ or a tab) gets an apostrophe in front; control
+/// characters and line ends become spaces.
+/// \param quoteAll  for readers that want every field in quotes
+[[nodiscard]] QByteArray csvRow(const QStringList &fields, bool quoteAll = false);
+
+} // namespace cradle

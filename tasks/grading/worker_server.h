@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/lab_files.h"
+#include "tasks/grading/lockdown.h"
+#include "tasks/lab.h"
+
+namespace cradle {
+
+/// What one worker may send at all, bytes.
+inline constexpr qint64 mostWorkerBytes = 64 * 1024 * 1024;
+/// Of memory that a worker may take beyond what it begins with.
+inline constexpr qint64 mostWorkerMemory = 256 * 1024 * 1024;
+
+/// Forks a worker for every student who is to be judged, until the other end of \p control is gone;
+/// then the workers are gone, too. The lab is there already, so that a worker costs a millisecond.
+/// No other threads may run.
+/// \param inNamespaces  whether this process was started in namespaces of its own
+void serveJudging(int control, const Lab &lab, bool inNamespaces);
+
+/// The numbers of the descriptors with which runJudgingServer() is started.
+inline constexpr int serverControl = 3;
+inline constexpr int serverLab = 4;
+
+/// The same as a program of its own, that bubblewrap starts: the lab comes through serverLab.
+/// \return what to exit with
+int runJudgingServer();
+
+/// The lab's files for the way there.
+[[nodiscard]] QByteArray bytesOf(const LabFiles &files, const QString &folder);
+
+} // namespace cradle

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/grading/workers.h"
+
+#include "tasks/grading/student_result_json.h"
+#include "tasks/grading/worker_server.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QStandardPaths>
+#include <QtEndian>
+
+#include <csignal>
+#include <cstring>
+#include <ctime>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace cradle {
+
+namespace {
+
+struct WorkersText {
+    Q_DECLARE_TR_FUNCTIONS(Grading)
+};
+
+/// Above anything that a worker takes for a step, on however busy a machine: it was stopped.
+constexpr double patience = 3600.0;
+constexpr int mostStarts = 5; ///< of a server that is killed before it says anything
+
+double now()
+{
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+/// Puts descriptors where the server looks for them, and nothing else; in a forked process.
+void keepOnly(int control, int lab)
+{
+    // Above the places where they go, so that none is overwritten before it is moved.
+    control = fcntl(control, F_DUPFD, 10);
+    lab = lab < 0 ? -1 : fcntl(lab, F_DUPFD, 10);
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (int standard = 0; standard < 3; ++standard)
+        dup2(nowhere, standard);
+    dup2(control, serverControl);
+    if (lab >= 0)
+        dup2(lab, serverLab);
+    close_range(lab < 0 ? serverControl + 1 : serverLab + 1, ~0U, 0);
+}
+
+/// How bubblewrap starts the server: of the disk it sees the system's libraries and this program.
+std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program)
+{
+    std::vector<QByteArray> line{bubblewrap,
+                                 "--unshare-all",
+                                 "--die-with-parent",
+                                 "--new-session",
+                                 "--cap-drop",
+                                 "ALL",
+                                 "--ro-bind",
+                                 "/usr",
+                                 "/usr",
+                                 "--ro-bind-try",
+                                 "/lib",
+                                 "/lib",
+                                 "--ro-bind-try",
+                                 "/lib64",
+                                 "/lib64",
+                                 "--ro-bind-try",
+                                 "/etc/ld.so.cache",
+                                 "/etc/ld.so.cache",
+                                 "--ro-bind",
+                                 program,
+                                 program,
+                                 "--proc",
+                                 "/proc",
+                                 "--chdir",
+                                 "/",
+                                 program,
+                                 "judge-server"};
+    return line;
+}
+
+pid_t startBubblewrapped(const QString &program, int control, int lab)
+{
+    const QString found = QStandardPaths::findExecutable(QStringLiteral("bwrap"));
+    if (found.isEmpty())
+        return -1;
+    std::vector<QByteArray> line =
+        bubblewrapped(QFile::encodeName(found), QFile::encodeName(program));
+    std::vector<char *> arguments;
+    for (QByteArray &part : line)
+        arguments.push_back(part.data());
+    arguments.push_back(nullptr);
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child != 0)
+        return child;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(1);
+    setsid(); // what is typed at a terminal is for the parent
+    keepOnly(control, lab);
+    execv(arguments.front(), arguments.data());
+    _exit(1);
+}
+
+pid_t startForked(const Lab &lab, int control)
+{
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child != 0)
+        return child;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(1);
+    setsid(); // what is typed at a terminal is for the parent
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    keepOnly(control, -1);
+    serveJudging(serverControl, lab, false);
+    _exit(0);
+}
+
+} // namespace
+
+Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &files,
+                                                const QString &folder, const QString &program)
+{
+    std::unique_ptr<Workers> workers(new Workers);
+    if (!program.isEmpty() && workers->startInNamespaces(files, folder, program))
+        return workers;
+    for (int attempt = 0; attempt < mostStarts; ++attempt) {
+        auto pair = connectedPair();
+        if (!pair)
+            break;
+        const pid_t server = startForked(lab, pair->second.number());
+        pair->second.close();
+        if (workers->connect(server, std::move(pair->first)))
+            return workers;
+    }
+    return Error{.message = WorkersText::tr("no process to judge in can be started: %1")
+                                .arg(QString::fromLocal8Bit(std::strerror(errno)))};
+}
+
+/// \return false where that is not to be had; a server that somebody killed is started anew
+bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
+                                const QString &program)
+{
+    for (int attempt = 0; attempt < mostStarts; ++attempt) {
+        auto pair = connectedPair();
+        auto stream = openStream();
+        if (!pair || !stream)
+            return false;
+        const pid_t server =
+            startBubblewrapped(program, pair->second.number(), stream->first.number());
+        if (server < 0)
+            return false;
+        pair->second.close();
+        stream->first.close();
+        sendAll(stream->second.number(), cradle::bytesOf(files, folder));
+        stream->second.close();
+        if (connect(server, std::move(pair->first)))
+            return true;
+        // What is not allowed says so by itself.
+        const int status = m_endOfServer;
+        const bool killed = (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+                            || (WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGKILL);
+        if (!killed)
+            return false;
+    }
+    return false;
+}
+
+/// \return whether the server says that it is there
+bool Workers::connect(pid_t server, Descriptor control)
+{
+    if (server < 0)
+        return false;
+    m_server = server;
+    m_control = std::move(control);
+    const auto hello = receiveMessage(m_control.number());
+    m_alive = hello && hello->message.kind == ServerMessage::Kind::Hello;
+    if (!m_alive) {
+        // It has closed its end, so it ends.
+        waitpid(m_server, &m_endOfServer, 0);
+        m_server = -1;
+        m_control.close();
+        return false;
+    }
+    const int flags = hello->message.value;
+    m_isolation = {
+        .limits = (flags & 1) != 0, .seccomp = (flags & 2) != 0, .namespaces = (flags & 4) != 0};
+    return true;
+}
+
+void Workers::stop()
+{
+    m_alive = false;
+    m_control.close();
+    if (m_server > 0) {
+        kill(m_server, SIGKILL); // with all that it has forked
+        waitpid(m_server, nullptr, 0);
+    }
+    m_server = -1;
+}
+
+Workers::~Workers()
+{
+    stop();
+}
+
+void Workers::judge(int worker, const JudgingRequest &request)
+{
+    Running &running = m_running[worker];
+    running.seed = request.seed;
+    running.expected = request.steps;
+    running.since = now();
+    auto pipe = openPipe();
+    auto stream = openStream();
+    const bool sent = pipe && stream && m_alive
+                      && sendMessage(m_control.number(), {ServerMessage::Kind::Judge, worker, 0},
+                                     {stream->first.number(), pipe->second.number()});
+    if (sent) {
+        stream->first.close();
+        sendAll(stream->second.number(), cradle::bytesOf(request));
+    }
+    if (pipe)
+        running.results = std::move(pipe->first);
+    // Else the server tells how it ended, or its end does.
+    if (!pipe || !stream || !m_alive) {
+        running.results.close();
+        running.status = W_EXITCODE(0, SIGKILL);
+    }
+}
+
+std::vector<WorkerEvent> Workers::wait(int milliseconds)
+{
+    std::vector<WorkerEvent> events;
+    std::vector<pollfd> watched{pollfd{m_alive ? m_control.number() : -1, POLLIN, 0}};
+    std::vector<int> numbers;
+    for (auto &[worker, running] : m_running) {
+        watched.push_back({running.results.number(), POLLIN, 0});
+        numbers.push_back(worker);
+        if (!running.results && running.status)
+            milliseconds = 0;
+    }
+    if (poll(watched.data(), watched.size(), milliseconds) < 0)
+        return events;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        Running &running = m_running[numbers[i]];
+        if (watched[i + 1].revents)
+            readResults(numbers[i], running, events);
+        else if (m_alive && now() - running.since > patience)
+            sendMessage(m_control.number(), {ServerMessage::Kind::Kill, numbers[i], 0});
+    }
+    if (watched.front().revents)
+        readControl(events);
+    for (const int worker : numbers) {
+        const auto running = m_running.find(worker);
+        if (running->second.status && !running->second.results) {
+            end(worker, running->second, events);
+            m_running.erase(running);
+        }
+    }
+    return events;
+}
+
+void Workers::readControl(std::vector<WorkerEvent> &events)
+{
+    const auto received = receiveMessage(m_control.number());
+    if (!received) {
+        stop();
+        for (auto &[worker, running] : m_running) {
+            running.results.close();
+            running.status = running.status.value_or(W_EXITCODE(0, SIGKILL));
+        }
+        return;
+    }
+    const auto running = m_running.find(received->message.worker);
+    if (received->message.kind != ServerMessage::Kind::Ended || running == m_running.end())
+        return;
+    running->second.status = received->message.value;
+    // Its end of the pipe is closed: what is left can be read without waiting.
+    while (running->second.results)
+        readResults(running->first, running->second, events);
+}
+
+void Workers::readResults(int worker, Running &running, std::vector<WorkerEvent> &events)
+{
+    char part[64 * 1024];
+    const ssize_t size = read(running.results.number(), part, sizeof part);
+    if (size < 0 && errno == EINTR)
+        return;
+    if (size <= 0) {
+        running.results.close();
+        return;
+    }
+    running.since = now();
+    running.received += size;
+    running.unread.append(part, size);
+    if (running.received > mostWorkerBytes)
+        running.fault = WorkersText::tr("it has sent too much");
+    if (running.fault.isEmpty())
+        takeFrames(worker, running, events);
+    if (!running.fault.isEmpty()) {
+        running.results.close();
+        sendMessage(m_control.number(), {ServerMessage::Kind::Kill, worker, 0});
+    }
+}
+
+void Workers::takeFrames(int worker, Running &running, std::vector<WorkerEvent> &events)
+{
+    constexpr auto head = static_cast<qsizetype>(sizeof(quint32));
+    while (running.unread.size() >= head) {
+        const auto size = qFromLittleEndian<quint32>(running.unread.constData());
+        if (size > mostResultBytes) {
+            running.fault = WorkersText::tr("it has sent too much");
+            return;
+        }
+        const auto whole = head + static_cast<qsizetype>(size);
+        if (running.unread.size() < whole)
+            return;
+        auto result = readStudentResult(running.unread.mid(head, size), {});
+        running.unread.remove(0, whole);
+        const bool fits = result && result->steps.size() == 1 && !running.expected.isEmpty()
+                          && result->steps.front().taskId == running.expected.first();
+        if (!fits) {
+            running.fault = result ? WorkersText::tr("it has sent what it was not asked for")
+                                   : result.error().toString();
+            return;
+        }
+        running.expected.removeFirst();
+        if (result->steps.front().report)
+            result->steps.front().report->seed = running.seed;
+        events.push_back({.worker = worker, .step = std::move(result->steps.front())});
+    }
+}
+
+void Workers::end(int worker, Running &running, std::vector<WorkerEvent> &events)
+{
+    WorkerEvent event{.worker = worker};
+    const int status = *running.status;
+    if (!running.fault.isEmpty())
+        event.fault = running.fault;
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        event.fault =
+            WorkersText::tr("judging took more than %1 s of processor time").arg(secondsPerStep);
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGSYS)
+        event.fault = WorkersText::tr("it tried what no judgement needs, and was stopped");
+    else if (WIFSIGNALED(status))
+        event.fault = WorkersText::tr("it was ended by signal %1").arg(WTERMSIG(status));
+    else if (WEXITSTATUS(status) != 0 || !running.expected.isEmpty())
+        event.fault = WorkersText::tr("it broke down");
+    event.killed = running.fault.isEmpty() && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    event.done = event.fault.isEmpty();
+    events.push_back(std::move(event));
+}
+
+} // namespace cradle

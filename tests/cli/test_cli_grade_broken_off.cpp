@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/graded_class.h"
+#include "tests/hostile_programs.h"
+
+#include <csignal>
+
+#include <unistd.h>
+
+using namespace cradle::programs;
+
+/// cradle-cli grade against kills, hostile programs and shards that died.
+class TestCliGradeBrokenOff : public QObject
+{
+    Q_OBJECT
+private slots:
+    void killedGraderGoesOnWhereItWas();
+    void killedWorkersCostNoVerdict();
+    void stoppedGraderLeavesNoWorkers();
+    void stopIsCleanAndResumable();
+    void hostileClassLeavesOthersUnharmed();
+    void shardsMakeOneClass();
+    void doublesAndTheMissingAreTold();
+    void differingResultsAreRefused();
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+/// The processes that \p ancestor started, and those that they did.
+std::vector<pid_t> descendantsOf(qint64 ancestor)
+{
+    QMap<qint64, qint64> parents;
+    for (const QString &name : QDir(text("/proc")).entryList(QDir::Dirs)) {
+        bool isNumber = false;
+        const qint64 pid = name.toLongLong(&isNumber);
+        if (!isNumber)
+            continue;
+        const QString stat = QString::fromUtf8(contentOf(text("/proc/") + name + text("/stat")));
+        parents[pid] = stat.mid(stat.lastIndexOf(u')') + 2).section(u' ', 1, 1).toLongLong();
+    }
+    std::vector<pid_t> found;
+    for (auto it = parents.begin(); it != parents.end(); ++it) {
+        for (qint64 up = *it; up > 1; up = parents.value(up)) {
+            if (up == ancestor) {
+                found.push_back(static_cast<pid_t>(it.key()));
+                break;
+            }
+        }
+    }
+    return found;
+}
+
+bool isThere(pid_t pid)
+{
+    const QString stat =
+        QString::fromUtf8(contentOf(text("/proc/") + QString::number(pid) + text("/stat")));
+    return !stat.isEmpty() && stat.mid(stat.lastIndexOf(u')') + 2).at(0) != u'Z';
+}
+
+int resultsIn(const GradedClass &made, const QString &out)
+{
+    return static_cast<int>(
+        QDir(made.at(out + text("/students"))).entryList({text("*.json")}, QDir::Files).size());
+}
+
+void fill(const GradedClass &made, int count)
+{
+    for (int i = 0; i < count; ++i)
+        made.putStudent(QStringLiteral("student%1").arg(i, 2, 10, QLatin1Char('0')));
+}
+
+} // namespace
+
+/// Killed after every student or two, it comes to the same end, byte for byte.
+void TestCliGradeBrokenOff::killedGraderGoesOnWhereItWas()
+{
+    const GradedClass made;
+    fill(made, 8);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    int kills = 0;
+    for (int before = 0; before < 8;) {
+        QProcess process;
+        process.start(cradle::cliProgram(), made.arguments(text("out")));
+        QVERIFY(process.waitForStarted());
+        while (resultsIn(made, text("out")) <= before && process.state() != QProcess::NotRunning)
+            QVERIFY(!process.waitForFinished(1) || process.exitStatus() == QProcess::NormalExit);
+        process.kill();
+        process.waitForFinished(patience);
+        const int now = resultsIn(made, text("out"));
+        QVERIFY(now >= before);
+        before = now > before ? now : 8;
+        ++kills;
+    }
+    QVERIFY(kills > 1);
+    VERIFY_CODE(made.grade(text("out")), 1);
+    QCOMPARE(made.differing(text("out"), text("whole")), QStringList());
+}
+
+void TestCliGradeBrokenOff::killedWorkersCostNoVerdict()
+{
+    const GradedClass made;
+    fill(made, 6);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    QProcess process;
+    process.start(cradle::cliProgram(), made.arguments(text("out"), {text("--jobs"), text("2")}));
+    QVERIFY(process.waitForStarted());
+    for (int kills = 0; kills < 4 && process.state() != QProcess::NotRunning;) {
+        const auto workers = descendantsOf(process.processId());
+        if (!workers.empty()) { // the youngest: a worker, or who forks them
+            kill(workers.back(), SIGKILL);
+            ++kills;
+        }
+        process.waitForFinished(30);
+    }
+    QVERIFY(process.waitForFinished(patience));
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(made.differing(text("out"), text("whole")), QStringList());
+}
+
+void TestCliGradeBrokenOff::stoppedGraderLeavesNoWorkers()
+{
+    const GradedClass made;
+    made.putProgram(text("ada"), text("BALL1"), "function on_update(dt) for i = 1, 2e5 do end end");
+    for (const char *step : {"BALL2", "BALL3"})
+        made.putProgram(text("ada"), text(step), GradedClass::solution(step));
+    QProcess process;
+    process.start(cradle::cliProgram(), made.arguments(text("out")));
+    QVERIFY(process.waitForStarted());
+    std::vector<pid_t> workers;
+    // bubblewrap is two processes, the server one, the worker one; without it there are two.
+    while (workers.size() < 2 && !process.waitForFinished(1))
+        workers = descendantsOf(process.processId());
+    process.kill();
+    process.waitForFinished(patience);
+    for (const pid_t worker : workers)
+        QTRY_VERIFY_WITH_TIMEOUT(!isThere(worker), patience);
+    QCOMPARE(resultsIn(made, text("out")), 0);
+}
+
+void TestCliGradeBrokenOff::stopIsCleanAndResumable()
+{
+    const GradedClass made;
+    fill(made, 8);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    QProcess process;
+    process.start(cradle::cliProgram(), made.arguments(text("out"), {text("--jobs"), text("1")}));
+    QVERIFY(process.waitForStarted());
+    while (resultsIn(made, text("out")) == 0)
+        process.waitForFinished(1);
+    kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(patience));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY(!made.json(text("out/manifest.json")).value(text("complete")).toBool(true));
+    VERIFY_CODE(made.grade(text("out")), 1);
+    QCOMPARE(made.differing(text("out"), text("whole")), QStringList());
+}
+
+/// Every hostile program that we know gets a verdict, and an honest student the one without them.
+void TestCliGradeBrokenOff::hostileClassLeavesOthersUnharmed()
+{
+    const GradedClass made;
+    made.putStudent(text("honest"));
+    VERIFY_CODE(made.grade(text("alone")), 1);
+    std::vector<HostileProgram> programs;
+    for (const auto &some :
+         {endlessPrograms(), greedyPrograms(), overflowingPrograms(), strangePrograms()})
+        programs.insert(programs.end(), some.begin(), some.end());
+    programs.push_back({"escape", text("os.execute('touch /tmp/cradle-escaped')"), runtimeKind});
+    programs.push_back({"flood", text("while true do print(('x'):rep(1e6)) end"), runtimeKind});
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        made.putProgram(QStringLiteral("hostile%1").arg(i), text("BALL1"),
+                        programs[i].source.toUtf8());
+    const Outcome outcome = made.grade(text("out"));
+    VERIFY_CODE(outcome, 1);
+    QCOMPARE(contentOf(made.at(text("out/students/honest.json"))),
+             contentOf(made.at(text("alone/students/honest.json"))));
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const QStringList verdicts = made.verdicts(text("out"), QStringLiteral("hostile%1").arg(i));
+        QVERIFY2(verdicts.size() == 3 && !verdicts.contains(text("not_graded")), programs[i].name);
+    }
+    QVERIFY(!QFile::exists(text("/tmp/cradle-escaped")));
+}
+
+void TestCliGradeBrokenOff::shardsMakeOneClass()
+{
+    const GradedClass made;
+    fill(made, 7);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    QStringList merge{text("grade"), text("--merge")};
+    for (int i = 1; i <= 3; ++i) {
+        const QString out = QStringLiteral("shard%1").arg(i);
+        VERIFY_CODE(made.grade(out, {text("--shard"), QStringLiteral("%1/3").arg(i)}), 1);
+        merge.append(made.at(out));
+    }
+    VERIFY_CODE(runCli(merge + QStringList{text("--out"), made.at(text("merged"))}), 1);
+    QCOMPARE(made.differing(text("merged"), text("whole")), QStringList());
+}
+
+void TestCliGradeBrokenOff::doublesAndTheMissingAreTold()
+{
+    const GradedClass made;
+    fill(made, 4);
+    for (int i = 1; i <= 2; ++i)
+        VERIFY_CODE(made.grade(QStringLiteral("shard%1").arg(i),
+                               {text("--shard"), QStringLiteral("%1/3").arg(i)}),
+                    1);
+    const QStringList merge{text("grade"),           text("--merge"),
+                            made.at(text("shard1")), made.at(text("shard2")),
+                            made.at(text("shard2")), made.at(text("never")),
+                            text("--out"),           made.at(text("merged"))};
+    const Outcome lacking = runCli(merge);
+    VERIFY_CODE(lacking, 1);
+    for (const char *word :
+         {"student01", "more than once", "missing of 3 shards: 3", "student02", "never began"})
+        QVERIFY2(lacking.error.contains(text(word)), lacking.toText());
+    QVERIFY(!made.json(text("merged/manifest.json")).value(text("complete")).toBool(true));
+    // The shard is run after all, and put to the others.
+    VERIFY_CODE(made.grade(text("never"), {text("--shard"), text("3/3")}), 1);
+    VERIFY_CODE(runCli(merge), 1);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    QCOMPARE(made.differing(text("merged"), text("whole")), QStringList());
+}
+
+void TestCliGradeBrokenOff::differingResultsAreRefused()
+{
+    const GradedClass made;
+    fill(made, 2);
+    VERIFY_CODE(made.grade(text("one")), 1);
+    made.putProgram(text("student00"), text("BALL3"), GradedClass::solution("BALL3"));
+    VERIFY_CODE(made.grade(text("two")), 1);
+    const auto merge = [&](const char *other) {
+        return runCli({text("grade"), text("--merge"), made.at(text("one")), made.at(text(other)),
+                       text("--out"), made.at(text("merged"))});
+    };
+    const Outcome differing = merge("two");
+    VERIFY_CODE(differing, 2);
+    QVERIFY2(differing.error.contains(text("student00")), differing.toText());
+    made.put(text("secret"), "another secret of this class");
+    VERIFY_CODE(made.grade(text("three")), 1);
+    VERIFY_CODE(merge("three"), 2);
+}
+
+QTEST_GUILESS_MAIN(TestCliGradeBrokenOff)
+#include "test_cli_grade_broken_off.moc"

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "class_of_three.h"
+#include "tasks/grading/csv_text.h"
+#include "tasks/grading/gradebooks.h"
+#include "tasks/grading/grader_files.h"
+#include "test_paths.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace cradle;
+using namespace cradle::classes;
+
+/// What other programs read of a class; each is read back by a program of its kind.
+class TestGradebooks : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void pointsAreRoundedOnce_data();
+    void pointsAreRoundedOnce();
+    void latenessTakesItsPart_data();
+    void latenessTakesItsPart();
+    void noVerdictIsNoSum();
+    void fieldsAreQuotedAndHarmless_data();
+    void fieldsAreQuotedAndHarmless();
+    void tablesReadBack_data();
+    void tablesReadBack();
+    void canvasHasItsTwoHeadLines();
+    void numbersGoWhereTheyWereGivenOut();
+    void gradescopeAddsUp();
+    void stepIsWorthWhatTheLabSays();
+    void gitHubAddsUp();
+    void whatHasNoVerdictIsNoFile();
+    void junitIsValid();
+    void proveReadsTap();
+    void exercismShowsWhatIsAsked();
+
+private:
+    [[nodiscard]] QJsonArray tableOf(const char *name) const; ///< as Python's csv reads it
+    QTemporaryDir m_folder;
+    Lab m_lab = smallLab();
+    ClassFacts m_facts = facts();
+};
+
+namespace {
+
+struct Ended {
+    int code = -1;
+    QByteArray out{};
+};
+
+Ended run(const QString &program, const QStringList &arguments)
+{
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(program, arguments);
+    const bool ended = process.waitForFinished(60'000);
+    return {ended && process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAll()};
+}
+
+QJsonObject parsed(const QByteArray &text)
+{
+    return QJsonDocument::fromJson(text).object();
+}
+
+} // namespace
+
+void TestGradebooks::init()
+{
+    const std::vector<StudentResult> students{ada(m_lab), bob(m_lab), mallory(m_lab)};
+    QVERIFY(keep(m_folder.path(), students, m_lab));
+    Gradebooks books(m_lab, m_facts);
+    for (const StudentResult &student : students) {
+        books.add(student);
+        QVERIFY(!writeGraderFiles(m_folder.path(), student, m_lab, m_facts));
+    }
+    QVERIFY(!books.write(m_folder.path()));
+}
+
+QJsonArray TestGradebooks::tableOf(const char *name) const
+{
+    const Ended ended = run(QStringLiteral("python3"),
+                            {QStringLiteral("-c"),
+                             QStringLiteral("import csv, json, sys\n"
+                                            "rows = list(csv.reader(open(sys.argv[1], newline='', "
+                                            "encoding='utf-8'), strict=True))\n"
+                                            "print(json.dumps(rows))"),
+                             m_folder.filePath(QString::fromLatin1(name))});
+    return ended.code == 0 ? QJsonDocument::fromJson(ended.out).array() : QJsonArray();
+}
+
+void TestGradebooks::pointsAreRoundedOnce_data()
+{
+    QTest::addColumn<double>("points");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("whole") << 3.0 << QStringLiteral("3");
+    QTest::newRow("a third") << 1.0 / 3.0 << QStringLiteral("0.33");
+    QTest::newRow("two thirds") << 2.0 / 3.0 << QStringLiteral("0.67");
+    QTest::newRow("half of a hundredth, up") << 0.125 << QStringLiteral("0.13");
+    QTest::newRow("a half that is less in binary") << 1.005 << QStringLiteral("1.01");
+    QTest::newRow("none") << 0.0 << QStringLiteral("0");
+    QTest::newRow("many") << 1e6 << QStringLiteral("1000000");
+}
+
+void TestGradebooks::pointsAreRoundedOnce()
+{
+    QFETCH(double, points);
+    QTEST(pointsText(points), "text");
+}
+
+void TestGradebooks::latenessTakesItsPart_data()
+{
+    QTest::addColumn<double>("days");
+    QTest::addColumn<double>("perDay");
+    QTest::addColumn<double>("most");
+    QTest::addColumn<double>("kept");
+    QTest::newRow("in time") << 0.0 << 10.0 << 100.0 << 1.0;
+    QTest::newRow("early") << -3.0 << 10.0 << 100.0 << 1.0;
+    QTest::newRow("a begun day counts whole") << 0.01 << 10.0 << 100.0 << 0.9;
+    QTest::newRow("two days") << 1.5 << 10.0 << 100.0 << 0.8;
+    QTest::newRow("no more than all") << 20.0 << 10.0 << 100.0 << 0.0;
+    QTest::newRow("no more than the most") << 20.0 << 10.0 << 30.0 << 0.7;
+    QTest::newRow("no rule") << 20.0 << 0.0 << 100.0 << 1.0;
+}
+
+void TestGradebooks::latenessTakesItsPart()
+{
+    QFETCH(double, days);
+    QFETCH(double, perDay);
+    QFETCH(double, most);
+    QTEST(keptWhenLate(days, {perDay, most}), "kept");
+}
+
+void TestGradebooks::noVerdictIsNoSum()
+{
+    // 3 + 2.5 points, two days late at 10 %.
+    QCOMPARE(*pointsOf(ada(m_lab), m_lab, m_facts.late).earned, 4.4);
+    QCOMPARE(*pointsOf(mallory(m_lab), m_lab, m_facts.late).earned, 1.0);
+    QVERIFY(!pointsOf(bob(m_lab), m_lab, m_facts.late).earned);
+    QCOMPARE(pointsOf(bob(m_lab), m_lab).most, 5.5);
+}
+
+void TestGradebooks::fieldsAreQuotedAndHarmless_data()
+{
+    QTest::addColumn<QString>("field");
+    QTest::addColumn<QByteArray>("written");
+    QTest::newRow("plain") << QStringLiteral("Ada") << QByteArray("Ada");
+    QTest::newRow("comma") << QStringLiteral("a,b") << QByteArray("\"a,b\"");
+    QTest::newRow("quote") << QStringLiteral("a\"b") << QByteArray("\"a\"\"b\"");
+    QTest::newRow("line ends") << QStringLiteral("a\r\nb") << QByteArray("a b");
+    QTest::newRow("formula") << QStringLiteral("=1+1") << QByteArray("'=1+1");
+    QTest::newRow("formula behind a tab")
+        << QStringLiteral("\t@SUM(A1)") << QByteArray("'@SUM(A1)");
+    QTest::newRow("plus") << QStringLiteral("+cmd|x") << QByteArray("'+cmd|x");
+    QTest::newRow("full width") << QStringLiteral("\uFF1D1") << QStringLiteral("'\uFF1D1").toUtf8();
+    QTest::newRow("number below zero") << QStringLiteral("-1.5") << QByteArray("-1.5");
+    QTest::newRow("control character") << QStringLiteral("a\x1b[31mb") << QByteArray("a[31mb");
+    QTest::newRow("spaces of Canvas")
+        << QStringLiteral("    Points Possible") << QByteArray("    Points Possible");
+}
+
+void TestGradebooks::fieldsAreQuotedAndHarmless()
+{
+    QFETCH(QString, field);
+    QFETCH(QByteArray, written);
+    QCOMPARE(csvRow({field}), written + "\r\n");
+}
+
+void TestGradebooks::tablesReadBack_data()
+{
+    QTest::addColumn<int>("heads");
+    QTest::newRow("gradebook.csv") << 1;
+    QTest::newRow("gradebooks/moodle.csv") << 1;
+    QTest::newRow("gradebooks/canvas.csv") << 2;
+    QTest::newRow("gradebooks/blackboard.csv") << 1;
+}
+
+void TestGradebooks::tablesReadBack()
+{
+    QFETCH(int, heads);
+    const QJsonArray rows = tableOf(QTest::currentDataTag());
+    QCOMPARE(rows.size(), heads + 4); // three and the one who handed in nothing
+    for (const QJsonValue &row : rows) {
+        QCOMPARE(row.toArray().size(), rows[0].toArray().size());
+        for (const QJsonValue &field : row.toArray()) {
+            const QString text = field.toString().trimmed();
+            bool isNumber = false;
+            (void)text.toDouble(&isNumber);
+            QVERIFY2(isNumber || text.isEmpty() || !QStringLiteral("=+-@").contains(text[0]),
+                     qPrintable(text));
+        }
+    }
+    // The sum is the last column, or before the word of Moodle; in the plain one it has a name.
+    const qsizetype column = [&] {
+        const QJsonArray head = rows[0].toArray();
+        for (qsizetype i = 0; i < head.size(); ++i) {
+            if (head[i].toString() == QLatin1String("points"))
+                return i;
+        }
+        return head.size() - (head[0].toString() == QLatin1String("Identifier") ? 2 : 1);
+    }();
+    const auto sum = [&](int row) { return rows[heads + row].toArray()[column].toString(); };
+    QCOMPARE(sum(0), QStringLiteral("4.4"));
+    QCOMPARE(sum(1), QString());
+    QCOMPARE(sum(2), QStringLiteral("1"));
+    QCOMPARE(sum(3), QStringLiteral("0"));
+}
+
+void TestGradebooks::canvasHasItsTwoHeadLines()
+{
+    const QJsonArray rows = tableOf("gradebooks/canvas.csv");
+    QCOMPARE(rows[0].toArray(),
+             (QJsonArray::fromStringList(
+                 {QStringLiteral("Student"), QStringLiteral("ID"), QStringLiteral("SIS User ID"),
+                  QStringLiteral("SIS Login ID"), QStringLiteral("Section"), m_lab.title})));
+    QCOMPARE(rows[1].toArray(),
+             (QJsonArray::fromStringList(
+                 {QStringLiteral("    Points Possible"), {}, {}, {}, {}, QStringLiteral("5.5")})));
+}
+
+void TestGradebooks::numbersGoWhereTheyWereGivenOut()
+{
+    const QJsonArray canvas = tableOf("gradebooks/canvas.csv");
+    QCOMPARE(canvas[2].toArray()[1].toString(), QString()); // Ada's is of the university
+    QCOMPARE(canvas[2].toArray()[2].toString(), QStringLiteral("0042"));
+    QCOMPARE(canvas[4].toArray()[1].toString(), QStringLiteral("-77"));
+    QCOMPARE(canvas[4].toArray()[2].toString(), QString());
+    const QJsonArray moodle = tableOf("gradebooks/moodle.csv");
+    QCOMPARE(moodle[2].toArray()[0].toString(), QStringLiteral("Participant 99"));
+    QCOMPARE(moodle[2].toArray()[2].toString(), QString());
+    QCOMPARE(moodle[1].toArray()[2].toString(), QStringLiteral("0042"));
+}
+
+void TestGradebooks::gradescopeAddsUp()
+{
+    const QJsonObject json = parsed(gradescopeFile(mallory(m_lab), m_lab, m_facts));
+    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), 1.0);
+    double score = 0.0;
+    double most = 0.0;
+    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
+        score += test.toObject().value(QStringLiteral("score")).toDouble();
+        most += test.toObject().value(QStringLiteral("max_score")).toDouble();
+        QVERIFY(test.toObject().value(QStringLiteral("name")).toString().startsWith(u'S'));
+    }
+    QCOMPARE(score, 1.0);
+    QCOMPARE(most, 5.5);
+    QVERIFY(!json.contains(QStringLiteral("execution_time")));
+}
+
+void TestGradebooks::stepIsWorthWhatTheLabSays()
+{
+    Lab lab = smallLab();
+    lab.tasks[0].points = 30.0; // its checks are worth 1 and 2
+    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 10.0);
+    QCOMPARE(pointsOf(mallory(lab), lab).most, 32.5);
+    const QJsonObject json = parsed(gradescopeFile(mallory(lab), lab, {}));
+    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), 10.0);
+    double score = 0.0;
+    double most = 0.0;
+    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
+        score += test.toObject().value(QStringLiteral("score")).toDouble();
+        most += test.toObject().value(QStringLiteral("max_score")).toDouble();
+    }
+    QCOMPARE(score, 10.0);
+    QCOMPARE(most, 32.5);
+    lab.tasks[0].points = 0.0;
+    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 0.0);
+}
+
+void TestGradebooks::gitHubAddsUp()
+{
+    const QJsonObject json = parsed(gitHubFile(ada(m_lab), m_lab));
+    QCOMPARE(json.value(QStringLiteral("version")), QJsonValue(1));
+    QCOMPARE(json.value(QStringLiteral("status")), QJsonValue(QStringLiteral("pass")));
+    QCOMPARE(json.value(QStringLiteral("max_score")), QJsonValue(5.5));
+    double score = 0.0;
+    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
+        score += test.toObject().value(QStringLiteral("score")).toDouble();
+        QVERIFY(!test.toObject().value(QStringLiteral("test_code")).toString().isEmpty());
+    }
+    QCOMPARE(score, 5.5);
+    QCOMPARE(parsed(gitHubFile(mallory(m_lab), m_lab)).value(QStringLiteral("status")),
+             QJsonValue(QStringLiteral("fail")));
+}
+
+void TestGradebooks::whatHasNoVerdictIsNoFile()
+{
+    QVERIFY(gradescopeFile(bob(m_lab), m_lab, m_facts).isEmpty());
+    QVERIFY(gitHubFile(bob(m_lab), m_lab).isEmpty());
+    QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("gradescope/bob.json"))));
+    // One of an earlier grading would still say what is no longer so.
+    QVERIFY(!writeFile(m_folder.filePath(QStringLiteral("gradescope/bob.json")), "{}"));
+    QVERIFY(!writeGraderFiles(m_folder.path(), bob(m_lab), m_lab, m_facts));
+    QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("gradescope/bob.json"))));
+}
+
+void TestGradebooks::junitIsValid()
+{
+    for (const char *id : {"ada", "bob", "mallory"}) {
+        const Ended ended =
+            run(QStringLiteral("xmllint"),
+                {QStringLiteral("--noout"), QStringLiteral("--nonet"), QStringLiteral("--schema"),
+                 fixturePath("junit-10.xsd"),
+                 m_folder.filePath(QStringLiteral("junit/%1.xml").arg(QLatin1String(id)))});
+        QVERIFY2(ended.code == 0, ended.out);
+    }
+    QVERIFY(junitFile(bob(m_lab), m_lab).contains("<skipped message=\"the machine &amp; all"));
+}
+
+void TestGradebooks::proveReadsTap()
+{
+    const auto prove = [&](const char *id) {
+        return run(QStringLiteral("prove"),
+                   {QStringLiteral("-e"), QStringLiteral("cat"),
+                    m_folder.filePath(QStringLiteral("tap/%1.tap").arg(QLatin1String(id)))});
+    };
+    Ended ended = prove("ada");
+    QVERIFY2(ended.code == 0 && ended.out.contains("Tests=4"), ended.out);
+    ended = prove("bob"); // skipped is not failed
+    QVERIFY2(ended.code == 0 && ended.out.contains("Tests=3"), ended.out);
+    ended = prove("mallory");
+    QVERIFY2(ended.code == 1 && ended.out.contains("Failed tests:  2-3"), ended.out);
+}
+
+void TestGradebooks::exercismShowsWhatIsAsked()
+{
+    const QJsonObject json = parsed(exercismFile(mallory(m_lab).steps[0], m_lab.tasks[0]));
+    QCOMPARE(json.value(QStringLiteral("version")), QJsonValue(3));
+    const QJsonArray tests = json.value(QStringLiteral("tests")).toArray();
+    QCOMPARE(tests.size(), 2);
+    QCOMPARE(parsed(tests[1].toObject().value(QStringLiteral("test_code")).toString().toUtf8())
+                 .value(QStringLiteral("kind")),
+             QJsonValue(QStringLiteral("integrates")));
+    QVERIFY(exercismFile(mallory(m_lab).steps[1], m_lab.tasks[1]).isEmpty());
+}
+
+QTEST_APPLESS_MAIN(TestGradebooks)
+#include "test_gradebooks.moc"
