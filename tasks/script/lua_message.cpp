@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/lua_message.h"
 
+#include "tasks/script/kept_pattern.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -71,9 +73,9 @@ QString partName(const QString &part)
 QString translated(const QString &message, std::span<const Form> forms)
 {
     for (const Form &form : forms) {
-        const QRegularExpression pattern(
-            QRegularExpression::anchoredPattern(QLatin1String(form.pattern)));
-        const QRegularExpressionMatch match = pattern.match(message);
+        const QRegularExpressionMatch match =
+            keptPattern(QRegularExpression::anchoredPattern(QLatin1String(form.pattern)))
+                .match(message);
         if (!match.hasMatch())
             continue;
         // All at once: what the program is called may have a %1 of its own.
@@ -105,8 +107,9 @@ QString nameIn(const QString &message)
 
 QString typeIn(const QString &message, const QString &verb)
 {
-    const QRegularExpression pattern(verb + QStringLiteral(" (?:a |an )?(\\w+) value"));
-    return pattern.match(message).captured(1);
+    return keptPattern(verb + QStringLiteral(" (?:a |an )?(\\w+) value"))
+        .match(message)
+        .captured(1);
 }
 
 } // namespace

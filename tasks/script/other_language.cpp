@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/other_language.h"
 
+#include "tasks/script/kept_pattern.h"
+
 #include "tasks/script/lua_tokens.h"
 
 #include <QCoreApplication>
@@ -84,8 +86,7 @@ QString habitIn(const QString &code, const QString &raw)
         // What follows // is prose.
         const bool whole = QByteArrayView(habit.pattern).contains("//");
         const QString part = whole ? code : code.section(QStringLiteral("//"), 0, 0);
-        const QRegularExpressionMatch match =
-            QRegularExpression(QLatin1String(habit.pattern)).match(part);
+        const QRegularExpressionMatch match = keptPattern(QLatin1String(habit.pattern)).match(part);
         if (!match.hasMatch())
             continue;
         QStringList captured;
