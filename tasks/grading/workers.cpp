@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/workers.h"
 
+#include "tasks/grading/server_start.h"
 #include "tasks/grading/student_result_json.h"
 #include "tasks/grading/worker_server.h"
 
 #include <QCoreApplication>
-#include <QFile>
-#include <QStandardPaths>
 #include <QtEndian>
 
 #include <csignal>
 #include <cstring>
 #include <ctime>
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,95 +34,6 @@ double now()
     timespec time{};
     clock_gettime(CLOCK_MONOTONIC, &time);
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
-
-/// Puts descriptors where the server looks for them, and nothing else; in a forked process.
-void keepOnly(int control, int lab)
-{
-    // Above the places where they go, so that none is overwritten before it is moved.
-    control = fcntl(control, F_DUPFD, 10);
-    lab = lab < 0 ? -1 : fcntl(lab, F_DUPFD, 10);
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (int standard = 0; standard < 3; ++standard)
-        dup2(nowhere, standard);
-    dup2(control, serverControl);
-    if (lab >= 0)
-        dup2(lab, serverLab);
-    close_range(lab < 0 ? serverControl + 1 : serverLab + 1, ~0U, 0);
-}
-
-/// How bubblewrap starts the server: of the disk it sees the system's libraries and this program.
-std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program)
-{
-    std::vector<QByteArray> line{bubblewrap,
-                                 "--unshare-all",
-                                 "--die-with-parent",
-                                 "--new-session",
-                                 "--cap-drop",
-                                 "ALL",
-                                 "--ro-bind",
-                                 "/usr",
-                                 "/usr",
-                                 "--ro-bind-try",
-                                 "/lib",
-                                 "/lib",
-                                 "--ro-bind-try",
-                                 "/lib64",
-                                 "/lib64",
-                                 "--ro-bind-try",
-                                 "/etc/ld.so.cache",
-                                 "/etc/ld.so.cache",
-                                 "--ro-bind",
-                                 program,
-                                 program,
-                                 "--proc",
-                                 "/proc",
-                                 "--chdir",
-                                 "/",
-                                 program,
-                                 "judge-server"};
-    return line;
-}
-
-pid_t startBubblewrapped(const QString &program, int control, int lab)
-{
-    const QString found = QStandardPaths::findExecutable(QStringLiteral("bwrap"));
-    if (found.isEmpty())
-        return -1;
-    std::vector<QByteArray> line =
-        bubblewrapped(QFile::encodeName(found), QFile::encodeName(program));
-    std::vector<char *> arguments;
-    for (QByteArray &part : line)
-        arguments.push_back(part.data());
-    arguments.push_back(nullptr);
-    const pid_t parent = getpid();
-    const pid_t child = fork();
-    if (child != 0)
-        return child;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
-        _exit(1);
-    setsid(); // what is typed at a terminal is for the parent
-    keepOnly(control, lab);
-    execv(arguments.front(), arguments.data());
-    _exit(1);
-}
-
-pid_t startForked(const Lab &lab, int control)
-{
-    const pid_t parent = getpid();
-    const pid_t child = fork();
-    if (child != 0)
-        return child;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
-        _exit(1);
-    setsid(); // what is typed at a terminal is for the parent
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-    keepOnly(control, -1);
-    serveJudging(serverControl, lab, false);
-    _exit(0);
 }
 
 } // namespace
