@@ -11,6 +11,7 @@
 #include "tasks/lab_reader.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 
 namespace cradle {
@@ -45,8 +46,10 @@ std::optional<Error> openWork(Workbench &bench, const QString &path, const QStri
                               const QString &labs)
 {
     const bool handedIn = isWorkArchive(path);
+    // Clean: a new profile has no folder of labs from which ".." could lead anywhere.
     const Result<QString> folder =
-        handedIn ? openHandIn(path, labs + QStringLiteral("/../handed-in")) : Result<QString>(path);
+        handedIn ? openHandIn(path, QDir::cleanPath(labs + QStringLiteral("/../handed-in")))
+                 : Result<QString>(path);
     if (!folder)
         return folder.error();
     if (auto error = bench.openWork(*folder, handedIn, currentLanguage()))

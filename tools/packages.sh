@@ -10,7 +10,8 @@ build_packages=(
     libvalijson-dev pkg-config liblua5.4-dev libzip-dev libgit2-dev libseccomp-dev libqscintilla2-qt6-dev
     librapidcheck-dev) # the tests are configured with the rest
 run_packages=(libgl1-mesa-dri qt6-qpa-plugins fonts-inter fonts-jetbrains-mono bubblewrap)
-test_packages=(clang libclang-rt-14-dev clang-format xvfb libxml2-utils perl python3)
+test_packages=(clang libclang-rt-14-dev clang-format xvfb libxml2-utils perl python3
+    poppler-utils qpdf unzip)
 bench_packages=(libbenchmark-dev libbox2d-dev libchipmunk-dev python3) # for the preset bench
 
 # need_packages NAME...: installs those that are missing; present ones cost no time.

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program_run.h"
+
+#include "model/file_io.h"
+#include "tasks/hand_in/work_archive.h"
+
+#include <QRegularExpression>
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// cradle-cli hand-in and report: a student's folder becomes a file, or a document.
+class TestCliHandIn final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void handsInAPlainFolder();
+    void wrongUsageIsSaid_data();
+    void wrongUsageIsSaid();
+    void writesOneSelfContainedPage();
+    void printsADocument();
+    void reportsOnWhatWasHandedIn();
+    void unwritableIsExitThree();
+    void hangingProgramIsToldAsSuch();
+
+private:
+    [[nodiscard]] QString path(const char *name) const
+    {
+        return m_folder.filePath(QLatin1String(name));
+    }
+    /// What a program says that knows the format; "failed: …" where it is displeased.
+    static QString tool(const char *program, const QStringList &arguments);
+
+    QTemporaryDir m_folder;
+};
+
+void TestCliHandIn::initTestCase()
+{
+    QVERIFY(!makeFolder(path("w/steps")));
+    for (const char *id : {"BALL1", "BALL2"}) {
+        const QString from = sourcePath("tasks/bouncing-ball/") + QLatin1String(id)
+                             + QStringLiteral("/solution.lua");
+        QVERIFY(QFile::copy(from, path("w/steps/") + QLatin1String(id) + QStringLiteral(".lua")));
+    }
+    QVERIFY(!writeFile(path("w/cradle.json"), R"({"format": 1, "lab": "bouncing-ball"})"));
+}
+
+QString TestCliHandIn::tool(const char *program, const QStringList &arguments)
+{
+    const Outcome outcome = run(QString::fromLatin1(program), arguments);
+    return outcome.code == 0 ? outcome.out : QStringLiteral("failed: ") + outcome.error;
+}
+
+void TestCliHandIn::handsInAPlainFolder()
+{
+    const QString file = path("ada.cradle-work");
+    const Outcome outcome = runCli({QStringLiteral("hand-in"), path("w"), QStringLiteral("--name"),
+                                    QStringLiteral("Ada"), QStringLiteral("--id"),
+                                    QStringLiteral("s1"), QStringLiteral("--output"), file});
+    VERIFY_CODE(outcome, 1); // the third step is not done
+    const auto files = readWorkArchive(file);
+    QVERIFY2(files, files ? "" : qPrintable(files.error().toString()));
+    const auto manifest = manifestOf(*files);
+    QVERIFY(manifest);
+    QCOMPARE(manifest->student, QStringLiteral("Ada"));
+    QCOMPARE(manifest->studentId, QStringLiteral("s1"));
+    QCOMPARE(manifest->steps.size(), std::size_t(3));
+    QCOMPARE(manifest->steps[0].verdict, QStringLiteral("passed"));
+    QCOMPARE(manifest->steps[2].verdict, QStringLiteral("not done"));
+    QVERIFY(files->value(QStringLiteral("report.pdf")).startsWith("%PDF-1."));
+}
+
+void TestCliHandIn::wrongUsageIsSaid_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::newRow("no folder") << "hand-in --output x.cradle-work";
+    QTest::newRow("no output") << "hand-in WORK";
+    QTest::newRow("another name") << "hand-in WORK --output x.zip";
+    QTest::newRow("nowhere") << "hand-in /nowhere --output x.cradle-work";
+    QTest::newRow("report of nothing") << "report /nowhere --output x.html";
+    QTest::newRow("report without a name") << "report WORK";
+    QTest::newRow("report as a text") << "report WORK --output x.txt";
+    QTest::newRow("no lab") << "report WORK --lab /nowhere --output x.html";
+}
+
+void TestCliHandIn::wrongUsageIsSaid()
+{
+    QFETCH(QString, arguments);
+    QStringList words = arguments.split(QLatin1Char(' '));
+    words.replaceInStrings(QStringLiteral("WORK"), path("w"));
+    const Outcome outcome = runCli(words);
+    VERIFY_CODE(outcome, 2);
+    QVERIFY(!outcome.error.isEmpty());
+}
+
+void TestCliHandIn::writesOneSelfContainedPage()
+{
+    const QString file = path("r.html");
+    VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--output"), file}), 1);
+    const QString html = QString::fromUtf8(contentOf(file));
+    QVERIFY(html.contains(QStringLiteral("<svg ")));
+    // Nothing is loaded from anywhere.
+    for (const char *loading : {"src=", "href=", "url(", "<script", "@import"})
+        QVERIFY2(!html.contains(QLatin1String(loading)), loading);
+    const QString valid =
+        tool("xmllint", {QStringLiteral("--html"), QStringLiteral("--noout"), file});
+    QVERIFY2(!valid.startsWith(QLatin1String("failed")), qPrintable(valid));
+}
+
+void TestCliHandIn::printsADocument()
+{
+    const QString file = path("r.pdf");
+    const Outcome outcome = runCli({QStringLiteral("report"), path("w"), QStringLiteral("--name"),
+                                    QStringLiteral("Ada"), QStringLiteral("--output"), file});
+    VERIFY_CODE(outcome, 1);
+    QVERIFY(contentOf(file).startsWith("%PDF-1."));
+    const QString text = tool("pdftotext", {file, QStringLiteral("-")});
+    for (const char *words : {"Ada", "BALL1", "What changed in the program", "2 of 3 steps pass"})
+        QVERIFY2(text.contains(QLatin1String(words)), qPrintable(text.left(500)));
+    const QString fonts = tool("pdffonts", {file});
+    const QStringList lines = fonts.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QVERIFY2(lines.size() > 3, qPrintable(fonts));
+    // Embedded, and with the letters that its signs stand for, so that text can be selected.
+    static const QRegularExpression whole(QStringLiteral(" yes +(yes|no) +yes +\\d+ +\\d+$"));
+    for (const QString &font : lines.mid(2))
+        QVERIFY2(font.contains(whole), qPrintable(font));
+    const QString sound = tool("qpdf", {QStringLiteral("--check"), file});
+    QVERIFY2(!sound.startsWith(QLatin1String("failed")), qPrintable(sound));
+}
+
+void TestCliHandIn::reportsOnWhatWasHandedIn()
+{
+    const QString file = path("again.cradle-work");
+    VERIFY_CODE(runCli({QStringLiteral("hand-in"), path("w"), QStringLiteral("--name"),
+                        QStringLiteral("Ada"), QStringLiteral("--output"), file}),
+                1);
+    VERIFY_CODE(
+        runCli({QStringLiteral("report"), file, QStringLiteral("--output"), path("a.html")}), 1);
+    QVERIFY(contentOf(path("a.html")).contains("Ada"));
+    // What was changed after that is no work that was handed in.
+    QByteArray bytes = contentOf(file);
+    bytes.chop(30);
+    QVERIFY(!writeFile(file, bytes));
+    VERIFY_CODE(
+        runCli({QStringLiteral("report"), file, QStringLiteral("--output"), path("a.html")}), 2);
+}
+
+void TestCliHandIn::unwritableIsExitThree()
+{
+    VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--output"),
+                        path("none/r.html")}),
+                3);
+    VERIFY_CODE(runCli({QStringLiteral("hand-in"), path("w"), QStringLiteral("--output"),
+                        path("none/a.cradle-work")}),
+                3);
+}
+
+void TestCliHandIn::hangingProgramIsToldAsSuch()
+{
+    QVERIFY(!makeFolder(path("h/steps")));
+    QVERIFY(!writeFile(path("h/steps/BALL1.lua"), "function on_update() while true do end end\n"));
+    QVERIFY(!writeFile(path("h/cradle.json"), R"({"format": 1, "lab": "bouncing-ball"})"));
+    VERIFY_CODE(
+        runCli({QStringLiteral("report"), path("h"), QStringLiteral("--output"), path("h.html")}),
+        1);
+    QVERIFY(contentOf(path("h.html")).contains("stops with an error"));
+}
+
+QTEST_GUILESS_MAIN(TestCliHandIn)
+#include "test_cli_hand_in.moc"
