@@ -3669,13 +3669,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
 </context>
 <context>
     <name>LabReport</name>
-    <message numerus="yes">
-        <source>%n check(s)</source>
-        <translation>
-            <numerusform>%n Prüfung</numerusform>
-            <numerusform>%n Prüfungen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>You have written a physics engine</source>
         <translation>Du hast eine Physik-Engine geschrieben</translation>
@@ -3735,13 +3728,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Notes</source>
         <translation>Notizen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Checked %n time(s).</source>
-        <translation>
-            <numerusform>%n-mal geprüft.</numerusform>
-            <numerusform>%n-mal geprüft.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Found on the way</source>
@@ -3806,6 +3792,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Energy as a part of that at the start</source>
         <translation>Energie als Teil derer am Anfang</translation>
+    </message>
+    <message>
+        <source>Checks: %1</source>
+        <translation>Prüfungen: %1</translation>
     </message>
 </context>
 <context>

@@ -46,23 +46,6 @@
     </message>
 </context>
 <context>
-    <name>LabReport</name>
-    <message numerus="yes">
-        <source>%n check(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Checked %n time(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>Schema</name>
     <message numerus="yes">
         <source>a list of %n value(s)</source>

@@ -43,6 +43,9 @@ public:
 private:
     static void drawWithin(QPainter *painter, const QRectF &place, QSvgRenderer &drawing)
     {
+        // A clip that leaves nothing makes a broken path of a PDF.
+        if (painter->hasClipping() && !painter->clipBoundingRect().intersects(place))
+            return;
         painter->save();
         painter->setClipRect(place, Qt::IntersectClip);
         drawing.render(painter, place);

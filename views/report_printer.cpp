@@ -9,7 +9,10 @@
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextLayout>
 
 #include <cmath>
 
@@ -22,10 +25,43 @@ struct PrinterText {
 };
 
 constexpr double layoutDpi = 96.0; ///< of sizes in px
-constexpr double marginMm = 18.0;  ///< on all sides
+constexpr double marginMm = 16.0;  ///< on all sides
+constexpr double textSize = 9.0;   ///< pt, where the page says nothing else; of headings, too
 constexpr int footerText = 11;     ///< px
 constexpr double footerPx = 28.0;  ///< below the text
+constexpr double roundedPx = 1.0;  ///< by which a layout may miss the top of a page
 constexpr int fineness = 1200;     ///< dots per inch that places are rounded to
+
+/// A ligature has no letters of its own: "--" and "<=" would be missing where text is selected.
+void withoutLigatures(QTextDocument &document)
+{
+    QTextCharFormat plain;
+    plain.setFontStyleStrategy(QFont::PreferNoShaping);
+    QTextCursor all(&document);
+    all.select(QTextCursor::Document);
+    all.mergeCharFormat(plain);
+}
+
+/// A heading goes to the next page with what it is about.
+void keepHeadingsWithText(QTextDocument &document, double pageHeight)
+{
+    const auto pageOf = [&](const QTextBlock &block) {
+        // A block may begin above the place that its first line found.
+        const QTextLayout *lines = block.layout();
+        const double top = document.documentLayout()->blockBoundingRect(block).top();
+        const double first = lines->lineCount() > 0 ? lines->lineAt(0).y() : 0.0;
+        return static_cast<int>((top + first + roundedPx) / pageHeight);
+    };
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const QTextBlock next = block.next();
+        if (block.blockFormat().headingLevel() == 0 || !next.isValid()
+            || pageOf(block) == pageOf(next))
+            continue;
+        QTextBlockFormat format;
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        QTextCursor(block).mergeBlockFormat(format);
+    }
+}
 
 } // namespace
 
@@ -49,8 +85,13 @@ QByteArray printedPdf(const LabReportPage &page, const QString &title)
     document.setUseDesignMetrics(true);
     document.setDocumentMargin(0.0);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
+    QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("DejaVu Sans")});
+    font.setPointSizeF(textSize);
+    document.setDefaultFont(font);
     document.setHtml(page.html);
+    withoutLigatures(document);
     document.setPageSize(sheet);
+    keepHeadingsWithText(document, sheet.height());
 
     QPainter painter(&writer);
     painter.scale(scale, scale);

@@ -69,7 +69,7 @@ QString hardSteps(const LabReport &report)
             found += (found.isEmpty() ? QStringLiteral(": ") : QStringLiteral("; ")) + met.headline;
         items += QStringLiteral("<li><b>%1</b> – %2%3</li>\n")
                      .arg(step->title.toHtmlEscaped(),
-                          EndingText::tr("%n check(s)", nullptr, step->attempts).toHtmlEscaped(),
+                          EndingText::tr("Checks: %1").arg(step->attempts).toHtmlEscaped(),
                           found.toHtmlEscaped());
     }
     return items.isEmpty() ? QString() : QStringLiteral("<ul>\n%1</ul>\n").arg(items);

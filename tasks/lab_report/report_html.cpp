@@ -26,6 +26,8 @@ const QString style = QStringLiteral(
     "body { font-family: Inter, 'DejaVu Sans', sans-serif; font-size: 10pt; color: #212529; "
     "background-color: #ffffff; }\n"
     "h1 { font-size: 20pt; } h2 { font-size: 14pt; } h3 { font-size: 10.5pt; }\n"
+    "h2 { margin-bottom: 6px; } h3 { margin-top: 10px; margin-bottom: 3px; }\n"
+    "p { margin-top: 5px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 3px; }\n"
     "pre, code { font-family: 'JetBrains Mono', 'DejaVu Sans Mono', monospace; "
     "font-size: 8.5pt; }\n"
     "table { border-collapse: collapse; } td { vertical-align: top; }\n"
@@ -157,8 +159,12 @@ private:
         add(QStringLiteral("<h2%1>%2 · %3</h2>")
                 .arg(breaks, step.id.toHtmlEscaped(), step.title.toHtmlEscaped()));
         addText("p", step.asked);
-        add(QStringLiteral("<p class=\"%1\"><b>%2</b></p>")
-                .arg(classOf(step), verdictText(step).toHtmlEscaped()));
+        const QString checks =
+            step.attempts > 0
+                ? QStringLiteral(" · ") + PageText::tr("Checks: %1").arg(step.attempts)
+                : QString();
+        add(QStringLiteral("<p class=\"%1\"><b>%2</b>%3</p>")
+                .arg(classOf(step), verdictText(step).toHtmlEscaped(), checks.toHtmlEscaped()));
         addText("p", step.explanation);
         writeWay(step);
         writePrediction(step);
@@ -172,8 +178,6 @@ private:
 
     void writeWay(const StepReport &step)
     {
-        if (step.attempts > 0)
-            addText("p", PageText::tr("Checked %n time(s).", nullptr, step.attempts));
         if (step.met.empty())
             return;
         addText("h3", PageText::tr("Found on the way"));
@@ -191,10 +195,11 @@ private:
             return;
         addText("h3", PageText::tr("Expected and found"));
         add(markdownHtml(step.question));
-        if (!step.expected.isEmpty())
-            addText("p", PageText::tr("Expected: %1").arg(step.expected)
-                             + (step.wasRight ? QStringLiteral(" ✓") : QString()));
-        addText("p", PageText::tr("It comes true: %1").arg(step.right));
+        const QString right = PageText::tr("It comes true: %1").arg(step.right).toHtmlEscaped();
+        const QString expected = PageText::tr("Expected: %1").arg(step.expected).toHtmlEscaped()
+                                 + (step.wasRight ? QStringLiteral(" ✓") : QString());
+        add(QStringLiteral("<p>%1</p>")
+                .arg(step.expected.isEmpty() ? right : expected + QStringLiteral("<br>") + right));
     }
 
     void writeRun(const StepReport &step)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/svg_picture.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <cmath>
 
@@ -72,15 +74,18 @@ void SvgPicture::line(Vec2 from, Vec2 to, const Pen &pen)
 
 void SvgPicture::polyline(const std::vector<Vec2> &points, const Pen &pen)
 {
-    if (points.size() < 2)
+    // What rests has no way: a line of no length is a broken path in a PDF.
+    QStringList places;
+    for (const Vec2 &point : points) {
+        const QString place = px(point.x) + QLatin1Char(',') + px(point.y);
+        if (places.isEmpty() || places.last() != place)
+            places.append(place);
+    }
+    if (places.size() < 2)
         return;
-    QString path;
-    for (const Vec2 &point : points)
-        path += (path.isEmpty() ? QString() : QStringLiteral(" ")) + px(point.x) + QLatin1Char(',')
-                + px(point.y);
     m_body +=
         QStringLiteral("<polyline points=\"%1\" fill=\"none\" stroke-linejoin=\"round\"%2/>\n")
-            .arg(path, strokeOf(pen));
+            .arg(places.join(QLatin1Char(' ')), strokeOf(pen));
 }
 
 void SvgPicture::arrow(Vec2 from, Vec2 to, const QString &colour)
@@ -107,9 +112,9 @@ void SvgPicture::text(Vec2 baseline, const QString &text, double size, const QSt
 {
     static const QString anchors[] = {QStringLiteral("start"), QStringLiteral("middle"),
                                       QStringLiteral("end")};
-    m_body += QStringLiteral("<text x=\"%1\" y=\"%2\" font-family=\"Inter, 'DejaVu Sans', "
-                             "sans-serif\" font-size=\"%3\" fill=\"%4\" text-anchor=\"%5\">%6"
-                             "</text>\n")
+    // Of the font of the page that it stands in.
+    m_body += QStringLiteral("<text x=\"%1\" y=\"%2\" font-size=\"%3\" fill=\"%4\" "
+                             "text-anchor=\"%5\">%6</text>\n")
                   .arg(px(baseline.x), px(baseline.y), px(size), colour,
                        anchors[static_cast<int>(anchor)], text.toHtmlEscaped());
 }

@@ -126,6 +126,10 @@ void TestCliHandIn::printsADocument()
     static const QRegularExpression whole(QStringLiteral(" yes +(yes|no) +yes +\\d+ +\\d+$"));
     for (const QString &font : lines.mid(2))
         QVERIFY2(font.contains(whole), qPrintable(font));
+    // What was changed is to be read as it was written: a ligature would have no letters.
+    QVERIFY2(text.contains(QStringLiteral("-- ")), qPrintable(text.left(2000)));
+    const Outcome drawn = run(QStringLiteral("pdftotext"), {file, path("r.txt")});
+    QVERIFY2(drawn.error.isEmpty(), qPrintable(drawn.error)); // no broken path on any page
     const QString sound = tool("qpdf", {QStringLiteral("--check"), file});
     QVERIFY2(!sound.startsWith(QLatin1String("failed")), qPrintable(sound));
 }
