@@ -126,8 +126,8 @@ void CodeDesk::showState()
 {
     const CodeSession &code = m_workbench.code();
     m_pane.setStepping(code.isActive());
-    if (const bool fixed = code.isOpen() && !code.isEditable();
-        fixed != m_pane.editor().isReadOnly())
+    const bool fixed = code.isOpen() && !code.isEditable();
+    if (fixed != m_pane.editor().isReadOnly())
         m_pane.editor().setReadOnly(fixed);
     if (code.fault()) {
         m_pane.setState(CodeState::Broken);
@@ -135,7 +135,9 @@ void CodeDesk::showState()
         m_pane.editor().setError(code.fault()->line, code.fault()->message);
         return;
     }
-    m_pane.setState(code.isSaved() ? CodeState::Saved : CodeState::Unsaved);
+    m_pane.setState(fixed            ? CodeState::ReadOnly
+                    : code.isSaved() ? CodeState::Saved
+                                     : CodeState::Unsaved);
     if (const auto &error = m_workbench.simulation().programError())
         showError(*error);
     else

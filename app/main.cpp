@@ -7,6 +7,7 @@
 #include "app/main_window.h"
 #include "app/named_opening.h"
 #include "app/screenshot.h"
+#include "app/settings_format.h"
 #include "model/file_io.h"
 #include "tasks/authoring/lab_archive.h"
 #include "views/report_printer.h"
@@ -128,7 +129,9 @@ int main(int argc, char **argv)
         return complain(request.error().message);
     if (request->printReport)
         return printReport(*request->printReport);
-    QSettings settings;
+    QSettings settings(settingsFormat(), QSettings::UserScope, QApplication::organizationName(),
+                       QApplication::applicationName());
+    takeOlderSettings(settings, QSettings());
     const Result<Manner> manner = takeManner(*request, settings);
     if (!manner)
         return complain(manner.error().message);

@@ -53,7 +53,13 @@ void MainWindow::showTaskNotice()
 {
     Workbench *bench = &m_workbench;
     const CodeSession &code = bench->code();
-    if (bench->task() && bench->mode() == Mode::Code && code.foreign()) {
+    if (bench->task() && code.workspace().isLookedAt()) {
+        const WorkspaceInfo &info = code.workspace().info();
+        m_notice->showNotice(
+            tr("Work that %1 handed in. Run it, check it, read its versions and notes: nothing of "
+               "it is changed, and nothing of what it says about itself is believed.")
+                .arg(info.student.isEmpty() ? tr("somebody") : info.student));
+    } else if (bench->task() && bench->mode() == Mode::Code && code.foreign()) {
         std::vector<NoticeBar::Offer> offers;
         if (code.workspace().canConvert(code.taskId()))
             offers.push_back({tr("Make a program of it"), [bench] { bench->convertProgram(); }});

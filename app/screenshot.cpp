@@ -4,10 +4,12 @@
 
 #include "app/author_window.h"
 #include "app/main_window.h"
+#include "model/file_io.h"
 #include "views/author/scene_tab.h"
 #include "views/markdown_view.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QTextStream>
@@ -68,10 +70,13 @@ int grab(QWidget &window, Simulation &simulation, const QString &path, const QSt
     do {
         QApplication::processEvents(QEventLoop::AllEvents, 50);
     } while (waited.elapsed() < settling || (!isComplete(window) && waited.elapsed() < patience));
-    const QPixmap picture = window.grab();
-    if (!picture.save(path, "PNG"))
-        return complain(QCoreApplication::translate("Main", "%1 cannot be written").arg(path));
-    return 0;
+    QBuffer png;
+    png.open(QIODevice::WriteOnly);
+    window.grab().save(&png, "PNG");
+    const auto error = writeFile(path, png.data());
+    return error ? complain(QCoreApplication::translate("Main", "%1 cannot be written: %2")
+                                .arg(path, error->message))
+                 : 0;
 }
 
 } // namespace

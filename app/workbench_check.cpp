@@ -83,6 +83,8 @@ void Workbench::finishCheck(const CheckReport &report)
 /// Every program that was judged is a version; one that passed, a commit.
 void Workbench::keepChecked(const CheckReport &report)
 {
+    if (!mayWrite())
+        return;
     VersionNote note{.reason = VersionReason::Checked,
                      .passed = report.passed,
                      .seed = report.seed,

@@ -234,8 +234,22 @@ void TestHistory::saysWhatKeepsItFromPushing()
     const auto error = history->push();
     QVERIFY(error);
     QCOMPARE(error->file, path("nowhere.git"));
-    QVERIFY2(error->message.contains(QLatin1String("could not be sent")),
+    QVERIFY2(error->message.contains(QLatin1String("there is no git repository at this address")),
              qPrintable(error->message));
+    QVERIFY(!history->setRemoteUrl(QStringLiteral("my work")));
+    QVERIFY(history->push()->message.contains(QLatin1String("no address of a git repository")));
+    // Somebody else's work is there.
+    GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
+                                    QStringLiteral("--bare"), QStringLiteral("b.git")});
+    QVERIFY(!makeFolder(path("other")));
+    auto other = History::open(path("other"));
+    QVERIFY(other && !writeFile(path("other/lab.lua"), "-- theirs\n"));
+    QVERIFY(!(*other)->commit(QStringLiteral("Theirs\n"), student));
+    QVERIFY(!(*other)->setRemoteUrl(path("b.git")) && !(*other)->push());
+    QVERIFY(!history->setRemoteUrl(path("b.git")));
+    const auto refused = history->push();
+    QVERIFY(refused);
+    QVERIFY2(refused->message.contains(QLatin1String("other work")), qPrintable(refused->message));
 }
 
 void TestHistory::bundleCanBeCloned()

@@ -4318,10 +4318,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>--size %1: richtig ist eine Größe wie 1280x800</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
         <translation>cradle: unerwartetes Argument %1; richtig ist ein Lab oder eine Szene</translation>
     </message>
@@ -4360,6 +4356,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>there is no step %1 in this lab</source>
         <translation>in diesem Lab gibt es keinen Schritt %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
     </message>
 </context>
 <context>
@@ -6187,14 +6187,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Aus einem anderen Fenster</translation>
     </message>
     <message>
-        <source>Check: passed ✓</source>
-        <translation>Prüfung: bestanden ✓</translation>
-    </message>
-    <message>
-        <source>Check: not passed</source>
-        <translation>Prüfung: nicht bestanden</translation>
-    </message>
-    <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
     </message>
@@ -6205,6 +6197,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>the same program</source>
         <translation>dasselbe Programm</translation>
+    </message>
+    <message>
+        <source>✓ passed</source>
+        <translation>✓ bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
     </message>
 </context>
 <context>
@@ -6248,6 +6248,18 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>this does not say whose work it is, as cradle.json of format 1 does</source>
         <translation>das sagt nicht, wessen Arbeit es ist, wie cradle.json vom Format 1 es sagt</translation>
+    </message>
+    <message>
+        <source>there is no git repository at this address</source>
+        <translation>unter dieser Adresse gibt es kein Git-Repository</translation>
+    </message>
+    <message>
+        <source>there is other work at this address, which yours does not go on from; give another address</source>
+        <translation>unter dieser Adresse liegt andere Arbeit, an die deine nicht anschließt; gib eine andere Adresse an</translation>
+    </message>
+    <message>
+        <source>this is no address of a git repository</source>
+        <translation>das ist keine Adresse eines Git-Repositorys</translation>
     </message>
 </context>
 <context>
@@ -7167,6 +7179,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>cannot be read: the last good version runs</source>
         <translation>nicht lesbar: letzte gute Fassung läuft</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation type="unfinished">schreibgeschützt</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8301,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>What you typed since it was last saved is lost if you close the window.</source>
         <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
     </message>
+    <message>
+        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
+        <translation>Arbeit, die %1 abgegeben hat. Starte und prüfe sie, lies ihre Fassungen und Notizen: Nichts davon wird geändert, und nichts von dem, was sie über sich selbst sagt, wird geglaubt.</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -8336,8 +8360,8 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Notizen zu diesem Schritt</translation>
     </message>
     <message>
-        <source>The notes as the report shows them</source>
-        <translation>Die Notizen, wie der Bericht sie zeigt</translation>
+        <source>The notes, set</source>
+        <translation>Die Notizen, gesetzt</translation>
     </message>
 </context>
 <context>

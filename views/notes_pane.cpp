@@ -71,7 +71,7 @@ void NotesPane::retranslate()
     m_editor->setPlaceholderText(tr("What you noted about this step: it becomes part of your "
                                     "report. Markdown, and formulas as $v = a t$."));
     m_editor->setAccessibleName(tr("Notes about this step"));
-    m_view->setAccessibleName(tr("The notes as the report shows them"));
+    m_view->setAccessibleName(tr("The notes, set"));
 }
 
 } // namespace cradle

@@ -6,6 +6,7 @@
 #include "tasks/workspace/history_parts.h"
 
 #include <QFile>
+#include <QFileInfo>
 
 #include <vector>
 
@@ -53,6 +54,22 @@ QByteArray hexOf(const git_oid &id)
     char hex[GIT_OID_HEXSZ + 1] = {};
     git_oid_fmt(hex, &id);
     return hex;
+}
+
+/// Why a push failed, in the words of this page where git's own say little.
+QString wordsForPush(int result, const QString &url)
+{
+    const bool isLocal = url.startsWith(QLatin1Char('/')) || url.startsWith(QLatin1Char('.'));
+    if (isLocal && !QFileInfo::exists(url))
+        return RemoteText::tr("there is no git repository at this address");
+    if (result == GIT_ENONFASTFORWARD)
+        return RemoteText::tr("there is other work at this address, which yours does not go on "
+                              "from; give another address");
+    const git_error *last = git_error_last();
+    const QString said = QString::fromUtf8(last ? last->message : "?");
+    return said.contains(QLatin1String("unsupported URL protocol"))
+               ? RemoteText::tr("this is no address of a git repository")
+               : said;
 }
 
 } // namespace
@@ -104,12 +121,11 @@ std::optional<Error> History::push()
     options.callbacks.push_update_reference = [](const char *name, const char *status, void *data) {
         return noteRefusal(name, status, &static_cast<CredentialAsker *>(data)->refusal());
     };
-    if (git_remote_push(remote.get(), &all, &options) != 0) {
-        const git_error *last = git_error_last();
-        return Error{.message = RemoteText::tr("your work could not be sent: %1")
-                                    .arg(QString::fromUtf8(last ? last->message : "?")),
-                     .file = url};
-    }
+    if (const int result = git_remote_push(remote.get(), &all, &options); result != 0)
+        return Error{
+            .message =
+                RemoteText::tr("your work could not be sent: %1").arg(wordsForPush(result, url)),
+            .file = url};
     if (!refusal.isEmpty())
         return Error{.message =
                          RemoteText::tr("the other side did not take your work: %1").arg(refusal),

@@ -42,6 +42,8 @@ public:
     std::optional<Error> begin(const Lab &lab, const QString &currentTask = {});
     /// Only to be looked at: nothing is ever written.
     void beginReading();
+    /// Whether it is only looked at.
+    [[nodiscard]] bool isLookedAt() const { return m_lookedAt; }
     /// Whether this window may write; if not, another has the lock, or it is only looked at.
     [[nodiscard]] bool mayWrite() const { return !m_readOnly; }
     /// Who else writes here.
@@ -117,6 +119,7 @@ private:
     WorkspaceLock m_lock;
     std::optional<LockHolder> m_holder;
     bool m_readOnly = false;
+    bool m_lookedAt = false; ///< and never written
     bool m_hasLock = false; ///< the lock was taken, by us
     std::unique_ptr<History> m_history;
 };

@@ -77,6 +77,7 @@ std::optional<Error> Workspace::begin(const Lab &lab, const QString &currentTask
 void Workspace::beginReading()
 {
     m_readOnly = true;
+    m_lookedAt = true;
     if (auto history = History::openExisting(m_folder))
         m_history = std::move(*history);
     if (const auto info = readWorkspaceInfo(m_folder))
@@ -123,7 +124,7 @@ void Workspace::takeOver()
 std::optional<Error> Workspace::keep(const QString &taskId, const QString &text,
                                      const VersionNote &note)
 {
-    if (!m_history)
+    if (!m_history || m_lookedAt)
         return std::nullopt;
     const QByteArray bytes = text.toUtf8();
     if (note.reason != VersionReason::Checked) {

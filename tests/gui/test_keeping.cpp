@@ -267,8 +267,10 @@ void TestKeeping::handedInWorkIsLookedAt()
     QVERIFY(!teacher.bench.mayWrite());
     QCOMPARE(teacher.window.versions().findChild<QTreeWidget *>()->topLevelItemCount(), 1);
     QVERIFY(teacher.window.codePane().editor().isReadOnly());
+    QVERIFY(teacher.window.notice().text().contains(QStringLiteral("Work that Ada handed in")));
     check(teacher);
     QVERIFY(!teacher.bench.report()->passed);
+    QCOMPARE(teacher.window.versions().findChild<QTreeWidget *>()->topLevelItemCount(), 1);
     // Nothing of the teacher's own was touched by that.
     QVERIFY(!QFile::exists(teachersHome.filePath(QStringLiteral("programs/lab-4.2/steps"))));
 }

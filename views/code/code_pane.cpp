@@ -108,6 +108,8 @@ QString CodePane::textOf(CodeState state)
         return tr("saved");
     case CodeState::Unsaved:
         return tr("not saved");
+    case CodeState::ReadOnly:
+        return tr("read only");
     case CodeState::Broken:
         break;
     }
@@ -217,8 +219,8 @@ void CodePane::retranslate()
     setAccessibleName(tr("Program"));
     m_actions->retranslate();
     m_header->retranslate();
-    m_header->setStates(
-        {textOf(CodeState::Saved), textOf(CodeState::Unsaved), textOf(CodeState::Broken)});
+    m_header->setStates({textOf(CodeState::Saved), textOf(CodeState::Unsaved),
+                         textOf(CodeState::ReadOnly), textOf(CodeState::Broken)});
     setState(m_state);
 }
 

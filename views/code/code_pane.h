@@ -23,6 +23,7 @@ class SolutionView;
 enum class CodeState {
     Saved,
     Unsaved,
+    ReadOnly, ///< nothing may be typed
     Broken ///< it does not parse: the last good version runs
 };
 

@@ -44,8 +44,17 @@ QString whatOf(const VersionNote &note)
     case VersionReason::Checked:
         break;
     }
-    return note.passed == true ? PaneText::tr("Check: passed ✓")
-                               : PaneText::tr("Check: not passed");
+    return note.passed == true ? PaneText::tr("✓ passed") : PaneText::tr("not passed");
+}
+
+/// Of today only the time: the column is narrow.
+QString whenText(const QDateTime &when)
+{
+    const QDateTime local = when.toLocalTime();
+    const QLocale locale;
+    return local.date() == QDate::currentDate()
+               ? locale.toString(local.time(), QLocale::ShortFormat)
+               : locale.toString(local, QLocale::ShortFormat);
 }
 
 /// The first line that is new against the version before, or else the first that is gone.
@@ -100,11 +109,10 @@ VersionsPane::VersionsPane(QWidget *parent)
     m_empty->setMargin(12);
     m_then->setReadOnly(true);
     m_now->setReadOnly(true);
-    auto *buttons = new QHBoxLayout;
+    auto *buttons = new QVBoxLayout; // side by side they do not fit, in German least of all
     buttons->setContentsMargins(8, 4, 8, 4);
     buttons->addWidget(m_goBack);
     buttons->addWidget(m_toPassed);
-    buttons->addStretch();
     auto *left = new QWidget;
     auto *leftColumn = new QVBoxLayout(left);
     leftColumn->setContentsMargins(0, 0, 0, 0);
@@ -144,6 +152,8 @@ void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
         if (m_versions[i].version.id == before)
             m_list->setCurrentItem(m_list->topLevelItem(static_cast<int>(i)));
     }
+    if (!chosen() && !m_versions.empty())
+        m_list->setCurrentItem(m_list->topLevelItem(0));
     showChosen();
 }
 
@@ -154,7 +164,7 @@ void VersionsPane::fill()
         const auto &[version, text] = m_versions[i];
         const QString before = i + 1 < m_versions.size() ? m_versions[i + 1].text : QString();
         auto *row = new QTreeWidgetItem(m_list);
-        row->setText(When, QLocale().toString(version.when.toLocalTime(), QLocale::ShortFormat));
+        row->setText(When, whenText(version.when));
         row->setText(What, whatOf(version.note));
         row->setText(Change, changeOf(before, text));
         row->setToolTip(Change, row->text(Change));
