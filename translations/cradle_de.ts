@@ -7182,7 +7182,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>read only</source>
-        <translation type="unfinished">schreibgeschützt</translation>
+        <translation>nur lesen</translation>
     </message>
 </context>
 <context>
