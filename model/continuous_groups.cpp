@@ -12,7 +12,7 @@ namespace cradle {
 namespace {
 
 /// Larger groups under gravity, where hits take energy, are piles.
-constexpr std::size_t largestGroup = 64;
+constexpr std::size_t largestGroup = 32;
 
 } // namespace
 
@@ -88,24 +88,15 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
         if (m_order.empty())
             break;
         std::sort(m_order.begin(), m_order.end());
-        const auto forEachGroup = [this](auto &&visit) {
-            for (std::size_t begin = 0; begin < m_order.size();) {
-                std::size_t end = begin + 1;
-                while (end < m_order.size() && m_order[end].group == m_order[begin].group)
-                    ++end;
-                visit(std::span<const Place>(m_order).subspan(begin, end - begin));
-                begin = end;
-            }
-        };
-        bool grown = false;
-        forEachGroup([&](std::span<const Place> places) { grown = foresee(places) || grown; });
-        if (grown)
+        if (m_piles && foreseePiles())
             continue;
-        forEachGroup([&](std::span<const Place> places) {
+        for (std::size_t begin = 0; begin < m_order.size();) {
+            const std::span<const Place> places = groupFrom(begin);
             m_members[places[0].group].changed = false;
             m_members[places[0].group].run = ++m_runs;
             solve(places);
-        });
+            begin += places.size();
+        }
         for (const Place &place : m_order) {
             if (m_members[place.member].disturbed)
                 widen(place.member);
@@ -132,20 +123,33 @@ bool ContinuousSolver::isPile(std::size_t members) const
     return m_piles && members > largestGroup;
 }
 
+/// The members of a group that stand in m_order from \p begin on.
+std::span<const ContinuousSolver::Place> ContinuousSolver::groupFrom(std::size_t begin) const
+{
+    std::size_t end = begin + 1;
+    while (end < m_order.size() && m_order[end].group == m_order[begin].group)
+        ++end;
+    return std::span(m_order).subspan(begin, end - begin);
+}
+
 /// A pile costs too much to be solved again for each that joins it: who may reach it does so at
 /// once. \return whether one had not done so yet
-bool ContinuousSolver::foresee(std::span<const Place> places)
+bool ContinuousSolver::foreseePiles()
 {
     bool found = false;
-    if (!isPile(places.size()))
-        return found;
-    for (const Place &place : places) {
-        Member &member = m_members[place.member];
-        if (member.foreseen)
+    for (std::size_t begin = 0; begin < m_order.size();) {
+        const std::span<const Place> places = groupFrom(begin);
+        begin += places.size();
+        if (!isPile(places.size()))
             continue;
-        member.foreseen = found = true;
-        member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
-        widen(place.member);
+        for (const Place &place : places) {
+            Member &member = m_members[place.member];
+            if (member.foreseen)
+                continue;
+            member.foreseen = found = true;
+            member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
+            widen(place.member);
+        }
     }
     return found;
 }

@@ -190,7 +190,7 @@ void ContinuousSolver::sort(double dt)
     m_motions.swap(m_sortedMotions);
     m_radii.swap(m_sortedRadii);
     m_ids.swap(m_sortedIds);
-    for (Slot slot = 0; slot < m_ids.size(); ++slot)
+    for (Slot slot = 0; slot < m_ids.size() && m_sleepers > 0; ++slot)
         m_slotOf[m_ids[slot]] = slot;
 
     findMeanSpeed();

@@ -119,7 +119,8 @@ private:
     void findGroups();
     void solveGroups(std::vector<Hit> &hits);
     [[nodiscard]] bool isPile(std::size_t members) const;
-    bool foresee(std::span<const Place> places);
+    [[nodiscard]] std::span<const Place> groupFrom(std::size_t begin) const;
+    bool foreseePiles();
     void solve(std::span<const Place> places);
     bool solvePair(Member &first, Member &second, std::uint32_t run);
     void widen(std::size_t index);

@@ -26,7 +26,7 @@ constexpr int firstSweeps = 16;
 /// So often, at most, however few the sweeps.
 constexpr int mostRounds = 40;
 /// Sweeps that part what overlaps in the end.
-constexpr int mostParting = 40;
+constexpr int mostParting = 200;
 /// A pile whose pushes throw circles farther than was foreseen looks around anew, so often.
 constexpr int mostLooks = 4;
 
@@ -42,9 +42,9 @@ void PileStep::run(const Rules &rules, World &world, std::span<const std::uint32
     findNear();
     findMotion();
     fly();
+    partEnds();
     rebound();
     boundEnergy();
-    partEnds();
     report(hits);
     keepPushes();
     for (Body i = 0; i < m_circles.size(); ++i) {
@@ -333,6 +333,52 @@ void PileStep::fly()
     }
 }
 
+/// What those that are pushed have gained of energy if they end at \p velocities, J; what the
+/// others gain is their integrator's.
+double PileStep::gained(std::span<const Vec2> velocities) const
+{
+    double sum = 0.0;
+    for (Body i = 0; i < m_circles.size(); ++i) {
+        if (m_pushed[i] == 0)
+            continue;
+        const Vec2 way = m_ends[i] - m_circles[i].position;
+        sum += (0.5 * (lengthSquared(velocities[i]) - lengthSquared(m_circles[i].velocity))
+                - dot(m_rules->gravity, way))
+               / m_bodies.inverseMasses[i];
+    }
+    return sum;
+}
+
+/// Parts what overlaps at the end because its push was not found exactly, each by its mass, if the
+/// step has taken as much energy as that lifts.
+void PileStep::partEnds()
+{
+    const double borne = bearable / apart * m_apart;
+    m_unparted = m_ends;
+    bool any = false;
+    bool found = true;
+    for (int sweep = 0; sweep < mostParting && found; ++sweep) {
+        found = false;
+        for (const Near &near : m_near) {
+            const double gap = gapOf(near, m_ends);
+            if (gap >= -borne)
+                continue;
+            found = any = true;
+            const Vec2 normal =
+                isWall(near.b) ? near.normal : normalized(m_ends[near.b] - m_ends[near.a]);
+            const double weightA = m_bodies.inverseMasses[near.a];
+            const double weightB = m_bodies.inverseMasses[near.b];
+            const Vec2 way = ((0.5 * borne - gap) / (weightA + weightB)) * normal;
+            m_ends[near.a] -= weightA * way;
+            m_pushed[near.a] = m_pushed[near.b] = 1;
+            if (!isWall(near.b))
+                m_ends[near.b] += weightB * way;
+        }
+    }
+    if (any && gained(m_motion) > 0.0)
+        m_ends.swap(m_unparted);
+}
+
 /// Velocities after the step where contacts throw back what they met.
 void PileStep::rebound()
 {
@@ -359,21 +405,12 @@ void PileStep::rebound()
     }
     setFree();
     solvePile(m_rebounds, m_bodies, reboundTolerance * m_gain, mostSweeps / 2);
-    for (std::size_t i = 0; i < m_rebounds.size(); ++i)
-        m_impulses[m_contactOf[i]] = m_rebounds[i].push;
-}
-
-/// What the bodies have gained of energy if they end at \p velocities, J.
-double PileStep::gained(std::span<const Vec2> velocities) const
-{
-    double sum = 0.0;
-    for (Body i = 0; i < m_circles.size(); ++i) {
-        const Vec2 way = m_ends[i] - m_circles[i].position;
-        sum += (0.5 * (lengthSquared(velocities[i]) - lengthSquared(m_circles[i].velocity))
-                - dot(m_rules->gravity, way))
-               / m_bodies.inverseMasses[i];
+    for (std::size_t i = 0; i < m_rebounds.size(); ++i) {
+        const PileContact &c = m_rebounds[i];
+        m_impulses[m_contactOf[i]] = c.push;
+        if (c.push > 0.0)
+            m_pushed[c.a] = m_pushed[c.b] = 1;
     }
-    return sum;
 }
 
 /// Takes the rebounds only as far as there is energy for them.
@@ -395,35 +432,6 @@ void PileStep::boundEnergy()
         (std::sqrt(linear * linear + 4.0 * square * spare) - linear) / (2.0 * square), 0.0, 1.0);
     for (Body i = 0; i < m_circles.size(); ++i)
         m_bodies.velocities[i] = m_motion[i] + share * (m_bodies.velocities[i] - m_motion[i]);
-}
-
-/// Parts what overlaps at the end because its push was not found exactly, each by its mass, if the
-/// step has taken as much energy as that lifts.
-void PileStep::partEnds()
-{
-    const double borne = bearable / apart * m_apart;
-    m_unparted = m_ends;
-    bool any = false;
-    bool found = true;
-    for (int sweep = 0; sweep < mostParting && found; ++sweep) {
-        found = false;
-        for (const Near &near : m_near) {
-            const double gap = gapOf(near, m_ends);
-            if (gap >= -borne)
-                continue;
-            found = any = true;
-            const Vec2 normal =
-                isWall(near.b) ? near.normal : normalized(m_ends[near.b] - m_ends[near.a]);
-            const double weightA = m_bodies.inverseMasses[near.a];
-            const double weightB = m_bodies.inverseMasses[near.b];
-            const Vec2 way = ((0.5 * borne - gap) / (weightA + weightB)) * normal;
-            m_ends[near.a] -= weightA * way;
-            if (!isWall(near.b))
-                m_ends[near.b] += weightB * way;
-        }
-    }
-    if (any && gained(m_bodies.velocities) > 0.0)
-        m_ends.swap(m_unparted);
 }
 
 /// Tells of what was met faster than gravity alone brings two together.
