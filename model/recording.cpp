@@ -41,6 +41,7 @@ void Recording::append(const World &world, std::span<const Hit> hits)
     block.times.push_back(world.time);
     block.steps.push_back(world.step);
     block.circles.insert(block.circles.end(), world.circles.begin(), world.circles.end());
+    m_encounters.add(hits, world.circles, m_droppedHits + static_cast<qint64>(m_hits.size()));
     m_hits.insert(m_hits.end(), hits.begin(), hits.end());
     ++m_end;
 }
@@ -51,6 +52,7 @@ void Recording::truncateAfter(qint64 index)
     const qint64 lastStep = step(index);
     while (!m_hits.empty() && m_hits.back().step > lastStep)
         m_hits.pop_back();
+    m_encounters.truncateAfter(lastStep, time(index));
     const qint64 firstOfBlocks = m_begin / framesPerBlock;
     m_blocks.resize(static_cast<std::size_t>(index / framesPerBlock - firstOfBlocks + 1));
     const auto rows = static_cast<std::size_t>(index % framesPerBlock + 1);
@@ -102,7 +104,8 @@ qint64 Recording::indexAt(double moment) const
 qint64 Recording::bytes() const
 {
     return static_cast<qint64>(m_blocks.size()) * blockBytes()
-           + static_cast<qint64>(m_hits.size() * sizeof(Hit));
+           + static_cast<qint64>(m_hits.size() * sizeof(Hit))
+           + static_cast<qint64>(encounters().size() * sizeof(Encounter));
 }
 
 Recording::Slot Recording::slot(qint64 index) const
@@ -127,6 +130,7 @@ void Recording::dropOldest()
         m_hits.pop_front();
         ++m_droppedHits;
     }
+    m_encounters.dropBefore(lastStep + 1);
     m_blocks.pop_front();
     m_begin += framesPerBlock;
 }

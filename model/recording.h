@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/world.h"
+#include "model/encounter_log.h"
 
 #include <deque>
 #include <span>
@@ -45,6 +45,24 @@ public:
     /// How many hits were dropped with their frames; an index into all hits ever is this + i.
     [[nodiscard]] qint64 droppedHits() const { return m_droppedHits; }
 
+    /// The same hits, of which those that go on with a contact are one with its first.
+    [[nodiscard]] const std::deque<Encounter> &encounters() const
+    {
+        return m_encounters.encounters();
+    }
+    /// How many contacts were dropped with their frames.
+    [[nodiscard]] qint64 droppedEncounters() const { return m_encounters.dropped(); }
+    /// Indices of those that last, among all contacts ever.
+    [[nodiscard]] const std::deque<qint64> &lastingEncounters() const
+    {
+        return m_encounters.lasting();
+    }
+    /// The first hit of a kept contact.
+    [[nodiscard]] const Hit &hitOf(const Encounter &contact) const
+    {
+        return m_hits[static_cast<std::size_t>(contact.hit - m_droppedHits)];
+    }
+
     [[nodiscard]] qint64 bytes() const; ///< memory held
 
 private:
@@ -69,6 +87,7 @@ private:
     std::deque<Block> m_blocks;
     std::deque<Hit> m_hits;
     qint64 m_droppedHits = 0;
+    EncounterLog m_encounters;
 };
 
 } // namespace cradle

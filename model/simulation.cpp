@@ -254,10 +254,10 @@ void Simulation::endSearchAt(qint64 index)
 
 void Simulation::seekPreviousHit()
 {
-    const auto &hits = m_recording.hits();
+    const auto &hits = m_recording.encounters();
     const qint64 step = m_recording.step(m_current);
-    const auto here = std::partition_point(hits.begin(), hits.end(),
-                                           [step](const Hit &hit) { return hit.step < step; });
+    const auto here = std::partition_point(
+        hits.begin(), hits.end(), [step](const Encounter &hit) { return hit.step < step; });
     if (here == hits.begin())
         seek(m_recording.first());
     else
@@ -266,10 +266,10 @@ void Simulation::seekPreviousHit()
 
 bool Simulation::showsHit() const
 {
-    const auto &hits = m_recording.hits();
+    const auto &hits = m_recording.encounters();
     const qint64 step = m_recording.step(m_current);
-    const auto here = std::partition_point(hits.begin(), hits.end(),
-                                           [step](const Hit &hit) { return hit.step < step; });
+    const auto here = std::partition_point(
+        hits.begin(), hits.end(), [step](const Encounter &hit) { return hit.step < step; });
     return here != hits.end() && here->step == step;
 }
 

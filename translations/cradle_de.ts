@@ -7377,6 +7377,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>+ dissipated</source>
         <translation>+ verloren</translation>
     </message>
+    <message>
+        <source>Energy that circles lose in steps with a hit, and while they rest on something; negative if hits made energy, as going back to a higher place does</source>
+        <translation>Energie, die Kreise in Schritten mit einem Stoß verlieren und solange sie auf etwas ruhen; negativ, wenn Stöße Energie erzeugt haben, wie es das Zurückgehen an einen höheren Ort tut</translation>
+    </message>
+    <message>
+        <source>taken by hits</source>
+        <translation>von Stößen genommen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ErrorLine</name>
@@ -7833,6 +7841,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
         <translation>Impuls (p_x, p_y) der Kreise des Stoßes; p_x allein, wo es kein p_y gibt</translation>
+    </message>
+    <message>
+        <source>Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.</source>
+        <translation>Stoß %1: Kreis %2 am Rand (%3), in Berührung von %4 s bis %5 s.</translation>
+    </message>
+    <message>
+        <source>Hit %1: circles %2 and %3, in contact from %4 s to %5 s.</source>
+        <translation>Stoß %1: Kreise %2 und %3, in Berührung von %4 s bis %5 s.</translation>
     </message>
 </context>
 <context>

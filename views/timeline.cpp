@@ -105,7 +105,7 @@ void Timeline::seekTo(double x)
     m_simulation.seek(index);
 }
 
-void Timeline::seekHit(const Hit &hit)
+void Timeline::seekHit(const Encounter &hit)
 {
     const Recording &recording = m_simulation.recording();
     m_simulation.seek(recording.first() + hit.step - recording.step(recording.first()));
@@ -118,7 +118,7 @@ void Timeline::seekPreviousHit()
 
 void Timeline::seekFollowingHit()
 {
-    const auto &hits = m_simulation.recording().hits();
+    const auto &hits = m_simulation.recording().encounters();
     const qint64 step = m_simulation.recording().step(m_simulation.current());
     const auto hit = lastHit(hits, step);
     const std::size_t next = hit ? *hit + 1 : 0;

@@ -65,7 +65,7 @@ protected:
 private:
     void showFrame();
     void seekTo(double x);
-    void seekHit(const Hit &hit);
+    void seekHit(const Encounter &hit);
     void retranslate();
     void addEndLabels(std::vector<Label> &labels) const;
     void addMarkLabels(std::vector<Label> &labels) const;
@@ -76,6 +76,7 @@ private:
                   const QColor &colour) const;
     void addHitLabel(std::vector<Label> &labels, const HitColumn &column) const;
     void drawHits(QPainter &painter, const std::vector<HitColumn> &columns) const;
+    void drawContacts(QPainter &painter) const;
     void drawMarks(QPainter &painter) const;
     [[nodiscard]] std::vector<Label> labelsAt(const std::vector<HitColumn> &columns) const;
     /// Whether more than \p part of the columns of the bar have hits.

@@ -14,20 +14,22 @@ namespace cradle {
 
 namespace {
 
-constexpr double sideRoom = 22.0;    ///< px left and right of the bar
-constexpr double barTop = 20.0;      ///< px
-constexpr double barHeight = 4.0;    ///< px
-constexpr double knobRadius = 8.0;   ///< px
-constexpr double hitReach = 7.0;     ///< px that a hit's mark stands over the bar, and under it
-constexpr double labelTop = 34.0;    ///< px
-constexpr double sideInset = 8.0;    ///< px that labels keep from the ends
-constexpr double labelGap = 10.0;    ///< px between two labels, at least
-constexpr double retryStep = 16.0;   ///< px to the next hit that may find room for its label
-constexpr double crowdedPart = 0.15; ///< of the columns have hits
-constexpr double fullPart = 0.5;     ///< of the columns: the number of a hit tells nothing
-constexpr std::size_t fewHits = 4;   ///< in a column: with no more in any, none stands out
-constexpr double leastReach = 3.0;   ///< px of a mark of one hit where they crowd
-constexpr int totalHeight = 56;      ///< px
+constexpr double sideRoom = 22.0;     ///< px left and right of the bar
+constexpr double barTop = 20.0;       ///< px
+constexpr double barHeight = 4.0;     ///< px
+constexpr double knobRadius = 8.0;    ///< px
+constexpr double hitReach = 7.0;      ///< px that a hit's mark stands over the bar, and under it
+constexpr double contactGap = 3.0;    ///< px from the bar to where a contact lasts
+constexpr double contactHeight = 3.0; ///< px
+constexpr double labelTop = 34.0;     ///< px
+constexpr double sideInset = 8.0;     ///< px that labels keep from the ends
+constexpr double labelGap = 10.0;     ///< px between two labels, at least
+constexpr double retryStep = 16.0;    ///< px to the next hit that may find room for its label
+constexpr double crowdedPart = 0.15;  ///< of the columns have hits
+constexpr double fullPart = 0.5;      ///< of the columns: the number of a hit tells nothing
+constexpr std::size_t fewHits = 4;    ///< in a column: with no more in any, none stands out
+constexpr double leastReach = 3.0;    ///< px of a mark of one hit where they crowd
+constexpr int totalHeight = 56;       ///< px
 constexpr int textPixels = 11;
 
 /// A program that stopped, told from a check that failed by its shape.
@@ -66,7 +68,7 @@ QFont Timeline::smallFont() const
 std::vector<HitColumn> Timeline::columns() const
 {
     const Recording &recording = m_simulation.recording();
-    return hitColumns(recording.hits(), recording.time(recording.first()),
+    return hitColumns(recording.encounters(), recording.time(recording.first()),
                       recording.time(recording.last()), static_cast<int>(bar().width()));
 }
 
@@ -83,7 +85,7 @@ std::vector<Timeline::Label> Timeline::labelsAt(const std::vector<HitColumn> &co
     const Recording &recording = m_simulation.recording();
     const auto shown = shownHit();
     const bool atHit =
-        shown && recording.hits()[*shown].step == recording.step(m_simulation.current());
+        shown && recording.encounters()[*shown].step == recording.step(m_simulation.current());
     if (atHit)
         addShownHitLabel(all, columns);
     addEndLabels(all);
@@ -135,18 +137,18 @@ void Timeline::addMarkLabels(std::vector<Label> &labels) const
 void Timeline::addHitLabel(std::vector<Label> &labels, const HitColumn &column) const
 {
     const Recording &recording = m_simulation.recording();
-    const qint64 first = recording.droppedHits() + static_cast<qint64>(column.first) + 1;
+    const qint64 first = recording.droppedEncounters() + static_cast<qint64>(column.first) + 1;
     const qint64 last = first + static_cast<qint64>(column.count) - 1;
     const QString text =
         first == last ? tr("hit %1").arg(first) : tr("hits %1–%2").arg(first).arg(last);
-    addLabel(labels, xOf(recording.hits()[column.first].time), text,
+    addLabel(labels, xOf(recording.encounters()[column.first].time), text,
              readableOn(theme().along, theme().panel));
 }
 
 std::optional<std::size_t> Timeline::shownHit() const
 {
     const Recording &recording = m_simulation.recording();
-    return lastHit(recording.hits(), recording.step(m_simulation.current()));
+    return lastHit(recording.encounters(), recording.step(m_simulation.current()));
 }
 
 /// The hit that is shown keeps its label, whatever the others find room for.
@@ -212,6 +214,17 @@ void Timeline::drawHits(QPainter &painter, const std::vector<HitColumn> &columns
     painter.drawRects(rects);
 }
 
+/// A contact that lasts is a line under the bar, from its beginning to its end.
+void Timeline::drawContacts(QPainter &painter) const
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().along);
+    const auto place = [this](double time) { return xOf(time); };
+    const double top = bar().bottom() + contactGap;
+    for (const auto &[from, to] : lastingEncounters(m_simulation.recording(), place))
+        painter.drawRect(QRectF(from, top, std::max(2.0, to - from), contactHeight));
+}
+
 void Timeline::drawMarks(QPainter &painter) const
 {
     painter.setBrush(theme().warning);
@@ -249,6 +262,7 @@ void Timeline::paintEvent(QPaintEvent *)
     if (!behind)
         drawHits(painter, all);
     painter.setRenderHint(QPainter::Antialiasing);
+    drawContacts(painter);
     drawMarks(painter);
 
     if (hasFocus()) {

@@ -176,11 +176,16 @@ QString ValuesPane::hitSentence() const
 {
     const Recording &recording = m_simulation.recording();
     const qint64 shown = m_simulation.current();
-    const auto hit = lastHit(recording.hits(), recording.step(shown));
+    const auto hit = lastHit(recording.encounters(), recording.step(shown));
     if (!hit)
         return tr("No hit so far.");
-    const qint64 number = recording.droppedHits() + static_cast<qint64>(*hit) + 1;
-    return describeHit(number, recording.hits()[*hit], recording.circles(shown));
+    const qint64 number = recording.droppedEncounters() + static_cast<qint64>(*hit) + 1;
+    const Encounter &contact = recording.encounters()[*hit];
+    // What has not happened yet at the moment shown is not told.
+    const double until = std::min(contact.endTime, recording.time(shown));
+    return contact.lasts() && recording.step(shown) > contact.step
+               ? describeEncounter(number, recording.hitOf(contact), until)
+               : describeHit(number, recording.hitOf(contact), recording.circles(shown));
 }
 
 void ValuesPane::refreshHits()

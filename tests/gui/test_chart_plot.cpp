@@ -73,7 +73,7 @@ void TestChartPlot::show(const MinMaxPyramid &samples)
                            .isLabelled = false,
                            .colour = QColor(curveColour),
                            .samples = &samples};
-    m_plot->showMoment(m_moment, {curve}, {});
+    m_plot->showMoment(m_moment, {curve}, Recording());
 }
 
 void TestChartPlot::denseCurvesFillTheirColumns()

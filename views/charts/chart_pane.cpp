@@ -209,7 +209,7 @@ void ChartPane::redraw()
     if (!m_simulation.isRunning())
         moment.note = hitNote();
     fitRange(shown, moment);
-    m_plot->showMoment(moment, shown, m_simulation.recording().hits());
+    m_plot->showMoment(moment, shown, m_simulation.recording());
     if (!m_simulation.isRunning())
         describe(moment);
 }
@@ -232,7 +232,8 @@ std::optional<HitNote> ChartPane::hitNote() const
     if (!note)
         return std::nullopt;
     const auto shown = hitsShownAt(recording, m_simulation.current());
-    const std::vector<std::size_t> circles = circlesOf(recording.hits()[shown->first]);
+    const std::vector<std::size_t> circles =
+        circlesOf(recording.hitOf(recording.encounters()[shown->first]));
     for (std::size_t i = 0; i < circles.size(); ++i) {
         note->rows[i].name = nameOf(circles[i]);
         note->rows[i].colour = colourOf(circles[i]);

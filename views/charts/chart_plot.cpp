@@ -76,7 +76,7 @@ ChartPlot::ChartPlot(QWidget *parent)
 }
 
 void ChartPlot::showMoment(const ChartMoment &moment, const std::vector<ChartCurve> &curves,
-                           const std::deque<Hit> &hits)
+                           const Recording &recording)
 {
     m_showsRun = true;
     m_moment = moment;
@@ -85,7 +85,7 @@ void ChartPlot::showMoment(const ChartMoment &moment, const std::vector<ChartCur
     fillSeries();
     placeNote();
     placeLabels();
-    markHits(hits);
+    markHits(recording);
     viewport()->update();
 }
 
@@ -209,25 +209,39 @@ void ChartPlot::placeNote()
 void ChartPlot::placeLabels()
 {
     m_labelTexts.clear();
-    std::vector<QSizeF> sizes;
+    m_labelRects.clear();
+    std::vector<CurveLabel> labels;
+    std::vector<QString> withValues;
     const QFont font = smallFont();
     const double height = std::ceil(QFontMetricsF(font).height());
+    const auto sizeOf = [&font, height](const QString &text) {
+        return QSizeF(std::ceil(subscriptWidth(font, text)) + 4.0, height);
+    };
     for (const ChartCurve &curve : m_curves) {
-        QString text = curve.label;
-        if (curve.showsValue)
-            text += QStringLiteral(": ")
-                    + withPower(shortNumber(curve.samples->valueAt(m_moment.shown + curve.shift),
-                                            m_moment.scale));
-        m_labelTexts.push_back(text);
-        sizes.emplace_back(std::ceil(subscriptWidth(font, m_labelTexts.back())) + 4.0, height);
-        if (!curve.isLabelled)
-            sizes.back() = {};
+        CurveLabel label;
+        withValues.push_back(curve.label);
+        if (curve.isLabelled)
+            label.size = sizeOf(curve.label);
+        if (curve.isLabelled && curve.showsValue) {
+            const double value = curve.samples->valueAt(m_moment.shown + curve.shift);
+            withValues.back() +=
+                QStringLiteral(": ") + withPower(shortNumber(value, m_moment.scale));
+            label.sizeWithValue = sizeOf(withValues.back());
+            label.value = QPointF(xOf(m_moment.shown), yOf(value + curve.lift));
+        }
+        labels.push_back(label);
     }
-    m_labelRects = m_layout.place(m_area, m_profiles, sizes, m_noteRect);
+    const std::vector<PlacedLabel> placed = m_layout.place(m_area, m_profiles, labels, m_noteRect);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        m_labelRects.push_back(placed[i].rect);
+        m_labelTexts.push_back(placed[i].tellsValue ? withValues[i] : m_curves[i].label);
+    }
 }
 
-void ChartPlot::markHits(const std::deque<Hit> &hits)
+void ChartPlot::markHits(const Recording &recording)
 {
+    const auto &hits = recording.encounters();
+    m_contacts = lastingEncounters(recording, [this](double time) { return xOf(time); });
     m_hitMarks.clear();
     m_nearestHit.reset();
     const int width = static_cast<int>(m_area.width());

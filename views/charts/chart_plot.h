@@ -62,7 +62,7 @@ public:
     explicit ChartPlot(QWidget *parent = nullptr);
 
     void showMoment(const ChartMoment &moment, const std::vector<ChartCurve> &curves,
-                    const std::deque<Hit> &hits);
+                    const Recording &recording);
     /// Draws what is shown, curves and all, where nothing can clip: for pictures.
     void paint(QPainter &painter) const;
     /// Shows \p text instead of curves.
@@ -121,7 +121,7 @@ private:
     void fillSeries();
     void placeNote();
     void placeLabels();
-    void markHits(const std::deque<Hit> &hits);
+    void markHits(const Recording &recording);
     void drawTicks(QPainter &painter) const;
     void drawOver(QPainter &painter) const;
     void drawHits(QPainter &painter) const;
@@ -159,7 +159,8 @@ private:
     std::vector<bool> m_dense;                    ///< those that fill their columns
     std::vector<QPolygonF> m_areas;               ///< under the filled curves, px
     std::vector<HitMark> m_hitMarks;
-    std::optional<double> m_nearestHit; ///< px
+    std::vector<std::pair<double, double>> m_contacts; ///< that last, from and to px
+    std::optional<double> m_nearestHit;                ///< px
 };
 
 } // namespace cradle

@@ -235,6 +235,12 @@ void ChartPlot::drawHits(QPainter &painter) const
         const double x = sharp(mark.x);
         painter.drawLine(QPointF(x, m_area.bottom() - hitHeight), QPointF(x, m_area.bottom()));
     }
+    for (const auto &[from, to] : m_contacts) {
+        const double left = std::max(from, m_area.left());
+        const double right = std::min(to, m_area.right());
+        if (left < right)
+            painter.fillRect(QRectF(left, m_area.bottom() - 2.0, right - left, 2.0), colours.along);
+    }
     if (m_nearestHit) {
         QPen pen(colours.mutedText, 1.0, Qt::CustomDashLine);
         pen.setDashPattern({3.0, 3.0});

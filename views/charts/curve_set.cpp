@@ -24,20 +24,24 @@ constexpr std::array momentumGroups{CurveGroup::MomentumX, CurveGroup::MomentumY
 class CurveSet::Moment
 {
 public:
-    /// Takes the hits up to the step of frame \p index out of \p losses.
-    Moment(const Recording &recording, qint64 index, Losses &losses)
+    /// Takes the hits from number \p nextHit up to the step of frame \p index.
+    Moment(const Recording &recording, qint64 index, qint64 &nextHit)
         : m_time(recording.time(index))
     {
         const auto &hits = recording.hits();
-        auto hit =
-            static_cast<std::size_t>(std::max<qint64>(0, losses.nextHit - recording.droppedHits()));
-        for (; hit < hits.size() && hits[hit].step <= recording.step(index); ++hit) {
-            losses.sum += hits[hit].loss;
+        m_begin = static_cast<std::size_t>(std::max<qint64>(0, nextHit - recording.droppedHits()));
+        m_end = m_begin;
+        for (; m_end < hits.size() && hits[m_end].step <= recording.step(index); ++m_end) {
             if (!m_hitTime)
-                m_hitTime = std::min(hits[hit].time, m_time);
+                m_hitTime = std::min(hits[m_end].time, m_time);
         }
-        losses.nextHit = recording.droppedHits() + static_cast<qint64>(hit);
+        nextHit = recording.droppedHits() + static_cast<qint64>(m_end);
     }
+
+    [[nodiscard]] double time() const { return m_time; }
+    /// Its hits, as indices into those that the recording keeps.
+    [[nodiscard]] std::size_t begin() const { return m_begin; }
+    [[nodiscard]] std::size_t end() const { return m_end; }
 
     void append(MinMaxPyramid &curve, double value) const
     {
@@ -59,6 +63,8 @@ public:
 
 private:
     double m_time; ///< s
+    std::size_t m_begin = 0;
+    std::size_t m_end = 0;
     std::optional<double> m_hitTime;
 };
 
@@ -70,7 +76,7 @@ void CurveSet::begin(std::size_t circles)
     m_circles.resize(circles <= maxCircles ? circles : 0);
 }
 
-Totals CurveSet::add(CurveGroups groups, Moment &moment, std::span<const Circle> circles,
+Totals CurveSet::add(CurveGroups groups, const Moment &moment, std::span<const Circle> circles,
                      const Preset &preset, double lost)
 {
     Totals sum;
@@ -100,28 +106,52 @@ Totals CurveSet::add(CurveGroups groups, Moment &moment, std::span<const Circle>
     return sum;
 }
 
+/// What hits take in the step of \p moment. A hit within the step takes kinetic energy. One at its
+/// end is of a step that puts circles back and turns them, so that all that becomes of their energy
+/// in that step is the hit's doing; and while a circle rests on something, in the steps between
+/// too.
+void CurveSet::countLosses(const Recording &recording, const Preset &preset, qint64 index,
+                           const Moment &moment)
+{
+    const std::span<const Circle> circles = recording.circles(index);
+    std::vector<Losses::Touch> &touches = m_losses.touches;
+    touches.resize(circles.size());
+    const qint64 step = recording.step(index);
+    const auto touch = [&](int circle) {
+        Losses::Touch &one = touches[static_cast<std::size_t>(circle)];
+        if (one.last < step && step - one.last <= EncounterLog::restingSteps)
+            one.until = step + EncounterLog::restingSteps;
+        one.last = step;
+    };
+    for (std::size_t i = moment.begin(); i < moment.end(); ++i) {
+        const Hit &hit = recording.hits()[i];
+        if (hit.time < moment.time()) {
+            m_losses.sum += hit.loss;
+            continue;
+        }
+        touch(hit.a);
+        if (hit.kind == Hit::Kind::Circle)
+            touch(hit.b);
+    }
+    const std::span<const Circle> before = recording.circles(index - 1);
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        if (touches[i].last == step || touches[i].until >= step)
+            m_losses.sum += measure(before[i], preset.gravity, preset.halfWidth).total()
+                            - measure(circles[i], preset.gravity, preset.halfWidth).total();
+    }
+}
+
 void CurveSet::read(const Recording &recording, const Preset &preset, qint64 index)
 {
-    Moment moment(recording, index, m_losses);
+    const Moment moment(recording, index, m_losses.nextHit);
+    // What the first frame lost is not to be seen in it.
+    if (!m_sum.total.isEmpty() && index > recording.first())
+        countLosses(recording, preset, index, moment);
     const Totals sum = add(m_groups, moment, recording.circles(index), preset, m_losses.sum);
     moment.append(m_sum.total, sum.total());
     moment.append(m_dissipated, m_losses.sum);
     m_momentumScale = std::max(m_momentumScale, length(sum.momentum));
     m_energyScale = std::max({m_energyScale, sum.kinetic, std::abs(sum.potential)});
-}
-
-/// What hits had taken before the oldest frame that \p recording keeps.
-CurveSet::Losses CurveSet::lossesBefore(const Recording &recording) const
-{
-    Losses before{recording.droppedHits(), 0.0};
-    if (recording.droppedHits() == 0)
-        return before;
-    const auto &hits = recording.hits();
-    const qint64 read = m_losses.nextHit - recording.droppedHits();
-    before.sum = m_losses.sum;
-    for (qint64 hit = 0; hit < std::min(read, static_cast<qint64>(hits.size())); ++hit)
-        before.sum -= hits[static_cast<std::size_t>(hit)].loss;
-    return before;
 }
 
 void CurveSet::setGroups(CurveGroups groups, const Recording &recording, const Preset &preset,
@@ -132,12 +162,12 @@ void CurveSet::setGroups(CurveGroups groups, const Recording &recording, const P
     m_groups = groups;
     if (!missing || m_sum.total.isEmpty())
         return;
-    Losses losses = lossesBefore(recording);
+    qint64 nextHit = recording.droppedHits();
     const double oldest = m_sum.total.firstTime();
     for (qint64 i = recording.first(); i < next; ++i) {
-        Moment moment(recording, i, losses);
-        if (recording.time(i) >= oldest)
-            add(missing, moment, recording.circles(i), preset, losses.sum);
+        const Moment moment(recording, i, nextHit);
+        if (moment.time() >= oldest)
+            add(missing, moment, recording.circles(i), preset, m_dissipated.valueAt(moment.time()));
     }
 }
 
@@ -147,8 +177,14 @@ CurveSet CurveSet::whole(const Recording &recording, const Preset &preset, qint6
     CurveSet all;
     all.begin(recording.circleCount());
     all.m_start = m_start;
-    all.m_losses = lossesBefore(recording);
-    for (qint64 i = recording.first(); i < next; ++i) {
+    if (m_dissipated.isEmpty())
+        return all;
+    qint64 first = recording.indexAt(m_dissipated.firstTime());
+    if (recording.time(first) < m_dissipated.firstTime())
+        ++first;
+    all.m_losses.nextHit = recording.droppedHits();
+    all.m_losses.sum = m_dissipated.valueAt(recording.time(first));
+    for (qint64 i = first; i < next; ++i) {
         all.read(recording, preset, i);
         if (i % framesPerLook == 0 && all.bytes() > maxBytes)
             all.dropOldest();

@@ -53,10 +53,11 @@ public:
     [[nodiscard]] const MotionCurves &sum() const { return m_sum; }
     [[nodiscard]] const MinMaxPyramid &potential() const { return m_potential; }
     [[nodiscard]] const MinMaxPyramid &total() const { return m_sum.total; }
-    /// Kinetic energy that hits have taken since the start, J.
+    /// Energy that hits, and resting on something, have taken since the start, J; negative where
+    /// they made some, as going back to an old place that is higher does.
     [[nodiscard]] const MinMaxPyramid &dissipated() const { return m_dissipated; }
     /// Energy that the integrator or the program has made since the start, J; negative if it lost
-    /// some: total + dissipated in hits − total at the start.
+    /// some: total + dissipated in hits − total at the start. It is none in steps with a hit.
     [[nodiscard]] const MinMaxPyramid &made() const { return m_made; }
     /// The total of the first frame read, J.
     [[nodiscard]] double startTotal() const { return m_start.value_or(0.0); }
@@ -89,15 +90,23 @@ public:
 private:
     /// How far the hits were read.
     struct Losses {
-        qint64 nextHit = 0; ///< of all hits ever
-        double sum = 0.0;   ///< J
+        /// What a circle had to do with others or a wall, in steps.
+        struct Touch {
+            qint64 last = -EncounterLog::restingSteps - 1; ///< hit at the end of a step
+            qint64 until = -1;                             ///< it rests, up to this one
+        };
+
+        qint64 nextHit = 0;           ///< of all hits ever
+        double sum = 0.0;             ///< J
+        std::vector<Touch> touches{}; ///< of every circle
     };
     class Moment;
 
     template <typename Visit>
     void forEach(Visit visit);
-    [[nodiscard]] Losses lossesBefore(const Recording &recording) const;
-    Totals add(CurveGroups groups, Moment &moment, std::span<const Circle> circles,
+    void countLosses(const Recording &recording, const Preset &preset, qint64 index,
+                     const Moment &moment);
+    Totals add(CurveGroups groups, const Moment &moment, std::span<const Circle> circles,
                const Preset &preset, double lost);
     void clear(CurveGroups groups);
 

@@ -122,6 +122,9 @@ void EnergyChart::retranslate()
     m_actions[Kinetic]->setText(tr("&Kinetic, all circles"));
     m_actions[Potential]->setText(tr("&Potential"));
     m_actions[Dissipated]->setText(tr("&Dissipated in hits"));
+    m_actions[Dissipated]->setToolTip(
+        tr("Energy that circles lose in steps with a hit, and while they rest on something; "
+           "negative if hits made energy, as going back to a higher place does"));
     m_actions[OffExact]->setText(tr("More than the e&xact motion"));
     m_actions[OffExact]->setToolTip(tr("Total energy of the run minus that of the exact motion "
                                        "beside it: the error of integrator and timestep"));
@@ -194,6 +197,12 @@ bool EnergyChart::hasLost(const CurveSet &run) const
     const double lost =
         std::max(std::abs(run.dissipated().maximum()), std::abs(run.dissipated().minimum()));
     return lost > leastLoss * scale();
+}
+
+/// Whether hits have made energy at some time: then what they took is not all dissipated.
+bool EnergyChart::makesEnergy(const CurveSet &run) const
+{
+    return run.dissipated().minimum() < -leastLoss * scale();
 }
 
 /// From the floor upwards; the top is what the run began with and what was made since.
@@ -269,7 +278,7 @@ void EnergyChart::addKinetics(std::vector<ChartCurve> &all, const CurveSet &run)
 void EnergyChart::addLosses(std::vector<ChartCurve> &all, const CurveSet &run) const
 {
     if (isShown(Dissipated) && hasLost(run))
-        all.push_back({.label = tr("dissipated"),
+        all.push_back({.label = makesEnergy(run) ? tr("taken by hits") : tr("dissipated"),
                        .showsValue = true,
                        .colour = theme().dissipated,
                        .dash = Qt::DashDotLine,

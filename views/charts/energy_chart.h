@@ -50,6 +50,7 @@ private:
     [[nodiscard]] std::vector<ChartCurve> lines(const CurveSet &run) const;
     [[nodiscard]] std::vector<ChartCurve> areas() const;
     [[nodiscard]] bool hasLost(const CurveSet &run) const;
+    [[nodiscard]] bool makesEnergy(const CurveSet &run) const;
     void addTotals(std::vector<ChartCurve> &all, const CurveSet &run) const;
     void addKinetics(std::vector<ChartCurve> &all, const CurveSet &run) const;
     void addLosses(std::vector<ChartCurve> &all, const CurveSet &run) const;

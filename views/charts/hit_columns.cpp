@@ -9,9 +9,9 @@ namespace cradle {
 
 namespace {
 
-using HitIterator = std::deque<Hit>::const_iterator;
+using HitIterator = std::deque<Encounter>::const_iterator;
 
-bool isBefore(const Hit &hit, double time)
+bool isBefore(const Encounter &hit, double time)
 {
     return hit.time < time;
 }
@@ -29,7 +29,8 @@ HitIterator gallop(HitIterator from, HitIterator end, double time)
 
 } // namespace
 
-std::vector<HitColumn> hitColumns(const std::deque<Hit> &hits, double t0, double t1, int width)
+std::vector<HitColumn> hitColumns(const std::deque<Encounter> &hits, double t0, double t1,
+                                  int width)
 {
     std::vector<HitColumn> columns;
     if (!(t0 < t1) || width <= 0)
@@ -48,7 +49,28 @@ std::vector<HitColumn> hitColumns(const std::deque<Hit> &hits, double t0, double
     return columns;
 }
 
-std::optional<std::size_t> nearestHit(const std::deque<Hit> &hits, double time)
+std::vector<std::pair<double, double>> lastingEncounters(const Recording &recording,
+                                                         const std::function<double(double)> &xOf)
+{
+    std::vector<std::pair<double, double>> stretches;
+    for (const qint64 index : recording.lastingEncounters()) {
+        const Encounter &contact =
+            recording.encounters()[static_cast<std::size_t>(index - recording.droppedEncounters())];
+        stretches.emplace_back(xOf(contact.time), xOf(contact.endTime));
+    }
+    std::sort(stretches.begin(), stretches.end());
+    std::size_t kept = 0;
+    for (const auto &stretch : stretches) {
+        if (kept > 0 && stretch.first <= stretches[kept - 1].second)
+            stretches[kept - 1].second = std::max(stretches[kept - 1].second, stretch.second);
+        else
+            stretches[kept++] = stretch;
+    }
+    stretches.resize(kept);
+    return stretches;
+}
+
+std::optional<std::size_t> nearestHit(const std::deque<Encounter> &hits, double time)
 {
     if (hits.empty())
         return std::nullopt;
@@ -61,10 +83,11 @@ std::optional<std::size_t> nearestHit(const std::deque<Hit> &hits, double time)
     return index;
 }
 
-std::optional<std::size_t> lastHit(const std::deque<Hit> &hits, qint64 step)
+std::optional<std::size_t> lastHit(const std::deque<Encounter> &hits, qint64 step)
 {
-    const auto later = std::upper_bound(hits.begin(), hits.end(), step,
-                                        [](qint64 s, const Hit &hit) { return s < hit.step; });
+    const auto later =
+        std::upper_bound(hits.begin(), hits.end(), step,
+                         [](qint64 s, const Encounter &hit) { return s < hit.step; });
     if (later == hits.begin())
         return std::nullopt;
     return static_cast<std::size_t>(later - hits.begin()) - 1;

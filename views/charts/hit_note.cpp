@@ -100,11 +100,12 @@ QString HitNote::sentence() const
 std::optional<HitsShown> hitsShownAt(const Recording &recording, qint64 index)
 {
     const qint64 step = recording.step(index);
-    const auto last = lastHit(recording.hits(), step);
-    if (!last || recording.hits()[*last].step != step)
+    const auto &hits = recording.encounters();
+    const auto last = lastHit(hits, step);
+    if (!last || hits[*last].step != step)
         return std::nullopt;
     std::size_t first = *last;
-    while (first > 0 && recording.hits()[first - 1].step == step)
+    while (first > 0 && hits[first - 1].step == step)
         --first;
     return HitsShown{first, *last - first + 1};
 }
@@ -122,8 +123,8 @@ std::optional<HitNote> noteOn(const Recording &recording, qint64 index, const Hi
     const auto shown = hitsShownAt(recording, index);
     if (!shown || shown->count > mostHits)
         return std::nullopt;
-    const Hit &hit = recording.hits()[shown->first];
-    const qint64 number = recording.droppedHits() + static_cast<qint64>(shown->first) + 1;
+    const Hit &hit = recording.hitOf(recording.encounters()[shown->first]);
+    const qint64 number = recording.droppedEncounters() + static_cast<qint64>(shown->first) + 1;
     HitNote note;
     note.title = HitNoteText::tr("Hit %1 · %2 s").arg(number).arg(hit.time, 0, 'f', 3);
     if (shown->count > 1)

@@ -34,8 +34,8 @@ struct HitNote {
     friend bool operator==(const HitNote &, const HitNote &) = default;
 };
 
-/// The first hit that shows at frame \p index, with how many more do; an index into
-/// recording.hits().
+/// The first hit that begins at frame \p index, with how many more do; an index into
+/// recording.encounters().
 struct HitsShown {
     std::size_t first = 0;
     std::size_t count = 0;

@@ -94,6 +94,22 @@ QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circl
     return hit.kind == Hit::Kind::Circle ? told : told.arg(hit.a + 1).arg(wallName(hit.b));
 }
 
+QString describeEncounter(qint64 number, const Hit &first, double until)
+{
+    const QString from = QString::number(first.time, 'f', 3);
+    const QString to = QString::number(until, 'f', 3);
+    return first.kind == Hit::Kind::Wall
+               ? HitsModel::tr("Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.")
+                     .arg(number)
+                     .arg(first.a + 1)
+                     .arg(wallName(first.b), from, to)
+               : HitsModel::tr("Hit %1: circles %2 and %3, in contact from %4 s to %5 s.")
+                     .arg(number)
+                     .arg(first.a + 1)
+                     .arg(first.b + 1)
+                     .arg(from, to);
+}
+
 HitsModel::HitsModel(const Simulation &simulation, QObject *parent)
     : QAbstractTableModel(parent)
     , m_simulation(simulation)
@@ -107,17 +123,17 @@ void HitsModel::reload()
     const Recording &recording = m_simulation.recording();
     beginResetModel();
     m_font = columnFont();
-    const auto kept = static_cast<qint64>(recording.hits().size());
+    const auto kept = static_cast<qint64>(recording.encounters().size());
     m_count = std::min(kept, mostRows);
-    m_first = recording.droppedHits() + kept - m_count;
+    m_first = recording.droppedEncounters() + kept - m_count;
     endResetModel();
 }
 
 void HitsModel::update()
 {
     const Recording &recording = m_simulation.recording();
-    const auto kept = static_cast<qint64>(recording.hits().size());
-    const qint64 end = recording.droppedHits() + kept;
+    const auto kept = static_cast<qint64>(recording.encounters().size());
+    const qint64 end = recording.droppedEncounters() + kept;
     const qint64 first = end - std::min(kept, mostRows);
     if (end == hitCount() && first == m_first)
         return;
@@ -139,18 +155,23 @@ void HitsModel::update()
 
 const Hit &HitsModel::hit(int row) const
 {
+    return m_simulation.recording().hitOf(contact(row));
+}
+
+const Encounter &HitsModel::contact(int row) const
+{
     const Recording &recording = m_simulation.recording();
-    const qint64 index = std::max<qint64>(0, m_first + row - recording.droppedHits());
-    return recording.hits()[static_cast<std::size_t>(index)];
+    const qint64 index = std::max<qint64>(0, m_first + row - recording.droppedEncounters());
+    return recording.encounters()[static_cast<std::size_t>(index)];
 }
 
 std::optional<int> HitsModel::rowAt(qint64 step) const
 {
     const Recording &recording = m_simulation.recording();
-    const auto found = lastHit(recording.hits(), step);
+    const auto found = lastHit(recording.encounters(), step);
     if (!found)
         return std::nullopt;
-    const qint64 row = recording.droppedHits() + static_cast<qint64>(*found) - m_first;
+    const qint64 row = recording.droppedEncounters() + static_cast<qint64>(*found) - m_first;
     return row >= 0 && row < m_count ? std::optional(static_cast<int>(row)) : std::nullopt;
 }
 
@@ -173,21 +194,25 @@ QVariant HitsModel::data(const QModelIndex &index, int role) const
     if (role == Qt::FontRole)
         return m_font;
     const Recording &recording = m_simulation.recording();
-    const qint64 place = m_first + index.row() - recording.droppedHits();
-    const bool kept = place >= 0 && place < static_cast<qint64>(recording.hits().size());
+    const qint64 place = m_first + index.row() - recording.droppedEncounters();
+    const bool kept = place >= 0 && place < static_cast<qint64>(recording.encounters().size());
     if (role != Qt::DisplayRole || !kept)
         return {};
-    return text(hit(index.row()), index.column());
+    return text(contact(index.row()), index.column());
 }
 
-QString HitsModel::text(const Hit &hit, int column) const
+QString HitsModel::text(const Encounter &contact, int column) const
 {
     const Recording &recording = m_simulation.recording();
+    const Hit &hit = recording.hitOf(contact);
     const HitMomentum p = momentumOf(hit, recording.circles(recording.last()));
     const MomentumText momentum(p);
     switch (column) {
     case Time:
-        return QString::number(hit.time, 'f', 3);
+        return contact.lasts() ? QStringLiteral("%1–%2")
+                                     .arg(hit.time, 0, 'f', 3)
+                                     .arg(contact.endTime, 0, 'f', 3)
+                               : QString::number(hit.time, 'f', 3);
     case Who:
         return whoMet(hit);
     case Impulse:

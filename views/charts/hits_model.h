@@ -24,8 +24,11 @@ struct HitMomentum {
 /// only x is told, with its sign, of any other both parts.
 [[nodiscard]] QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circles);
 
+/// "Hit 1, circle 1 on the floor: in contact from 1.868 s to 2.1 s." \param until in s
+[[nodiscard]] QString describeEncounter(qint64 number, const Hit &first, double until);
+
 /// The last hits of the recording, oldest first: when, who with whom, and what became of their
-/// momentum.
+/// momentum. A contact that lasts is one, with its beginning and its end.
 class HitsModel final : public QAbstractTableModel
 {
     Q_OBJECT
@@ -52,7 +55,8 @@ public:
                                       int role) const override;
 
 private:
-    [[nodiscard]] QString text(const Hit &hit, int column) const;
+    [[nodiscard]] const Encounter &contact(int row) const;
+    [[nodiscard]] QString text(const Encounter &contact, int column) const;
 
     const Simulation &m_simulation;
     QFont m_font;       ///< of the cells

@@ -12,6 +12,9 @@ namespace {
 
 constexpr int places = 9;          ///< along a curve; above and below at each
 constexpr double gap = 2.0;        ///< px between a curve and its label
+constexpr double level = 1.5;      ///< px that a level curve may be off
+constexpr double beside = 4.0;     ///< px between a value's place and its label
+constexpr int besideValue = 4;     ///< places left, right, above and below of a value
 constexpr double inset = 8.0;      ///< px from the plot's left and right end
 constexpr double stayBonus = 12.0; ///< crossed columns that a label puts up with to stay
 constexpr double leftBonus = 0.5;  ///< crossed columns that a place further left is worth
@@ -63,6 +66,29 @@ double cost(const QRectF &plot, const QRectF &rect, const CurveProfile &own,
     return sum;
 }
 
+/// Whether \p curve is level at \p y px along the columns of \p rect, which is relative to the
+/// plot.
+bool isLevel(const CurveProfile &curve, const QRectF &rect, double y)
+{
+    for (int x = static_cast<int>(rect.left()); x <= static_cast<int>(rect.right()); ++x) {
+        if (curve.covers(x)
+            && (std::abs(curve.top(x) - y) > level || std::abs(curve.bottom(x) - y) > level))
+            return false;
+    }
+    return true;
+}
+
+/// A place left or right of the value, above or below it; empty if it is not within the plot.
+QRectF placeBeside(const QRectF &plot, const CurveLabel &label, int slot)
+{
+    const QSizeF size = label.sizeWithValue;
+    const double x =
+        slot % 2 == 0 ? label.value->x() - beside - size.width() : label.value->x() + beside;
+    const double y = slot < 2 ? label.value->y() - gap - size.height() : label.value->y() + gap;
+    const QRectF rect(QPointF(std::round(x), std::round(y)), size);
+    return plot.contains(rect) ? rect : QRectF();
+}
+
 } // namespace
 
 CurveProfile::CurveProfile(const QList<QPointF> &points, const QRectF &plot)
@@ -97,34 +123,61 @@ void CurveProfile::cover(int x, double y)
     m_bottom[index(x)] = std::max(m_bottom[index(x)], y);
 }
 
-std::vector<QRectF> LabelLayout::place(const QRectF &plot, const std::vector<CurveProfile> &curves,
-                                       const std::vector<QSizeF> &sizes, const QRectF &taken)
-{
-    m_lastSlots.resize(sizes.size(), -1);
-    std::vector<QRectF> placed(sizes.size());
-    for (std::size_t c = 0; c < sizes.size(); ++c) {
-        if (sizes[c].isEmpty())
-            continue;
-        double best = infinity;
-        int bestSlot = -1;
-        for (int slot = 0; slot < 2 * places; ++slot) {
-            const QRectF rect = candidate(plot, curves[c], sizes[c], slot);
-            const bool meets = std::any_of(placed.begin(), placed.end(), [&](const QRectF &other) {
-                return other.intersects(rect.adjusted(-4.0, 0.0, 4.0, 0.0));
-            });
-            if (rect.isEmpty() || meets || taken.intersects(rect))
-                continue;
-            const double bonus = slot == m_lastSlots[c] ? stayBonus : 0.0;
-            const double price = cost(plot, rect, curves[c], curves) + leftBonus * slot - bonus;
-            if (price < best) {
-                best = price;
-                bestSlot = slot;
-                placed[c] = {};
-            }
+/// The places of one label, of which the best is kept.
+struct LabelLayout::Search {
+    const QRectF &plot;
+    const std::vector<CurveProfile> &curves;
+    const CurveProfile &own;
+    const std::vector<PlacedLabel> &placed; ///< those before it
+    const QRectF &taken;
+    int lastSlot;
+    double best = infinity;
+    int bestSlot = -1;
+    PlacedLabel found{};
+
+    void consider(const QRectF &rect, int slot, bool tellsValue)
+    {
+        const bool meets = std::any_of(placed.begin(), placed.end(), [&](const PlacedLabel &other) {
+            return other.rect.intersects(rect.adjusted(-4.0, 0.0, 4.0, 0.0));
+        });
+        if (rect.isEmpty() || meets || taken.intersects(rect))
+            return;
+        const double bonus = slot == lastSlot ? stayBonus : 0.0;
+        const double price = cost(plot, rect, own, curves) + leftBonus * slot - bonus;
+        if (price < best) {
+            best = price;
+            bestSlot = slot;
+            found = {rect, tellsValue};
         }
-        m_lastSlots[c] = bestSlot;
-        if (bestSlot >= 0)
-            placed[c] = candidate(plot, curves[c], sizes[c], bestSlot);
+    }
+};
+
+std::vector<PlacedLabel> LabelLayout::place(const QRectF &plot,
+                                            const std::vector<CurveProfile> &curves,
+                                            const std::vector<CurveLabel> &labels,
+                                            const QRectF &taken)
+{
+    m_lastSlots.resize(labels.size(), -1);
+    std::vector<PlacedLabel> placed;
+    for (std::size_t c = 0; c < labels.size(); ++c) {
+        const CurveLabel &label = labels[c];
+        Search search{plot, curves, curves[c], placed, taken, m_lastSlots[c]};
+        if (label.value && !label.sizeWithValue.isEmpty()) {
+            for (int slot = 0; slot < 2 * places; ++slot) {
+                const QRectF rect = candidate(plot, curves[c], label.sizeWithValue, slot);
+                if (isLevel(curves[c], rect.translated(-plot.left(), 0.0), label.value->y()))
+                    search.consider(rect, slot, true);
+            }
+            for (int slot = 0; slot < besideValue; ++slot)
+                search.consider(placeBeside(plot, label, slot), 2 * places + slot, true);
+        }
+        for (int slot = 0; search.bestSlot < 0 && slot < 2 * places; ++slot) {
+            const QRectF rect = candidate(plot, curves[c], label.size, slot);
+            if (!label.size.isEmpty())
+                search.consider(rect, slot, false);
+        }
+        m_lastSlots[c] = search.bestSlot;
+        placed.push_back(search.found);
     }
     return placed;
 }

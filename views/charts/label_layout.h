@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QSizeF>
 
+#include <optional>
 #include <vector>
 
 namespace cradle {
@@ -30,22 +31,40 @@ private:
     std::vector<double> m_bottom;
 };
 
+/// A curve's label, which may tell the curve's value at one place of it.
+struct CurveLabel {
+    QSizeF size{}; ///< px; empty: the curve has none
+    /// With the value, px; only where the curve is at \p value.
+    QSizeF sizeWithValue{};
+    std::optional<QPointF> value{}; ///< the place that the value is of, px
+
+    friend bool operator==(const CurveLabel &, const CurveLabel &) = default;
+};
+
+/// Where a label goes.
+struct PlacedLabel {
+    QRectF rect{}; ///< px; empty: it finds no room
+    bool tellsValue = false;
+};
+
 /// Places a label at each curve: beside it, over no other label, over curves only if need be, and
-/// where it was before as long as that is not much worse.
+/// where it was before as long as that is not much worse. One that tells a value stands at the
+/// place that the value is of, or where the curve is level at it; if it finds no room there, it
+/// tells none.
 class LabelLayout
 {
 public:
-    /// \param sizes  of the labels in px, one to a curve, the most important first; an empty one
-    ///               is for a curve without a label
-    /// \param taken  where no label may be, px
-    /// \return where they go; an empty rectangle for one that finds no room
-    [[nodiscard]] std::vector<QRectF> place(const QRectF &plot,
-                                            const std::vector<CurveProfile> &curves,
-                                            const std::vector<QSizeF> &sizes,
-                                            const QRectF &taken = {});
+    /// \param labels  one to a curve, the most important first
+    /// \param taken   where no label may be, px
+    [[nodiscard]] std::vector<PlacedLabel> place(const QRectF &plot,
+                                                 const std::vector<CurveProfile> &curves,
+                                                 const std::vector<CurveLabel> &labels,
+                                                 const QRectF &taken = {});
     void forget() { m_lastSlots.clear(); }
 
 private:
+    struct Search;
+
     std::vector<int> m_lastSlots;
 };
 
