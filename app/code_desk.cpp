@@ -130,7 +130,7 @@ void CodeDesk::showState()
     if (fixed != m_pane.editor().isReadOnly())
         m_pane.editor().setReadOnly(fixed);
     if (code.fault()) {
-        m_pane.setState(CodeState::Broken);
+        m_pane.setState(code.hasGoodVersion() ? CodeState::Broken : CodeState::NeverRan);
         m_pane.hideLocals();
         m_pane.editor().setError(code.fault()->line, code.fault()->message);
         return;

@@ -34,6 +34,8 @@ public:
 
     [[nodiscard]] const QString &text() const { return m_text; }
     /// The text of the program that moves the circles; empty while the laws do.
+    /// Whether some version of the open text runs, or did when it was last active.
+    [[nodiscard]] bool hasGoodVersion() const { return !m_running.isEmpty(); }
     [[nodiscard]] QString runningText() const { return m_active ? m_running : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
     [[nodiscard]] bool isSaved() const { return !m_unsaved && !m_workspace.hasUnsaved(); }

@@ -155,7 +155,8 @@ private:
     std::vector<QDockWidget *> m_docks;
     QPointer<AuthorWindow> m_author;
     ThemeChoice m_theme = ThemeChoice::System;
-    QString m_unsavedWarning; ///< that the program could not be saved
+    QString m_unsavedWarning;        ///< that the program could not be saved
+    std::optional<bool> m_saidFault; ///< of a scene of a check, that this is the moment
     bool m_unlocked = false;
     bool m_sharesColumn = false;        ///< the student has not taken over the right column
     std::optional<double> m_valuesPart; ///< of the right column, as it was shared last

@@ -21,12 +21,14 @@ void MainWindow::wireCharts()
         connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
             simulation->seek(simulation->recording().indexAt(time));
         });
+        connect(chart, &ChartPane::runRequested, simulation, &Simulation::start);
         connect(chart, &ChartPane::pinRequested, this, &MainWindow::pinRun);
         connect(chart, &ChartPane::failed, this, &MainWindow::report);
     }
     m_phase->share(m_timeWindow, m_pins);
     connect(m_phase, &PhaseChart::seekRequested, simulation,
             [simulation](double time) { simulation->seek(simulation->recording().indexAt(time)); });
+    connect(m_phase, &PhaseChart::runRequested, simulation, &Simulation::start);
     connect(m_phase, &PhaseChart::failed, this, &MainWindow::report);
     connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });
     connect(&m_workbench, &Workbench::taskChanged, this, [this] { m_pins.clear(); });

@@ -32,7 +32,7 @@ void MainWindow::wireWorkbench()
     connect(bench, &Workbench::guessChanged, this,
             [this] { m_taskPane->setGuess(m_workbench.guess()); });
     connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
-    connect(bench, &Workbench::reportStale, this, [this] { m_taskPane->setStale(true); });
+    connect(bench, &Workbench::reportStale, m_taskPane, &TaskPane::setStale);
     connect(bench, &Workbench::checkStarted, this, [this] {
         m_transport->setChecking(true);
         m_taskPane->setChecking(true);
@@ -71,6 +71,10 @@ void MainWindow::wireViews()
     connect(m_scene, &SceneView::selectionChanged, m_inspector, &Inspector::select);
     connect(m_inspector, &Inspector::selectionChanged, m_scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &MainWindow::showVisit);
+    connect(simulation, &Simulation::frameReady, this, [this] {
+        if (m_saidFault.value_or(false) != m_workbench.showsFault() && m_saidFault)
+            showVisit(true);
+    });
     connect(m_notice, &NoticeBar::actionTriggered, document, &PresetDocument::leave);
     wireCharts();
     connect(m_values, &ValuesPane::seekRequested, simulation, &Simulation::seek);
@@ -202,11 +206,15 @@ void MainWindow::showReport()
     m_timeline->setMarks(marks);
 }
 
+/// Of the moment only while it is the one shown.
 void MainWindow::showVisit(bool visiting)
 {
+    m_saidFault = visiting ? std::optional(m_workbench.showsFault()) : std::nullopt;
     if (visiting)
-        m_notice->showNotice(tr("This is a scene of the check, at the moment where it went wrong."),
-                             tr("Back to my scene"));
+        m_notice->showNotice(
+            *m_saidFault ? tr("This is a scene of the check, at the moment where it went wrong.")
+                         : tr("This is a scene of the check."),
+            tr("Back to my scene"));
     else
         m_notice->clearNotice();
 }

@@ -35,6 +35,12 @@ public:
     [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
     /// The run of the reference in the scene shown, after showMoment(); null if there is none.
     [[nodiscard]] const std::shared_ptr<const Recording> &ghost() const { return m_ghost; }
+    /// Whether the moment shown is where the check that showMoment() went to went wrong.
+    [[nodiscard]] bool showsFault() const
+    {
+        return m_document.isVisiting()
+               && m_simulation.recording().step(m_simulation.current()) == m_visited;
+    }
     /// Whether the reference program may be seen: after passing, or after all hints.
     [[nodiscard]] bool mayShowSolution();
     [[nodiscard]] const std::optional<CheckReport> &report() const { return m_report; }
@@ -102,7 +108,7 @@ signals:
     void guessChanged();
     void checkEnded(); ///< with a report or cancelled
     void reportChanged();
-    void reportStale();                      ///< the scene was edited since the report
+    void reportStale(bool stale); ///< whether the work is no longer what the report is about
     void failed(const cradle::Error &error); ///< something could not be saved or read
 
 private:
@@ -138,6 +144,7 @@ private:
     std::optional<CheckReport> m_report;
     Submission m_judged; ///< what the last check was asked about
     std::shared_ptr<const Recording> m_ghost;
+    qint64 m_visited = 0; ///< step of showMoment()
     QTimer m_saveSoon;
 };
 

@@ -75,7 +75,7 @@ void Workbench::finishCheck(const CheckReport &report)
     emit checkEnded();
     emit reportChanged();
     if (m_judged != submission())
-        emit reportStale();
+        emit reportStale(true);
     if (finished)
         emit labFinished();
 }
@@ -124,6 +124,7 @@ void Workbench::showMoment(const CheckOutcome &outcome)
         m_code.setPinned(outcome.pinned);
         m_document.visit(*outcome.scene);
     }
+    m_visited = step;
     m_simulation.goTo(step);
     showReference(outcome, step);
 }
@@ -144,7 +145,8 @@ void Workbench::showReference(const CheckOutcome &outcome, qint64 step)
 void Workbench::markStale()
 {
     setGhost(nullptr);
-    emit reportStale();
+    if (m_report)
+        emit reportStale(m_judged != submission()); // what was undone is fresh again
 }
 
 } // namespace cradle

@@ -19,6 +19,7 @@ private slots:
     void optionsLeaveThingsOut();
     void trailFollowsTheRecording();
     void labelsNeverCoverEachOther();
+    void discsAtOnePlaceShowBothNumbers();
     void crowdHasNoLabels();
     void sameMomentGivesTheSameList();
     void cameraMapsThereAndBack_data();
@@ -91,6 +92,23 @@ void TestDrawList::labelsNeverCoverEachOther()
     const DrawList list = buildScene(DrawnMoment(simulation), {}, look);
     QVERIFY(list.labels.size() > 5);
     QVERIFY(!textOverText(list, look.camera, look.font));
+}
+
+void TestDrawList::discsAtOnePlaceShowBothNumbers()
+{
+    Preset preset = twoCircles();
+    const auto texts = [&] {
+        const Simulation simulation(preset);
+        QStringList all;
+        for (const DrawList::Label &label :
+             buildScene(SceneMoment(simulation), {}, lookAt(preset)).labels)
+            all.append(label.text);
+        return all;
+    };
+    QVERIFY(texts().contains(QStringLiteral("1")) && texts().contains(QStringLiteral("2")));
+    preset.circles[1].body.position = preset.circles[0].body.position;
+    QVERIFY(texts().contains(QStringLiteral("1, 2")));
+    QVERIFY(!texts().contains(QStringLiteral("1"))); // which could be that of the topmost
 }
 
 void TestDrawList::crowdHasNoLabels()

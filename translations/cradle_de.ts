@@ -39,6 +39,10 @@
         <source>&amp;Numbers as CSV…</source>
         <translation>&amp;Zahlen als CSV …</translation>
     </message>
+    <message>
+        <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
+        <translation>der Name endet auf .%1, dies ist aber eine .%2-Datei; wähle einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>CheckKinds</name>
@@ -7184,6 +7188,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>read only</source>
         <translation>nur lesen</translation>
     </message>
+    <message>
+        <source>cannot be read: nothing runs</source>
+        <translation>nicht lesbar: nichts läuft</translation>
+    </message>
 </context>
 <context>
     <name>cradle::CompletionPopup</name>
@@ -8324,6 +8332,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>somebody</source>
         <translation>jemand</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check.</source>
+        <translation>Das ist eine Szene der Prüfung.</translation>
     </message>
 </context>
 <context>

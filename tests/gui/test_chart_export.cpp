@@ -84,7 +84,8 @@ void TestChartExport::tableHasTheRecordedNumbers()
     const auto rows = cellsOf(contentOf(path(QStringLiteral("m.csv"))));
     const Recording &recording = m_open->simulation().recording();
     QCOMPARE(rows.size(), 202); // the header, and steps 0 to 200
-    QCOMPARE(rows[0].join(u'|'), QStringLiteral("time (s)|sum p_x (kg m/s)|1 (kg m/s)|2 (kg m/s)"));
+    QCOMPARE(rows[0].join(u'|'),
+             QStringLiteral("time (s)|sum p_x (kg m/s)|1 p_x (kg m/s)|2 p_x (kg m/s)"));
     for (qint64 i = 0; i <= 200; ++i) {
         const QStringList &row = rows[i + 1];
         const auto circles = recording.circles(i);

@@ -156,14 +156,18 @@ void TestChartZoom::middleButtonPans()
 
 void TestChartZoom::doubleClickEndsTheZoom()
 {
+    const qint64 shown = m_simulation->current();
     turnWheel(*m_momentum, area().center(), 240);
     turnWheel(*m_momentum, area().center(), 240, Qt::ControlModifier);
     settle();
+    QTest::mouseClick(m_momentum->plot().viewport(), Qt::LeftButton, {}, area().center().toPoint());
+    QVERIFY(m_simulation->current() != shown);
     QTest::mouseDClick(m_momentum->plot().viewport(), Qt::LeftButton, {},
                        area().center().toPoint());
     settle();
     QCOMPARE(m_window->kind(), TimeWindow::Kind::All);
     QVERIFY(m_momentum->plot().valueSpan().high > 500.0);
+    QCOMPARE(m_simulation->current(), shown); // and does nothing else
 }
 
 void TestChartZoom::keysZoomAboutTheMoment()

@@ -97,6 +97,8 @@ void TestCodePane::headerSaysStateAndRuns()
     QCOMPARE(toggled.size(), 1);
     m_open->pane.setState(CodeState::Broken);
     QVERIFY(m_open->says(s("cannot be read: the last good version runs")));
+    m_open->pane.setState(CodeState::NeverRan);
+    QVERIFY(m_open->says(s("cannot be read: nothing runs")));
     m_open->pane.setState(CodeState::Unsaved);
     QVERIFY(m_open->says(s("not saved")));
 }

@@ -134,7 +134,12 @@ void TestMainWindowLab::failedCheckShowsTheMomentAndTheWayBack()
     QVERIFY(m_open->preset() == *failed->scene);
     QCOMPARE(m_open->simulation().recording().step(m_open->simulation().current()), failed->step);
     QVERIFY(!m_open->simulation().isRunning());
-    QVERIFY(m_open->says(QStringLiteral("This is a scene of the check")));
+    QVERIFY(m_open->says(QStringLiteral("at the moment where it went wrong")));
+    m_open->simulation().stepForward();
+    QVERIFY(m_open->says(QStringLiteral("This is a scene of the check.")));
+    QVERIFY(!m_open->says(QStringLiteral("at the moment where it went wrong")));
+    m_open->simulation().stepBack();
+    QVERIFY(m_open->says(QStringLiteral("at the moment where it went wrong")));
     // It is not the student's to edit, and is not what is checked.
     QVERIFY(!m_open->bench.document().edit(QStringLiteral("no"), wrong));
     m_open->click(QStringLiteral("Back to my scene"));
@@ -161,6 +166,10 @@ void TestMainWindowLab::editAfterTheCheckMakesItStale()
     m_open->check();
     QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
     m_open->typeCell(0, CircleTableModel::VelocityX, QStringLiteral("1"));
+    QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
+    m_open->bench.document().undoStack().undo(); // back to what was checked
+    QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
+    m_open->bench.document().undoStack().redo();
     QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
     m_open->check();
     QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));

@@ -8,6 +8,7 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMenu>
@@ -33,28 +34,55 @@ QImage imageOf(const ChartPicture &picture)
     return image;
 }
 
+/// A file must not say that it is something else, as a drawing in chart.csv would.
+std::optional<Error> suffixFault(const QString &path, const QString &format)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    static const QStringList known{QStringLiteral("png"), QStringLiteral("svg"),
+                                   QStringLiteral("csv")};
+    if (suffix == format || !known.contains(suffix))
+        return std::nullopt;
+    return Error{.message = ExportText::tr("the name ends in .%1, but this is a .%2 file; choose "
+                                           "another name")
+                                .arg(suffix, format),
+                 .file = path};
+}
+
+/// Asks for a file; a name without an ending gets that of \p format.
+QString askForFile(QWidget *window, const QString &title, const QString &format,
+                   const QString &filter)
+{
+    QFileDialog dialog(window, title, QString(), filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(format);
+    dialog.selectFile(QStringLiteral("chart.") + format);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 void askAndSavePicture(const ChartExports &exports, const QString &format)
 {
     const QString filter = format == QLatin1String("svg") ? ExportText::tr("Drawings (*.svg)")
                                                           : ExportText::tr("Pictures (*.png)");
     const QString path =
-        QFileDialog::getSaveFileName(exports.window, ExportText::tr("Save the chart"),
-                                     QStringLiteral("chart.") + format, filter);
+        askForFile(exports.window, ExportText::tr("Save the chart"), format, filter);
     if (path.isEmpty())
         return;
-    if (const auto error = savePicture(exports.picture(), path, format))
+    if (const auto error = suffixFault(path, format))
         exports.reportError(*error);
+    else if (const auto fault = savePicture(exports.picture(), path, format))
+        exports.reportError(*fault);
 }
 
 void askAndSaveTable(const ChartExports &exports)
 {
-    const QString path = QFileDialog::getSaveFileName(
-        exports.window, ExportText::tr("Save the numbers of the chart"),
-        QStringLiteral("chart.csv"), ExportText::tr("Tables (*.csv)"));
+    const QString path = askForFile(exports.window, ExportText::tr("Save the numbers of the chart"),
+                                    QStringLiteral("csv"), ExportText::tr("Tables (*.csv)"));
     if (path.isEmpty())
         return;
-    if (const auto error = writeFile(path, exports.table()))
+    if (const auto error = suffixFault(path, QStringLiteral("csv")))
         exports.reportError(*error);
+    else if (const auto fault = writeFile(path, exports.table()))
+        exports.reportError(*fault);
 }
 
 } // namespace

@@ -58,6 +58,7 @@ public slots:
 signals:
     void seekRequested(double time); ///< s: a click or a drag in the chart
     void pinRequested();
+    void runRequested();                     ///< to go on, after a click that meant something else
     void failed(const cradle::Error &error); ///< a file could not be written
 
 protected:
@@ -111,7 +112,16 @@ private:
     void zoomTo(const std::optional<ValueSpan> &values);
     void zoomValues(double factor, double about);
 
+    /// The moment before a click, to which a double click goes back: it only ends the zoom.
+    struct BeforeClick {
+        double time = 0.0; ///< s
+        bool ran = false;
+    };
+    void keepMoment();
+    void resetByClick();
+
     const Simulation &m_simulation;
+    std::optional<BeforeClick> m_beforeClick;
     RunCurves &m_curves;
     QLabel *m_heading;
     QHBoxLayout *m_header;

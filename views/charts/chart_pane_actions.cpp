@@ -9,6 +9,8 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
+#include <utility>
+
 namespace cradle {
 
 namespace {
@@ -19,6 +21,7 @@ constexpr double keyZoom = 1.5; ///< of a press of a key
 
 void ChartPane::wirePlot()
 {
+    connect(m_plot, &ChartPlot::pickingBegan, this, &ChartPane::keepMoment);
     connect(m_plot, &ChartPlot::timePicked, this, [this](double time) {
         m_window->setHeld(true);
         emit seekRequested(time);
@@ -49,7 +52,7 @@ void ChartPane::wirePlot()
             zoomTo(ValueSpan{m_valueZoom->low + values, m_valueZoom->high + values});
         m_window->panBy(seconds, m_plot->timeSpan(), whole());
     });
-    connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetZoom);
+    connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetByClick);
     connect(m_plot, &ChartPlot::resized, this, &ChartPane::redraw);
 }
 
@@ -73,6 +76,22 @@ void ChartPane::zoomIn()
 void ChartPane::zoomOut()
 {
     m_window->zoomBy(keyZoom, m_simulation.time(), m_plot->timeSpan(), whole());
+}
+
+void ChartPane::keepMoment()
+{
+    m_beforeClick = BeforeClick{m_simulation.time(), m_simulation.isRunning()};
+}
+
+/// The first of the two clicks has gone to a moment, as a single one does.
+void ChartPane::resetByClick()
+{
+    if (const auto before = std::exchange(m_beforeClick, std::nullopt)) {
+        emit seekRequested(before->time);
+        if (before->ran)
+            emit runRequested();
+    }
+    resetZoom();
 }
 
 void ChartPane::resetZoom()

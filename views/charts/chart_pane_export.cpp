@@ -49,7 +49,7 @@ QByteArray ChartPane::table()
     };
     QStringList cells{tr("time") + unitText(tr("s", "seconds"))};
     for (const ChartCurve &curve : m_plot->curves())
-        cells << csvCell(curve.label + unitText(m_unit));
+        cells << csvCell((curve.column.isEmpty() ? curve.label : curve.column) + unitText(m_unit));
     QByteArray rows = cells.join(QLatin1Char(',')).toUtf8() + '\n';
     const TimeWindow::Span span = m_plot->timeSpan();
     for (qint64 i = recording.first(); i <= recording.last(); ++i) {

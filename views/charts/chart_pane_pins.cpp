@@ -37,6 +37,8 @@ void ChartPane::addPinned(std::vector<ChartCurve> &shown) const
     std::vector<ChartCurve> all;
     for (const PinnedRun &run : m_pins->runs()) {
         for (ChartCurve curve : curvesOf(run)) {
+            if (!curve.column.isEmpty())
+                curve.column = tr("%1: %2", "kept run: curve").arg(run.name(), curve.column);
             curve.label = tr("%1: %2", "kept run: curve").arg(run.name(), curve.label);
             curve.isLabelled = false;
             curve.showsValue = false;

@@ -23,6 +23,7 @@ namespace cradle {
 /// A curve of a chart and how it looks.
 struct ChartCurve {
     QString label;
+    QString column{};        ///< what a table calls it; empty: as the label
     bool isLabelled = true;  ///< the label is written at the curve
     bool showsValue = false; ///< the value at the moment shown is written behind the label
     QColor colour;
@@ -85,6 +86,7 @@ public:
     [[nodiscard]] std::vector<std::pair<QString, QRectF>> labels() const;
 
 signals:
+    void pickingBegan();                          ///< before the first pick of a press
     void timePicked(double time);                 ///< a click or a drag, s
     void hitPicked(qint64 step);                  ///< a click on a hit: the step where it shows
     void pickingEnded();                          ///< the mouse was let go

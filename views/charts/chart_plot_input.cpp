@@ -40,6 +40,7 @@ void ChartPlot::mousePressEvent(QMouseEvent *event)
         m_drag = Drag::Box;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = Drag::Pick;
+        emit pickingBegan();
         const auto distance = [x = m_dragStart.x()](const HitMark &mark) {
             return std::abs(mark.x - x);
         };

@@ -116,6 +116,7 @@ std::vector<ChartCurve> MomentumChart::curvesOf(const CurveSet &run) const
                        .samples = &run.sum().momentum[indexOf(m_part)]});
     for (std::size_t i = 0; i < run.circleCount(); ++i)
         all.push_back({.label = nameOf(i),
+                       .column = QStringLiteral("%1 %2").arg(nameOf(i), symbolOf(m_part)),
                        .showsValue = run.circleCount() == 1,
                        .colour = colourOf(i),
                        .dash = circleDash(static_cast<int>(i)),

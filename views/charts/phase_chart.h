@@ -61,6 +61,7 @@ public slots:
 
 signals:
     void seekRequested(double time);
+    void runRequested(); ///< to go on, after a click that meant something else
     void failed(const cradle::Error &error);
 
 protected:
@@ -93,7 +94,16 @@ private:
     [[nodiscard]] std::optional<QPointF> pointAt(qint64 index) const;
     [[nodiscard]] QColor colour() const;
 
+    /// The moment before a click, to which a double click goes back: it only ends the zoom.
+    struct BeforeClick {
+        double time = 0.0; ///< s
+        bool ran = false;
+    };
+    void keepMoment();
+    void resetByClick();
+
     const Simulation &m_simulation;
+    std::optional<BeforeClick> m_beforeClick;
     TimeWindow *m_window = nullptr;
     PinnedRuns *m_pins = nullptr;
     QLabel *m_heading;

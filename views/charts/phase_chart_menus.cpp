@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+#include <utility>
+
 namespace cradle {
 
 namespace {
@@ -96,12 +98,29 @@ void PhaseChart::addExports(QMenu &menu)
     addExportActions(menu, exports, m_simulation.recording().last() > 0);
 }
 
+void PhaseChart::keepMoment()
+{
+    m_beforeClick = BeforeClick{m_simulation.time(), m_simulation.isRunning()};
+}
+
+/// The first of the two clicks has gone to a moment, as a single one does.
+void PhaseChart::resetByClick()
+{
+    if (const auto before = std::exchange(m_beforeClick, std::nullopt)) {
+        emit seekRequested(before->time);
+        if (before->ran)
+            emit runRequested();
+    }
+    resetZoom();
+}
+
 void PhaseChart::wirePlot()
 {
+    connect(m_plot, &PhasePlot::pickingBegan, this, &PhaseChart::keepMoment);
     connect(m_plot, &PhasePlot::picked, this, &PhaseChart::seekNear);
     connect(m_plot, &PhasePlot::zoomed, this, &PhaseChart::zoomBy);
     connect(m_plot, &PhasePlot::panned, this, &PhaseChart::panBy);
-    connect(m_plot, &PhasePlot::resetRequested, this, &PhaseChart::resetZoom);
+    connect(m_plot, &PhasePlot::resetRequested, this, &PhaseChart::resetByClick);
     connect(m_plot, &PhasePlot::boxChosen, this,
             [this](const ValueSpan &across, const ValueSpan &up) {
                 m_upZoom = up;

@@ -56,6 +56,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
 
 signals:
+    void pickingBegan();        ///< before the first pick of a press
     void picked(QPointF pixel); ///< a click or a drag
     /// By the wheel, about \p values: the axes by these factors.
     void zoomed(QPointF values, double across, double up);

@@ -33,6 +33,7 @@ void PhasePlot::mousePressEvent(QMouseEvent *event)
         m_drag = Drag::Box;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = Drag::Pick;
+        emit pickingBegan();
         emit picked(m_dragStart);
     }
 }

@@ -98,7 +98,7 @@ void CodePane::setTitle(const QString &title)
 void CodePane::setState(CodeState state)
 {
     m_state = state;
-    m_header->setState(textOf(state), state == CodeState::Broken);
+    m_header->setState(textOf(state), state == CodeState::Broken || state == CodeState::NeverRan);
 }
 
 QString CodePane::textOf(CodeState state)
@@ -111,9 +111,11 @@ QString CodePane::textOf(CodeState state)
     case CodeState::ReadOnly:
         return tr("read only");
     case CodeState::Broken:
+        return tr("cannot be read: the last good version runs");
+    case CodeState::NeverRan:
         break;
     }
-    return tr("cannot be read: the last good version runs");
+    return tr("cannot be read: nothing runs");
 }
 
 void CodePane::setAppliesAtOnce(bool atOnce)
@@ -220,7 +222,8 @@ void CodePane::retranslate()
     m_actions->retranslate();
     m_header->retranslate();
     m_header->setStates({textOf(CodeState::Saved), textOf(CodeState::Unsaved),
-                         textOf(CodeState::ReadOnly), textOf(CodeState::Broken)});
+                         textOf(CodeState::ReadOnly), textOf(CodeState::Broken),
+                         textOf(CodeState::NeverRan)});
     setState(m_state);
 }
 

@@ -24,7 +24,8 @@ enum class CodeState {
     Saved,
     Unsaved,
     ReadOnly, ///< nothing may be typed
-    Broken ///< it does not parse: the last good version runs
+    Broken,   ///< it does not parse: the last good version runs
+    NeverRan  ///< it does not parse, and nothing of it has run yet
 };
 
 /// The pane with the student's program: editor, buttons, and beside it what belongs to it.

@@ -31,6 +31,7 @@ struct SceneText {
 
 constexpr double wallWidth = 2.0;            ///< px
 constexpr double closestGridLines = 14;      ///< px; closer ones are thinned out
+constexpr double onePlace = 5.0;             ///< px that two centres are apart at most
 constexpr double smallestNumberedDisc = 8.0; ///< px of radius that a number fits into
 
 bool isCrowd(const SceneMoment &moment)
@@ -163,10 +164,31 @@ void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
                                .colour = theme().warning});
 }
 
+/// Where discs lie on one another, only the topmost could show its number, and none of the others:
+/// beside them stand the numbers of all.
+void joinNumbers(std::vector<LabelWish> &wishes, const Camera &camera)
+{
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        for (std::size_t j = i + 1; wishes[i].atAnchor && j < wishes.size(); ++j) {
+            const QPointF apart =
+                camera.toPixels(wishes[i].label.anchor) - camera.toPixels(wishes[j].label.anchor);
+            if (!wishes[j].atAnchor || QPointF::dotProduct(apart, apart) > onePlace * onePlace)
+                continue;
+            wishes[i].label.text += QStringLiteral(", ") + wishes[j].label.text;
+            wishes[i].label.colour = theme().text;
+            wishes[i].label.plate = true;
+            wishes[i].clearance = std::max(wishes[i].clearance, wishes[j].clearance);
+            wishes.erase(wishes.begin() + static_cast<std::ptrdiff_t>(j--));
+        }
+        wishes[i].atAnchor = wishes[i].atAnchor && !wishes[i].label.plate;
+    }
+}
+
 /// Turns the wishes of \p draft into labels.
 void placeLabels(SceneDraft &draft, const SceneLook &look)
 {
     SceneLabels layout(draft.list, look.camera, look.font, look.reserved);
+    joinNumbers(draft.wishes, look.camera);
     // Numbers in discs first: they have only one good place.
     std::vector<LabelWish> open;
     for (LabelWish &wish : draft.wishes) {
