@@ -3,9 +3,12 @@
 #include "app/author_window.h"
 
 #include "app/lab_drop.h"
+#include "app/new_folder_dialog.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/checks_tab.h"
+#include "views/author/difference_dialog.h"
 #include "views/author/figure.h"
 #include "views/author/lab_dialog.h"
 #include "views/author/scene_tab.h"
@@ -13,7 +16,6 @@
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -28,69 +30,7 @@ namespace cradle {
 
 namespace {
 
-/// A name for a file or an id made of \p title: letters, digits and dashes.
-QString nameFrom(const QString &title)
-{
-    QString name;
-    for (const QChar letter : title.toLower()) {
-        const bool plain = letter.unicode() < 128 && letter.isLetterOrNumber();
-        if (plain)
-            name.append(letter);
-        else if (!name.isEmpty() && !name.endsWith(QLatin1Char('-')))
-            name.append(QLatin1Char('-'));
-    }
-    while (name.endsWith(QLatin1Char('-')))
-        name.chop(1);
-    return name.isEmpty() ? QStringLiteral("lab") : name.left(64);
-}
-
-bool isEmptyFolder(const QString &path)
-{
-    return QFileInfo(path).isDir()
-           && QDir(path).isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden);
-}
-
-/// Asks for a folder that a lab may be written into: a new one, or one in which nothing is, which
-/// a QFileDialog for saving would open instead of taking it.
-class NewFolderDialog final : public QFileDialog
-{
-public:
-    NewFolderDialog(QWidget *parent, const QString &title)
-        : QFileDialog(parent, title)
-    {
-        setFileMode(QFileDialog::AnyFile);
-        setAcceptMode(QFileDialog::AcceptSave);
-        setOption(QFileDialog::ShowDirsOnly);
-        // Nothing is overwritten: a folder in which something is will be refused.
-        setOption(QFileDialog::DontConfirmOverwrite);
-        setOption(QFileDialog::DontUseNativeDialog);
-    }
-
-    /// The one that was chosen.
-    [[nodiscard]] QString folder() const
-    {
-        return isEmptyFolder(typed()) ? typed() : selectedFiles().value(0);
-    }
-
-protected:
-    void accept() override
-    {
-        if (isEmptyFolder(typed()))
-            QDialog::accept();
-        else
-            QFileDialog::accept();
-    }
-
-private:
-    /// Completion selects what exists, so that selectedFiles() names every folder on the way.
-    [[nodiscard]] QString typed() const
-    {
-        const auto *name = findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
-        return name && !name->text().isEmpty()
-                   ? QDir::cleanPath(directory().absoluteFilePath(name->text()))
-                   : QString();
-    }
-};
+constexpr int mostFaults = 8; ///< that a question tells
 
 } // namespace
 
@@ -149,34 +89,75 @@ bool AuthorWindow::save()
 bool AuthorWindow::saveInto(bool overwrite)
 {
     const auto error = m_document.save(overwrite);
-    if (!error)
+    if (!error) {
+        tellRefused();
         return true;
+    }
     if (overwrite || changedOnDisk(m_document.onDisk(), m_document.folder()).isEmpty()) {
         report(*error);
         return false;
     }
-    QMessageBox box(QMessageBox::Warning, tr("Changed by another program"), error->message,
-                    QMessageBox::Cancel, this);
-    QPushButton *replace = box.addButton(tr("Replace with mine"), QMessageBox::DestructiveRole);
-    QPushButton *reload = box.addButton(tr("Take theirs"), QMessageBox::DestructiveRole);
-    box.exec();
-    if (box.clickedButton() == replace)
+    const Result<LabFiles> theirs = readLabFiles(m_document.folder());
+    DifferenceDialog dialog(error->message, m_document.files(), theirs ? *theirs : LabFiles(),
+                            this);
+    enum { ReplaceTheirs = 1, TakeTheirs };
+    dialog.addChoice(tr("Replace with mine"), ReplaceTheirs);
+    dialog.addChoice(tr("Take theirs"), TakeTheirs);
+    const int choice = dialog.exec();
+    if (choice == ReplaceTheirs)
         return saveInto(true);
-    if (box.clickedButton() == reload) {
+    if (choice == TakeTheirs) {
         if (const auto unread = m_document.reload())
             report(*unread);
     }
     return false;
 }
 
+/// Takes the folder's files. What is not saved would go with that, so it asks first.
+void AuthorWindow::reload()
+{
+    const Result<LabFiles> theirs = readLabFiles(m_document.folder());
+    if (m_document.isModified() && theirs && *theirs != m_document.files()) {
+        DifferenceDialog dialog(tr("You have changes that are not saved. If you take the files of "
+                                   "the folder instead, Undo brings yours back."),
+                                m_document.files(), *theirs, this);
+        dialog.addChoice(tr("Take theirs"), 1);
+        if (dialog.exec() != 1) {
+            offerReload(
+                changedOnDisk(m_document.onDisk(), m_document.folder()).join(QStringLiteral(", ")));
+            return;
+        }
+    }
+    if (const auto error = m_document.reload())
+        report(*error);
+}
+
+/// What is typed and is no value is not in the lab, and so not in what was saved.
+void AuthorWindow::tellRefused()
+{
+    const QStringList checks = m_checksTab->refusedChecks();
+    if (!checks.isEmpty())
+        m_notice->showNotice(tr("Saved, but for fields of checks that hold no value yet: %1")
+                                 .arg(checks.join(QStringLiteral(", "))));
+}
+
 bool AuthorWindow::saveAs()
 {
+    // What was never saved has no other copy yet.
+    LabFiles files = m_document.files();
+    if (!m_document.folder().isEmpty() && labForm(files)) {
+        LabDialog naming(m_document, LabDialog::Purpose::Copy, this);
+        if (naming.exec() != QDialog::Accepted)
+            return false;
+        files = naming.copy();
+    }
+    const Result<LabForm> lab = labForm(files);
     NewFolderDialog dialog(this, tr("A new or empty folder for the lab"));
     dialog.setLabelText(QFileDialog::FileName, tr("Folder:"));
-    dialog.selectFile(nameFrom(m_document.lab().title));
+    dialog.selectFile(nameFrom(lab ? lab->title : m_document.title()));
     if (dialog.exec() != QDialog::Accepted)
         return false;
-    if (const auto error = m_document.saveAs(dialog.folder())) {
+    if (const auto error = m_document.saveCopy(dialog.folder(), files)) {
         report(*error);
         return false;
     }
@@ -185,8 +166,32 @@ bool AuthorWindow::saveAs()
     return true;
 }
 
+/// Who exports a lab of which something cannot be read should know that.
+bool AuthorWindow::mayExport()
+{
+    m_document.readNow();
+    QStringList faults;
+    for (const std::vector<Error> *list : {&m_document.unread(), &m_document.lab().findings}) {
+        for (const Error &fault : *list)
+            faults.append(fault.toString());
+    }
+    if (faults.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Warning, tr("Not all of it can be read"),
+                    tr("Students will not find what cannot be read:") + QStringLiteral("\n\n")
+                        + QStringList(faults.mid(0, mostFaults)).join(QLatin1Char('\n')),
+                    QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
+    QPushButton *go = box.addButton(tr("Export anyway"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == go;
+}
+
 void AuthorWindow::exportLab()
 {
+    if (!mayExport())
+        return;
     QString path = QFileDialog::getSaveFileName(
         this, tr("Export the lab as one file"),
         nameFrom(m_document.lab().title) + QLatin1String(archiveSuffix),
@@ -218,7 +223,7 @@ void AuthorWindow::editProperties()
     if (const Result<LabForm> lab = labForm(m_document.files()); !lab)
         report(lab.error());
     else
-        LabDialog(m_document, this).exec();
+        LabDialog(m_document, LabDialog::Purpose::Edit, this).exec();
 }
 
 void AuthorWindow::insertFigure()

@@ -5,7 +5,9 @@
 #include "app/lab_drop.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/broken_file.h"
 #include "views/author/checks_tab.h"
+#include "views/author/language_box.h"
 #include "views/author/programs_tab.h"
 #include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
@@ -19,6 +21,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -59,8 +62,13 @@ void AuthorWindow::makePanes()
     m_notice = new NoticeBar(centre);
     m_splitter = new QSplitter(Qt::Horizontal, centre);
     m_steps = new StepsPanel(m_document, m_splitter);
-    m_tabs = new QTabWidget(m_splitter);
+    m_centre = new QStackedWidget(m_splitter);
+    m_tabs = new QTabWidget(m_centre);
+    m_broken = new BrokenFile(m_document, m_centre);
+    m_centre->addWidget(m_tabs);
+    m_centre->addWidget(m_broken);
     m_tabs->setDocumentMode(true);
+    m_tabs->setCornerWidget(new LanguageBox(m_document, m_tabs));
     m_sceneTab = new SceneTab(m_document, m_tabs);
     m_textTab = new TextTab(m_document, m_tabs);
     m_checksTab = new ChecksTab(m_document, m_tabs);
@@ -92,6 +100,11 @@ void AuthorWindow::wire()
     // Queued: what is not saved is asked about when the drag is over.
     connect(new LabDrop(this), &LabDrop::dropped, this, &AuthorWindow::openDropped,
             Qt::QueuedConnection);
+    for (const auto signal : {&AuthorDocument::opened, &AuthorDocument::changed,
+                              &AuthorDocument::stepChanged, &AuthorDocument::languageChanged})
+        connect(&m_document, signal, this, &AuthorWindow::showBroken);
+    connect(m_steps, &StepsPanel::said, this,
+            [this](const QString &text) { m_notice->showNotice(text); });
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
     connect(m_steps, &StepsPanel::menuRequested, this,
@@ -101,8 +114,7 @@ void AuthorWindow::wire()
         if (m_offer == Offer::Copy) {
             saveAs();
         } else if (m_offer == Offer::Reload) {
-            if (const auto error = m_document.reload())
-                report(*error);
+            reload();
         }
     });
 }
@@ -166,6 +178,12 @@ void AuthorWindow::showState()
                                                         : m_document.folder();
     setWindowTitle(QStringLiteral("%1[*] – %2").arg(name, place));
     setWindowModified(m_document.isModified());
+}
+
+/// The tabs, or in their place the file that keeps them from being filled.
+void AuthorWindow::showBroken()
+{
+    m_centre->setCurrentIndex(m_broken->follow() ? 1 : 0);
 }
 
 void AuthorWindow::showWelcome()

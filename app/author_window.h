@@ -10,6 +10,7 @@
 QT_BEGIN_NAMESPACE
 class QMenu;
 class QSplitter;
+class QStackedWidget;
 class QTabWidget;
 QT_END_NAMESPACE
 
@@ -17,6 +18,7 @@ class QSettings;
 
 namespace cradle {
 
+class BrokenFile;
 class NoticeBar;
 class ChecksTab;
 class ProgramsTab;
@@ -81,6 +83,10 @@ private:
     void retranslate();
     void showState();
     void showWelcome();
+    void showBroken();
+    void reload();
+    void tellRefused();
+    bool mayExport();
     void showVisit();
     void showDraft(const QDateTime &when);
     void offerUnsavedLab();
@@ -97,6 +103,8 @@ private:
     QMenu *m_stepMenu = nullptr; ///< above the list of steps, too
     QSplitter *m_splitter = nullptr;
     StepsPanel *m_steps = nullptr;
+    QStackedWidget *m_centre = nullptr; ///< the tabs, or a file that must be mended first
+    BrokenFile *m_broken = nullptr;
     QTabWidget *m_tabs = nullptr;
     SceneTab *m_sceneTab = nullptr;
     TextTab *m_textTab = nullptr;

@@ -87,6 +87,7 @@ struct Lab {
     QString hash; ///< sha256 of its files
     std::vector<Task> tasks{};
     std::vector<Error> findings{}; ///< what could not be read; the rest is there
+    std::vector<Error> gaps{};     ///< texts that are begun and not finished, see text_gaps.h
 
     /// The index of the task with that id; -1 if there is none.
     [[nodiscard]] int indexOf(const QString &taskId) const;

@@ -133,7 +133,7 @@ QString rowOf(const VerifiedTask &task, const CheckReport &report)
 
 } // namespace
 
-void findProblems(const Task &task, VerifiedTask &verified)
+void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified)
 {
     for (const VerifiedProgram &program : verified.programs) {
         for (const CheckReport &report : program.reports) {
@@ -163,6 +163,13 @@ void findProblems(const Task &task, VerifiedTask &verified)
                  .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
     }
     verified.warnings = idleChecks(task, verified);
+    for (const Error &gap : lab.gaps) {
+        if (gap.file.startsWith(task.folder + QLatin1Char('/')))
+            verified.warnings.push_back({.kind = Kind::TextUnfinished,
+                                         .task = task.id,
+                                         .message = QStringLiteral("%1: %2").arg(
+                                             gap.file.section(QLatin1Char('/'), -1), gap.message)});
+    }
 }
 
 LabFinding tooTight(const Task &task, const CheckSpec &check, const TightTolerance &tight)

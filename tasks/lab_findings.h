@@ -8,7 +8,7 @@
 namespace cradle {
 
 /// Fills in the findings and warnings of \p verified, whose programs have been judged.
-void findProblems(const Task &task, VerifiedTask &verified);
+void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified);
 
 /// The finding about a tolerance that the solution nearly uses up.
 [[nodiscard]] LabFinding tooTight(const Task &task, const CheckSpec &check,

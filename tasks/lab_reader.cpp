@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_reader.h"
 
+#include "tasks/authoring/text_gaps.h"
 #include "tasks/checks/check_validation.h"
 #include "tasks/known_scripts.h"
 #include "tasks/lab_source.h"
@@ -228,6 +229,10 @@ Result<Lab> readFrom(const LabSource &source, const QString &folder, const QStri
     lab.folder = folder;
     lab.hash = hashOf(source.files());
     readTasks(source, *json, language, lab);
+    for (Error gap : textGaps(source.files())) {
+        gap.file = source.fullPath(gap.file);
+        lab.gaps.push_back(gap);
+    }
     for (const Error &fault : source.untold(lab.findings))
         lab.findings.push_back(fault);
     return lab;

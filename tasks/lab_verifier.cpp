@@ -143,7 +143,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     if (watch.isCancelled())
         return {};
     for (std::size_t t = 0; t < result.size(); ++t)
-        findProblems(*tasks[t], result[t]);
+        findProblems(lab, *tasks[t], result[t]);
     for (const ToleranceJob &job : tolerances) {
         if (job.tight)
             result[job.task].findings.push_back(tooTight(*tasks[job.task], *job.check, *job.tight));

@@ -30,7 +30,8 @@ struct LabFinding {
         CheckNeverFails,        ///< no mistake fails \c check
         ToleranceTooTight,      ///< the solution itself nearly uses up that of \c check
         CheckIsDuplicate,       ///< \c check asks for the same as one before it
-        CheckNeverAlone         ///< no mistake is seen by \c check alone
+        CheckNeverAlone,        ///< no mistake is seen by \c check alone
+        TextUnfinished          ///< a half translation, or a text left from the template
     };
 
     Kind kind = Kind::ProgramErrs;

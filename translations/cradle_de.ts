@@ -3670,6 +3670,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
         <translation>Richtig sind %1 Antworten, so viele, wie task.json hat, nicht %2; die Frage wird unübersetzt gezeigt</translation>
     </message>
+    <message>
+        <source>still the text of the template: %1</source>
+        <translation>noch der Text der Vorlage: %1</translation>
+    </message>
+    <message>
+        <source>not in this language yet: %1</source>
+        <translation>noch nicht in dieser Sprache: %1</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -6142,6 +6150,17 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>UnifiedDiff</name>
+    <message>
+        <source>this is no line of a difference; “@@ -4,3 +4,2 @@” or a line after blank, minus or plus is right</source>
+        <translation>das ist keine Zeile eines Unterschieds; richtig ist „@@ -4,3 +4,2 @@“ oder eine Zeile nach Leerzeichen, Minus oder Plus</translation>
+    </message>
+    <message>
+        <source>the lines that this changes are not there any more</source>
+        <translation>die Zeilen, die das ändert, sind nicht mehr da</translation>
+    </message>
+</context>
+<context>
     <name>Variant</name>
     <message>
         <source>timestep 1/%1 s</source>
@@ -6341,10 +6360,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Open a lab&apos;s folder</source>
         <translation>Ordner eines Labs öffnen</translation>
-    </message>
-    <message>
-        <source>Changed by another program</source>
-        <translation>Von einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>Replace with mine</source>
@@ -6569,6 +6584,41 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Open it</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>You have changes that are not saved. If you take the files of the folder instead, Undo brings yours back.</source>
+        <translation>Es gibt Änderungen, die nicht gespeichert sind. Nimmst du stattdessen die Dateien des Ordners, holt Rückgängig deine zurück.</translation>
+    </message>
+    <message>
+        <source>Saved, but for fields of checks that hold no value yet: %1</source>
+        <translation>Gespeichert, bis auf Felder von Prüfungen, in denen noch kein Wert steht: %1</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>Nicht alles lässt sich lesen</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>Was sich nicht lesen lässt, finden Lernende nicht vor:</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::BrokenFile</name>
+    <message>
+        <source>Mend %1</source>
+        <translation>%1 in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>Until it can be read, nothing else of this step can be edited. Mend it here; the tabs come back by themselves.</source>
+        <translation>Bis sie sich lesen lässt, kann sonst nichts an diesem Schritt geändert werden. Bring sie hier in Ordnung; die Reiter kommen dann von selbst wieder.</translation>
+    </message>
+    <message>
+        <source>Text of the file that cannot be read</source>
+        <translation>Text der Datei, die sich nicht lesen lässt</translation>
     </message>
 </context>
 <context>
@@ -7259,6 +7309,33 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::DifferenceDialog</name>
+    <message>
+        <source>(not in mine)</source>
+        <translation>(nicht in meinem)</translation>
+    </message>
+    <message>
+        <source>(not in theirs)</source>
+        <translation>(nicht in dem anderen)</translation>
+    </message>
+    <message>
+        <source>no text</source>
+        <translation>kein Text</translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation>Von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>From mine (−) to theirs (+):</source>
+        <translation>Von meinem (−) zum anderen (+):</translation>
+    </message>
+    <message>
+        <source>Difference of the two versions</source>
+        <translation>Unterschied der beiden Fassungen</translation>
+    </message>
+</context>
+<context>
     <name>cradle::EnergyChart</name>
     <message>
         <source>Energy</source>
@@ -7942,6 +8019,37 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Edit the properties of the lab</source>
         <translation>Eigenschaften des Labs ändern</translation>
+    </message>
+    <message>
+        <source>A copy of the lab</source>
+        <translation>Eine Kopie des Labs</translation>
+    </message>
+    <message>
+        <source>The copy is a lab of its own, so it has an id of its own: who has passed a step of the original has not passed that of the copy.</source>
+        <translation>Die Kopie ist ein eigenes Lab mit eigener Kennung: Wer einen Schritt des Originals bestanden hat, hat den der Kopie damit nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>Another id than that of the original is right</source>
+        <translation>Richtig ist eine andere Kennung als die des Originals</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LanguageBox</name>
+    <message>
+        <source>Texts in %1</source>
+        <translation>Texte: %1</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message>
+        <source>What is typed in any of the tabs, and the titles of steps, are in this language</source>
+        <translation>Was in irgendeinem der Reiter getippt wird und die Titel der Schritte sind in dieser Sprache</translation>
     </message>
 </context>
 <context>
@@ -9667,6 +9775,10 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Title, version and id of the lab</source>
         <translation>Titel, Version und Kennung des Labs</translation>
     </message>
+    <message>
+        <source>Files that the step did not use stay: %1</source>
+        <translation>Dateien, die der Schritt nicht benutzt hat, bleiben: %1</translation>
+    </message>
 </context>
 <context>
     <name>cradle::TextTab</name>
@@ -9721,10 +9833,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Which text</source>
         <translation>Welcher Text</translation>
-    </message>
-    <message>
-        <source>Language of the texts</source>
-        <translation>Sprache der Texte</translation>
     </message>
     <message>
         <source>Mode of the preview</source>

@@ -17,10 +17,10 @@ struct VerifyText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
-QString summary(const std::vector<VerifiedTask> &tasks, qint64 milliseconds)
+QString summary(const Lab &lab, const std::vector<VerifiedTask> &tasks, qint64 milliseconds)
 {
     std::size_t mistakes = 0;
-    std::size_t problems = 0;
+    std::size_t problems = lab.findings.size(); // a step that cannot be read is none below
     for (const VerifiedTask &task : tasks) {
         problems += task.findings.size();
         for (const VerifiedProgram &program : task.programs)
@@ -65,7 +65,7 @@ ExitCode verify(const QStringList &arguments)
         text += describeVerified(task) + QLatin1Char('\n');
         sound = sound && task.findings.empty();
     }
-    if (const auto error = writeText({}, (text + summary(tasks, timer.elapsed())).toUtf8()))
+    if (const auto error = writeText({}, (text + summary(*lab, tasks, timer.elapsed())).toUtf8()))
         return complainUnwritten(*error);
     return sound ? Done : NotPassed;
 }

@@ -178,6 +178,17 @@ Result<LabFiles> withOwnLanguage(const LabFiles &files, const QString &language)
     return withMember(files, indexFile, labSchema, QStringLiteral("language"), language);
 }
 
+std::optional<Error> brokenFile(const LabFiles &files, const QString &step, const QString &language)
+{
+    const Result<LabForm> lab = labForm(files);
+    const Result<TaskForm> form = taskForm(files, step, language);
+    for (const Error *fault : {lab ? nullptr : &lab.error(), form ? nullptr : &form.error()}) {
+        if (fault && files.contents.contains(fault->file))
+            return *fault;
+    }
+    return std::nullopt;
+}
+
 QStringList stepsOf(const LabFiles &files)
 {
     const Result<QJsonObject> json = jsonOf(files, indexFile, labSchema);
@@ -230,7 +241,10 @@ Result<LabFiles> withStepRemoved(const LabFiles &files, const QString &step)
     QStringList steps = stepsOf(files);
     if (!steps.removeOne(step))
         return noSuchStep(step);
-    return withSteps(withoutFolder(files, step), steps);
+    LabFiles rest = withoutFolder(files, step);
+    for (const QString &path : foreignFiles(files, step))
+        rest.contents.insert(path, files.contents.value(path));
+    return withSteps(rest, steps);
 }
 
 Result<LabFiles> withStepMoved(const LabFiles &files, const QString &step, int to)

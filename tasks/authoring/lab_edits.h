@@ -33,6 +33,11 @@ struct LabForm {
 /// \return an error if there are translations into it already
 [[nodiscard]] Result<LabFiles> withOwnLanguage(const LabFiles &files, const QString &language);
 
+/// What keeps lab.json or the texts of \p step from being read, in \p language, with the path of
+/// the file in the lab; nullopt if nothing does. A file that is not there is no broken one.
+[[nodiscard]] std::optional<Error> brokenFile(const LabFiles &files, const QString &step,
+                                              const QString &language = {});
+
 /// The folders of the lab's steps, in order; empty if lab.json cannot be read.
 [[nodiscard]] QStringList stepsOf(const LabFiles &files);
 
@@ -43,8 +48,11 @@ struct LabForm {
 /// \param at  its place from 0; −1 for the end
 [[nodiscard]] Result<LabFiles> withStepAdded(const LabFiles &files, const QString &step,
                                              const QString &title, int at = -1);
-/// Removes the step with all its files.
+/// Removes the step with its files; foreignFiles() stay.
 [[nodiscard]] Result<LabFiles> withStepRemoved(const LabFiles &files, const QString &step);
+/// Files in the folder of a step that it does not use: neither a name that steps have nor one that
+/// its texts tell. Somebody put them there, and the lab can do without.
+[[nodiscard]] QStringList foreignFiles(const LabFiles &files, const QString &step);
 /// \param to  its place from 0 among all steps afterwards
 [[nodiscard]] Result<LabFiles> withStepMoved(const LabFiles &files, const QString &step, int to);
 /// Renames the folder, and the id where it was the folder's name.

@@ -268,4 +268,29 @@ Result<LabFiles> withKnownText(const LabFiles &files, const QString &step, Known
                       texts.isEmpty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(texts));
 }
 
+QStringList foreignFiles(const LabFiles &files, const QString &step)
+{
+    static const QRegularExpression known(QStringLiteral(
+        "^(task(\\.[A-Za-z_]+)?\\.json|instructions(\\.[A-Za-z_]+)?\\.md|preset\\.json|"
+        "solution-preset\\.json|(starter|solution)\\.lua|"
+        "(mistakes|remarks|checks)/[^/]+\\.(lua|diff))$"));
+    const QString start = step + QLatin1Char('/');
+    QStringList names;
+    QString texts;
+    for (auto it = files.contents.lowerBound(start);
+         it != files.contents.end() && it.key().startsWith(start); ++it) {
+        const QString name = it.key().mid(start.size());
+        if (!known.match(name).hasMatch())
+            names.append(name);
+        else if (name.endsWith(QLatin1String(".md")) || name.endsWith(QLatin1String(".json")))
+            texts += QString::fromUtf8(*it);
+    }
+    QStringList foreign;
+    for (const QString &name : std::as_const(names)) {
+        if (!texts.contains(name))
+            foreign.append(start + name);
+    }
+    return foreign;
+}
+
 } // namespace cradle

@@ -20,6 +20,7 @@ private slots:
     void unsoundLabDoesNotPass();
     void fileThatCannotBeReadIsNamed_data();
     void fileThatCannotBeReadIsNamed();
+    void unfinishedTextsAreTold();
     void oneStepAlone();
     void unreadableLabIsRefused_data();
     void unreadableLabIsRefused();
@@ -199,6 +200,24 @@ void TestCliVerify::fileThatCannotBeReadIsNamed()
     const Outcome outcome = verify({folder.path()});
     VERIFY_CODE(outcome, 1);
     QVERIFY2(outcome.error.startsWith(folder.path() + message), outcome.toText().constData());
+    QVERIFY2(!outcome.out.contains(text(" 0 problems")), outcome.toText().constData());
+}
+
+/// A language that is begun in a step, and what is still the template's, are told and fail nothing.
+void TestCliVerify::unfinishedTextsAreTold()
+{
+    Files files = soundLab();
+    files["S1/task.de.json"] = R"({"title": "Treiben", "checks": {"drifts": "Er treibt"}})";
+    files["S1/task.json"].replace("\"Drift\"", "\"Make it fall\"");
+    const QTemporaryDir folder;
+    write(folder, files);
+    const Outcome outcome = verify({folder.path()});
+    VERIFY_CODE(outcome, 0);
+    for (const char *line :
+         {"? task.json: still the text of the template: title\n",
+          "? task.de.json: not in this language yet: hints, checks.velocity, mistakes.twice, "
+          "mistakes.upward, instructions.de.md\n"})
+        QVERIFY2(outcome.out.contains(text(line)), outcome.toText().constData());
 }
 
 void TestCliVerify::oneStepAlone()

@@ -5,6 +5,8 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/lab_reader.h"
+#include "views/author/difference_dialog.h"
+#include "views/author/lab_dialog.h"
 #include "views/inspector/inspector.h"
 
 using namespace cradle;
@@ -74,10 +76,18 @@ void TestAuthorSaving::shippedLabIsReadOnlyUntilCopied()
     QVERIFY(!author.button(QStringLiteral("Reset to the step's scene")));
 
     const QString place = folder.filePath(QStringLiteral("copy"));
-    OpenAuthor::answerDialog(place);
+    OpenAuthor::inDialog<LabDialog>([place](LabDialog *dialog) {
+        OpenAuthor::answerDialog(place);
+        dialog->accept();
+        return true;
+    });
     author.click(QStringLiteral("Copy to a folder…"));
     QVERIFY2(!author.document().isReadOnly(), qPrintable(author.window.notice().text()));
-    QCOMPARE(*readLabFiles(place), before);
+    LabFiles copy = *readLabFiles(place);
+    QVERIFY(labForm(copy)->id != labForm(before)->id); // its progress is its own
+    for (const char *name : {"lab.json", "lab.de.json"})
+        copy.contents[QLatin1String(name)] = before.contents.value(QLatin1String(name));
+    QCOMPARE(copy, before);
     for (const QLineEdit *field : inspector->findChildren<QLineEdit *>())
         QVERIFY(field->isEnabled());
     QVERIFY(author.button(QStringLiteral("Add circle"))->isEnabled());
@@ -111,10 +121,19 @@ void TestAuthorSaving::otherProgramsAreNoticed()
     write(place + QLatin1Char('/') + text, "# Theirs again\n");
     QVERIFY(author.document().edit(QStringLiteral("edit"),
                                    withText(author.files(), text, QStringLiteral("# Mine\n"))));
-    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
+    OpenAuthor::inDialog<DifferenceDialog>([](DifferenceDialog *dialog) {
+        dialog->reject();
+        return true;
+    });
     QVERIFY(!author.window.save());
     QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Theirs again\n"));
-    OpenAuthor::answerQuestion(QStringLiteral("Replace with mine"));
+    OpenAuthor::inDialog<DifferenceDialog>([](DifferenceDialog *dialog) {
+        for (auto *button : dialog->findChildren<QPushButton *>()) {
+            if (button->text() == QStringLiteral("Replace with mine"))
+                button->click();
+        }
+        return true;
+    });
     QVERIFY(author.window.save());
     QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Mine\n"));
 }

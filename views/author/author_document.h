@@ -62,7 +62,9 @@ public:
     /// \return what kept it from being saved
     std::optional<Error> save(bool overwrite = false);
     /// Writes all files into an empty or new folder and goes on there.
-    std::optional<Error> saveAs(const QString &folder);
+    std::optional<Error> saveAs(const QString &folder) { return saveCopy(folder, m_files); }
+    /// The same with \p files, the lab under another id; what was edited cannot be undone there.
+    std::optional<Error> saveCopy(const QString &folder, const LabFiles &files);
     /// Takes the folder's files as they are now, as one edit that can be undone.
     std::optional<Error> reload();
     /// Reads the lab at once instead of a little later.

@@ -75,20 +75,24 @@ std::optional<Error> AuthorDocument::save(bool overwrite)
     return std::nullopt;
 }
 
-std::optional<Error> AuthorDocument::saveAs(const QString &folder)
+std::optional<Error> AuthorDocument::saveCopy(const QString &folder, const LabFiles &files)
 {
     const QDir target(folder);
     if (target.exists() && !target.isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
         return Error{.message = tr("the folder is not empty; a new or an empty one is right"),
                      .file = folder};
-    if (auto error = saveLabFiles(m_files, {}, folder))
+    if (auto error = saveLabFiles(files, {}, folder))
         return error;
     discardDraft(); // of what had no folder, or another
+    if (files != m_files)
+        m_undoStack.clear(); // it would take the old id back
+    m_files = files;
     m_onDisk = m_files;
     m_folder = folder;
     m_readOnly = false;
     m_undoStack.setClean();
     watch();
+    readSoon();
     emit stateChanged();
     emit changed(); // of a lab that was read-only every field may be edited now
     return std::nullopt;

@@ -42,10 +42,10 @@ void CheckEditor::makeLayout()
     m_id = new QLineEdit(this);
     m_kind = new QComboBox(this);
     m_purpose = makeMutedText(this);
-    m_circles = new CirclesLine(this);
+    m_circles = new CirclesLine(m_texts, this);
     m_points = new QLineEdit(this);
-    m_parameters = new ParameterForm(this);
-    m_scene = new SceneForm(this);
+    m_parameters = new ParameterForm(m_texts, QStringLiteral("parameters"), this);
+    m_scene = new SceneForm(m_texts, this);
     m_refusal = makeRefusal(this);
     m_title->setObjectName(QStringLiteral("checkTitle"));
     m_id->setObjectName(QStringLiteral("checkId"));
@@ -85,17 +85,7 @@ void CheckEditor::wire()
         m_check.title = text;
         emit edited(m_check, QStringLiteral("title"));
     });
-    connect(m_id, &QLineEdit::editingFinished, this, [this] {
-        static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
-        const QString id = m_id->text().trimmed();
-        if (!form.match(id).hasMatch()) {
-            m_id->setText(m_check.id);
-            showRefusal(m_refusal, tr("An id of letters, digits, dots and dashes is right"));
-            return;
-        }
-        m_check.id = id;
-        emit edited(m_check, QStringLiteral("id"));
-    });
+    connect(m_id, &QLineEdit::editingFinished, this, &CheckEditor::takeId);
     connect(m_circles, &CirclesLine::circlesEdited, this, [this](const std::vector<int> &circles) {
         m_check.circles = circles;
         emit edited(m_check, QStringLiteral("circles"));
@@ -122,27 +112,75 @@ void CheckEditor::wire()
         m_check.scene = scene;
         emit edited(m_check, QStringLiteral("sceneParameters"));
     });
-    const auto refuse = [this](const QString &reason) { showRefusal(m_refusal, reason); };
-    connect(m_circles, &CirclesLine::refused, this, refuse);
-    connect(m_parameters, &ParameterForm::refused, this, refuse);
-    connect(m_scene, &SceneForm::refused, this, refuse);
+    connect(m_circles, &CirclesLine::refusalsChanged, this, &CheckEditor::showRefusals);
+    connect(m_parameters, &ParameterForm::refusalsChanged, this, &CheckEditor::showRefusals);
+    connect(m_scene, &SceneForm::refusalsChanged, this, &CheckEditor::showRefusals);
 }
 
-void CheckEditor::show(const CheckForm &check)
+void CheckEditor::show(const CheckForm &check, const QString &step)
 {
     m_check = check;
-    const std::pair<QLineEdit *, QString> lines[] = {
-        {m_title, check.title},
-        {m_id, check.id},
-        {m_points, check.points == 1.0 ? QString() : shortestNumber(check.points)}};
-    for (const auto &[line, text] : lines) {
-        if (line->text() != text)
-            line->setText(text);
-    }
+    m_step = step;
+    m_texts.setSubject(step + QLatin1Char('/') + check.id);
+    if (m_title->text() != check.title)
+        m_title->setText(check.title);
+    showLine(m_id, check.id);
+    showLine(m_points, pointsText());
     m_circles->showCircles(check.circles);
     m_scene->showScene(check.scene);
-    m_refusal->hide();
     showKind();
+    showRefusals();
+}
+
+/// Shows the value of a field that is taken when it is left, or what was typed and is no value.
+void CheckEditor::showLine(QLineEdit *line, const QString &value)
+{
+    const RefusedTexts::Text *refused = m_texts.find(line->objectName(), value);
+    const QString text = refused ? refused->typed : value;
+    if (line->text() != text)
+        line->setText(text);
+    markRefused(line, refused != nullptr);
+}
+
+void CheckEditor::refuse(QLineEdit *line, const QString &value, const QString &reason)
+{
+    m_texts.keep(line->objectName(), {line->text(), value, reason});
+    markRefused(line, true);
+    showRefusals();
+}
+
+void CheckEditor::accept(QLineEdit *line)
+{
+    m_texts.drop(line->objectName());
+    markRefused(line, false);
+    showRefusals();
+}
+
+void CheckEditor::showRefusals()
+{
+    showRefusal(m_refusal, m_texts.reason());
+    emit refusalsChanged();
+}
+
+QString CheckEditor::pointsText() const
+{
+    return m_check.points == 1.0 ? QString() : shortestNumber(m_check.points);
+}
+
+void CheckEditor::takeId()
+{
+    static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
+    const QString id = m_id->text().trimmed();
+    if (!form.match(id).hasMatch()) {
+        refuse(m_id, m_check.id, tr("An id of letters, digits, dots and dashes is right"));
+        return;
+    }
+    accept(m_id);
+    if (id == m_check.id)
+        return;
+    m_texts.rename(m_step + QLatin1Char('/') + id);
+    m_check.id = id;
+    emit edited(m_check, QStringLiteral("id"));
 }
 
 void CheckEditor::showKind()
@@ -161,10 +199,10 @@ void CheckEditor::takePoints()
     const QString text = m_points->text().trimmed();
     const double points = text.isEmpty() ? 1.0 : text.toDouble(&ok);
     if (!ok || !(points >= 0.0 && points <= mostPoints)) {
-        show(m_check);
-        showRefusal(m_refusal, tr("Points: a number from 0 to 1000 is right"));
+        refuse(m_points, pointsText(), tr("Points: a number from 0 to 1000 is right"));
         return;
     }
+    accept(m_points);
     if (points == m_check.points)
         return;
     m_check.points = points;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/task_form.h"
+#include "views/author/refused_texts.h"
 
 #include <QWidget>
 
@@ -26,11 +27,15 @@ class CheckEditor final : public QWidget
 public:
     explicit CheckEditor(QWidget *parent = nullptr);
 
-    void show(const CheckForm &check);
+    void show(const CheckForm &check, const QString &step);
     void setReadOnly(bool readOnly);
+    /// What was typed into checks, "STEP/ID", and is no value.
+    [[nodiscard]] const RefusedTexts &refusedTexts() const { return m_texts; }
+    void forgetTexts() { m_texts.clear(); } ///< of another lab
 
 signals:
     void edited(const cradle::CheckForm &check, const QString &field);
+    void refusalsChanged();
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -41,8 +46,16 @@ private:
     void retranslate();
     void showKind();
     void takePoints();
+    void takeId();
+    void showLine(QLineEdit *line, const QString &value);
+    void refuse(QLineEdit *line, const QString &value, const QString &reason);
+    void accept(QLineEdit *line);
+    void showRefusals();
+    [[nodiscard]] QString pointsText() const;
 
     CheckForm m_check;
+    QString m_step; ///< of the check
+    RefusedTexts m_texts;
     QLabel *m_heading = nullptr;
     QLabel *m_captions[5]{};
     QLineEdit *m_title = nullptr;

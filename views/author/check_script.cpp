@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/check_script.h"
 
+#include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/checks/check_kinds.h"
 #include "tasks/script/student_script.h"
@@ -79,6 +80,21 @@ LabFiles CheckScript::begin(const LabFiles &files, const QString &step, CheckFor
     return withText(files, path,
                     tr("-- Returns true, or false and what is wrong.\n")
                         + QStringLiteral("function check(run)\n  return true\nend\n"));
+}
+
+LabFiles CheckScript::copied(const LabFiles &files, const QString &step, CheckForm &check)
+{
+    const QString from = fileOf(check);
+    if (from.isEmpty() || !files.contents.contains(pathIn(step, from)))
+        return files;
+    const QString name =
+        freeName(check.id,
+                 [&](const QString &each) {
+                     return files.contents.contains(pathIn(step, each + QStringLiteral(".lua")));
+                 })
+        + QStringLiteral(".lua");
+    check.parameters.insert(QStringLiteral("script"), name);
+    return withFile(files, pathIn(step, name), files.contents.value(pathIn(step, from)));
 }
 
 void CheckScript::takeText()

@@ -29,6 +29,10 @@ public:
     [[nodiscard]] static LabFiles begin(const LabFiles &files, const QString &step,
                                         CheckForm &check);
 
+    /// Gives \p check, which has the program of another, a copy of it under its own id.
+    [[nodiscard]] static LabFiles copied(const LabFiles &files, const QString &step,
+                                         CheckForm &check);
+
 protected:
     void changeEvent(QEvent *event) override;
 

@@ -7,6 +7,7 @@
 #include "views/author/check_script.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/icons.h"
 #include "views/theme.h"
 
 #include <QBoxLayout>
@@ -97,6 +98,8 @@ void ChecksTab::wire()
             showCurrent();
     });
     connect(m_editor, &CheckEditor::edited, this, &ChecksTab::takeCheck);
+    connect(m_editor, &CheckEditor::refusalsChanged, this, &ChecksTab::markRefused);
+    connect(&m_document, &AuthorDocument::opened, m_editor, &CheckEditor::forgetTexts);
     connect(m_add, &QToolButton::clicked, this, &ChecksTab::addCheck);
     connect(m_duplicate, &QToolButton::clicked, this, &ChecksTab::duplicateCheck);
     connect(m_remove, &QToolButton::clicked, this, &ChecksTab::removeCheck);
@@ -144,20 +147,37 @@ void ChecksTab::showCurrent()
     m_down->setEnabled(writable && at >= 0 && at + 1 < m_list->count());
     const CheckForm check = at >= 0 ? m_checks[static_cast<std::size_t>(at)] : CheckForm();
     if (at >= 0)
-        m_editor->show(check);
+        m_editor->show(check, m_document.step());
     m_script->showCheck(check);
 }
 
-void ChecksTab::store(const QString &text, const std::vector<CheckForm> &checks, int current,
-                      const QString &mergeKey)
+/// Marks the checks in which something is typed that is no value.
+void ChecksTab::markRefused()
 {
-    Result<TaskForm> form = taskForm(m_document.files(), m_document.step(), m_document.language());
+    const QStringList refused = m_editor->refusedTexts().subjects();
+    for (int i = 0; i < m_list->count() && i < static_cast<int>(m_checks.size()); ++i) {
+        const QString subject =
+            m_document.step() + QLatin1Char('/') + m_checks[static_cast<std::size_t>(i)].id;
+        m_list->item(i)->setIcon(refused.contains(subject) ? icon(u"warning", IconTint::Warning)
+                                                           : QIcon());
+    }
+}
+
+QStringList ChecksTab::refusedChecks() const
+{
+    return m_editor->refusedTexts().subjects();
+}
+
+void ChecksTab::store(const QString &text, const std::vector<CheckForm> &checks, int current,
+                      const QString &mergeKey, const std::optional<LabFiles> &base)
+{
+    const LabFiles files = base.value_or(m_document.files());
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
     if (!form)
         return;
     form->checks = checks;
     const bool done = m_document.edit(
-        text, withTask(m_document.files(), m_document.step(), *form, m_document.language()),
-        mergeKey);
+        text, withTask(files, m_document.step(), *form, m_document.language()), mergeKey);
     if (!done)
         reload();
     else if (current >= 0)
@@ -183,12 +203,7 @@ void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
 {
     const LabFiles files = CheckScript::begin(m_document.files(), m_document.step(),
                                               checks[static_cast<std::size_t>(at)]);
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    form->checks = checks;
-    m_document.edit(tr("Edit a check"),
-                    withTask(files, m_document.step(), *form, m_document.language()));
+    store(tr("Edit a check"), checks, at, {}, files);
 }
 
 CodeEditor &ChecksTab::scriptEditor()
@@ -217,8 +232,10 @@ void ChecksTab::duplicateCheck()
     std::vector<CheckForm> checks = m_checks;
     CheckForm copy = checks[static_cast<std::size_t>(at)];
     copy.id = freeId(checks, copy.id);
+    // A program of its own, too: else an edit of the copy would change the other check.
+    const LabFiles files = CheckScript::copied(m_document.files(), m_document.step(), copy);
     checks.insert(checks.begin() + at + 1, copy);
-    store(tr("Duplicate a check"), checks, at + 1);
+    store(tr("Duplicate a check"), checks, at + 1, {}, files);
 }
 
 void ChecksTab::removeCheck()

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 QT_BEGIN_NAMESPACE
 class QLabel;
 class QListWidget;
@@ -31,6 +33,8 @@ public:
     void showCheck(const QString &id);
     void showScript(const QString &file); ///< the check in Lua that \p file is the program of
     [[nodiscard]] CodeEditor &scriptEditor();
+    /// The checks of any step, "STEP/ID", in which something is typed that is no value.
+    [[nodiscard]] QStringList refusedChecks() const;
 
 public slots:
     void addCheck();
@@ -50,7 +54,8 @@ private:
     void takeCheck(const CheckForm &check, const QString &field);
     void beginScript(std::vector<CheckForm> checks, int at);
     void store(const QString &text, const std::vector<CheckForm> &checks, int current,
-               const QString &mergeKey = {});
+               const QString &mergeKey = {}, const std::optional<LabFiles> &base = {});
+    void markRefused();
 
     AuthorDocument &m_document;
     std::vector<CheckForm> m_checks;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/circles_line.h"
 
+#include "views/author/form_rows.h"
+
 #include <QRegularExpression>
 
 namespace cradle {
@@ -9,6 +11,7 @@ namespace cradle {
 namespace {
 
 constexpr int mostCircles = 100;
+const QString fieldName = QStringLiteral("circles");
 
 QString textOf(const std::vector<int> &circles)
 {
@@ -20,8 +23,9 @@ QString textOf(const std::vector<int> &circles)
 
 } // namespace
 
-CirclesLine::CirclesLine(QWidget *parent)
+CirclesLine::CirclesLine(RefusedTexts &texts, QWidget *parent)
     : QLineEdit(parent)
+    , m_texts(texts)
 {
     setPlaceholderText(QStringLiteral("1"));
     connect(this, &QLineEdit::editingFinished, this, &CirclesLine::take);
@@ -30,8 +34,11 @@ CirclesLine::CirclesLine(QWidget *parent)
 void CirclesLine::showCircles(const std::vector<int> &circles)
 {
     m_circles = circles;
-    if (text() != textOf(circles))
-        setText(textOf(circles));
+    const RefusedTexts::Text *refused = m_texts.find(fieldName, textOf(circles));
+    const QString shown = refused ? refused->typed : textOf(circles);
+    if (text() != shown)
+        setText(shown);
+    markRefused(this, refused != nullptr);
 }
 
 void CirclesLine::take()
@@ -42,12 +49,17 @@ void CirclesLine::take()
         bool ok = false;
         const int circle = part.toInt(&ok);
         if (!ok || circle < 1 || circle > mostCircles) {
-            showCircles(m_circles);
-            emit refused(tr("Circles: numbers from 1 to 100 as “1, 2” are right"));
+            m_texts.keep(fieldName, {text(), textOf(m_circles),
+                                     tr("Circles: numbers from 1 to 100 as “1, 2” are right")});
+            markRefused(this, true);
+            emit refusalsChanged();
             return;
         }
         circles.push_back(circle - 1);
     }
+    m_texts.drop(fieldName);
+    markRefused(this, false);
+    emit refusalsChanged();
     if (circles == m_circles)
         return;
     m_circles = circles;

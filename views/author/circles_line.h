@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/author/refused_texts.h"
+
 #include <QLineEdit>
 
 #include <vector>
@@ -13,7 +15,8 @@ class CirclesLine final : public QLineEdit
 {
     Q_OBJECT
 public:
-    explicit CirclesLine(QWidget *parent = nullptr);
+    /// \param texts  keeps what is typed and names no circles
+    CirclesLine(RefusedTexts &texts, QWidget *parent);
 
     /// \param circles  from 0; empty: not said, which means the first
     void showCircles(const std::vector<int> &circles);
@@ -21,11 +24,12 @@ public:
 
 signals:
     void circlesEdited(const std::vector<int> &circles);
-    void refused(const QString &reason); ///< what was typed are no circles
+    void refusalsChanged(); ///< what was typed are no circles, or are again
 
 private:
     void take();
 
+    RefusedTexts &m_texts;
     std::vector<int> m_circles;
 };
 

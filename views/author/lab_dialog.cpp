@@ -19,24 +19,30 @@ namespace {
 
 constexpr int leastWidth = 460;  ///< px
 constexpr int longestText = 200; ///< characters, as in lab.schema.json
+constexpr int longestId = 64;    ///< characters, as well
 
 } // namespace
 
-LabDialog::LabDialog(AuthorDocument &document, QWidget *parent)
+LabDialog::LabDialog(AuthorDocument &document, Purpose purpose, QWidget *parent)
     : QDialog(parent)
     , m_document(document)
+    , m_purpose(purpose)
     , m_ownLanguage(languagesOf(document.files()).front())
 {
-    setWindowTitle(tr("Properties of the lab"));
+    const bool copies = purpose == Purpose::Copy;
+    setWindowTitle(copies ? tr("A copy of the lab") : tr("Properties of the lab"));
     setMinimumWidth(leastWidth);
     QFormLayout *form = makeFormRows();
     makeTitles(form);
     makeFields(form);
     QLabel *note = makeMutedText(this);
-    note->setText(tr("The progress of students is kept by the id. A corrected lab keeps its id and "
-                     "gets a higher version; a new lab gets a new id."));
+    note->setText(
+        copies ? tr("The copy is a lab of its own, so it has an id of its own: who has "
+                    "passed a step of the original has not passed that of the copy.")
+               : tr("The progress of students is kept by the id. A corrected lab keeps its id and "
+                    "gets a higher version; a new lab gets a new id."));
     m_refusal = makeRefusal(this);
-    const bool readOnly = document.isReadOnly();
+    const bool readOnly = document.isReadOnly() && !copies;
     auto *buttons = new QDialogButtonBox(
         readOnly ? QDialogButtonBox::Close : QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &LabDialog::accept);
@@ -51,6 +57,8 @@ LabDialog::LabDialog(AuthorDocument &document, QWidget *parent)
     for (QLineEdit *line : findChildren<QLineEdit *>())
         line->setReadOnly(readOnly);
     m_language->setEnabled(!readOnly);
+    if (copies)
+        nameCopy();
 }
 
 void LabDialog::makeTitles(QFormLayout *form)
@@ -103,6 +111,16 @@ void LabDialog::makeFields(QFormLayout *form)
     }
 }
 
+void LabDialog::nameCopy()
+{
+    m_oldId = m_id->text();
+    m_id->setText(m_oldId.left(longestId - 5) + QStringLiteral("-copy"));
+    for (const Title &title : m_titles) {
+        if (!title.line->text().isEmpty())
+            title.line->setText(tr("%1 (copy)").arg(title.line->text()).left(longestText));
+    }
+}
+
 Result<LabFiles> LabDialog::edited() const
 {
     Result<LabFiles> files = m_document.files();
@@ -128,10 +146,18 @@ Result<LabFiles> LabDialog::edited() const
 void LabDialog::accept()
 {
     const Result<LabFiles> files = edited();
-    if (!files)
+    if (!files) {
         showRefusal(m_refusal, files.error().toString());
-    else if (m_document.edit(tr("Edit the properties of the lab"), files))
+    } else if (m_purpose == Purpose::Copy) {
+        if (m_id->text().trimmed() == m_oldId) {
+            showRefusal(m_refusal, tr("Another id than that of the original is right"));
+            return;
+        }
+        m_copy = *files;
         QDialog::accept();
+    } else if (m_document.edit(tr("Edit the properties of the lab"), files)) {
+        QDialog::accept();
+    }
 }
 
 } // namespace cradle

@@ -26,8 +26,10 @@ constexpr int fieldWidth = 190; ///< px
 
 } // namespace
 
-ParameterForm::ParameterForm(QWidget *parent)
+ParameterForm::ParameterForm(RefusedTexts &texts, const QString &name, QWidget *parent)
     : QWidget(parent)
+    , m_texts(texts)
+    , m_name(name)
     , m_layout(new QFormLayout(this))
 {
     m_layout->setContentsMargins(0, 0, 0, 0);
@@ -41,6 +43,7 @@ void ParameterForm::show(const KindInfo &kind, const QJsonObject &values)
 {
     // The labels are in the language in which they were made.
     const QString made = kind.name + kind.title;
+    m_kindName = kind.name;
     if (made != m_kind) {
         m_kind = made;
         while (m_layout->rowCount() > 0)
@@ -187,21 +190,39 @@ ParameterForm::Field ParameterForm::makeLine(const ParameterInfo &info)
     line->setFixedWidth(fieldWidth);
     line->setPlaceholderText(info.standard.isUndefined() ? QString()
                                                          : textOfParameter(info, info.standard));
-    connect(line, &QLineEdit::textEdited, this, [this, info, line](const QString &text) {
-        const Result<QJsonValue> value = parameterFromText(info, text);
-        markRefused(line, !value);
-        emit refused(value ? QString() : value.error().message);
-        if (value)
-            set(info.name, *value);
-    });
-    return {info, line, [line, info](const QJsonValue &value) {
-                // What is being typed stays as it is typed.
-                const Result<QJsonValue> typed = parameterFromText(info, line->text());
-                if (typed && *typed == value)
-                    return;
-                line->setText(textOfParameter(info, value));
-                markRefused(line, false);
-            }};
+    connect(line, &QLineEdit::textEdited, this, [this, info, line] { takeLine(info, line); });
+    return {info, line,
+            [this, line, info](const QJsonValue &value) { showLine(info, line, value); }};
+}
+
+void ParameterForm::takeLine(const ParameterInfo &info, QLineEdit *line)
+{
+    const Result<QJsonValue> value = parameterFromText(info, line->text());
+    if (value)
+        m_texts.drop(keyOf(info));
+    else
+        m_texts.keep(keyOf(info), {line->text(), textOfParameter(info, m_values.value(info.name)),
+                                   value.error().message});
+    markRefused(line, !value);
+    emit refusalsChanged();
+    if (value)
+        set(info.name, *value);
+}
+
+void ParameterForm::showLine(const ParameterInfo &info, QLineEdit *line, const QJsonValue &value)
+{
+    const QString text = textOfParameter(info, value);
+    const RefusedTexts::Text *refused = m_texts.find(keyOf(info), text);
+    markRefused(line, refused != nullptr);
+    // What is being typed stays as it is typed.
+    const Result<QJsonValue> typed = parameterFromText(info, line->text());
+    if (refused ? line->text() != refused->typed : !typed || *typed != value)
+        line->setText(refused ? refused->typed : text);
+}
+
+QString ParameterForm::keyOf(const ParameterInfo &info) const
+{
+    return QStringLiteral("%1/%2/%3").arg(m_name, m_kindName, info.name);
 }
 
 } // namespace cradle

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/checks/check_kinds.h"
+#include "views/author/refused_texts.h"
 
 #include <QJsonObject>
 #include <QWidget>
@@ -23,7 +24,9 @@ class ParameterForm final : public QWidget
 {
     Q_OBJECT
 public:
-    explicit ParameterForm(QWidget *parent = nullptr);
+    /// \param texts  keeps what is typed and is no value
+    /// \param name   of the form among those with the same \p texts
+    ParameterForm(RefusedTexts &texts, const QString &name, QWidget *parent);
 
     /// Makes the fields of \p kind, if they are not there already, and shows \p values in them.
     void show(const KindInfo &kind, const QJsonObject &values);
@@ -35,7 +38,7 @@ public:
 
 signals:
     void edited(const QJsonObject &values);
-    void refused(const QString &reason); ///< what was typed is no value; empty: it is one again
+    void refusalsChanged(); ///< what was typed is no value, or is one again
 
 private:
     struct Field {
@@ -50,9 +53,15 @@ private:
     Field makeChoices(const ParameterInfo &info);
     Field makeLine(const ParameterInfo &info);
     void set(const QString &name, const QJsonValue &value);
+    void takeLine(const ParameterInfo &info, QLineEdit *line);
+    void showLine(const ParameterInfo &info, QLineEdit *line, const QJsonValue &value);
+    [[nodiscard]] QString keyOf(const ParameterInfo &info) const; ///< of its text in m_texts
 
+    RefusedTexts &m_texts;
+    QString m_name;
     QFormLayout *m_layout;
-    QString m_kind;
+    QString m_kind;     ///< with the language of its fields
+    QString m_kindName; ///< of the catalogue
     std::vector<Field> m_fields;
     QJsonObject m_values;
     bool m_readOnly = false;

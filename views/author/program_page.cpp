@@ -178,7 +178,7 @@ void ProgramPage::showRemark()
     const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
     for (std::size_t i = 0; form && i < form->remarks.size(); ++i) {
         if (fileOfProgram(KnownKind::Remark, form->remarks[i].id) == m_program)
-            m_remark->show(form->remarks[i]);
+            m_remark->show(form->remarks[i], m_document.step());
     }
     m_remark->setReadOnly(m_document.isReadOnly());
 }

@@ -33,8 +33,8 @@ void RemarkEditor::makeLayout()
     m_compareCaption = new QLabel(this);
     m_compare = new QComboBox(this);
     m_circlesCaption = new QLabel(this);
-    m_circles = new CirclesLine(this);
-    m_scene = new SceneForm(this);
+    m_circles = new CirclesLine(m_texts, this);
+    m_scene = new SceneForm(m_texts, this);
     m_refusal = makeRefusal(this);
     m_compare->setObjectName(QStringLiteral("remarkCompare"));
     m_circles->setObjectName(QStringLiteral("remarkCircles"));
@@ -76,18 +76,20 @@ void RemarkEditor::wire()
         m_remark.scene = scene;
         emit edited(m_remark, QStringLiteral("sceneParameters"));
     });
-    const auto refuse = [this](const QString &reason) { showRefusal(m_refusal, reason); };
-    connect(m_circles, &CirclesLine::refused, this, refuse);
-    connect(m_scene, &SceneForm::refused, this, refuse);
+    const auto refuse = [this] { showRefusal(m_refusal, m_texts.reason()); };
+    connect(m_circles, &CirclesLine::refusalsChanged, this, refuse);
+    connect(m_scene, &SceneForm::refusalsChanged, this, refuse);
 }
 
-void RemarkEditor::show(const RemarkForm &remark)
+void RemarkEditor::show(const RemarkForm &remark, const QString &step)
 {
     m_remark = remark;
+    m_step = step;
+    m_texts.setSubject(step + QLatin1Char('/') + remark.id);
     m_compare->setCurrentIndex(m_compare->findData(remark.compare));
     m_circles->showCircles(remark.circles);
     m_scene->showScene(remark.scene);
-    m_refusal->hide();
+    showRefusal(m_refusal, m_texts.reason());
 }
 
 void RemarkEditor::setReadOnly(bool readOnly)
@@ -118,7 +120,7 @@ void RemarkEditor::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
-        show(m_remark);
+        show(m_remark, m_step);
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/task_form.h"
+#include "views/author/refused_texts.h"
 
 #include <QWidget>
 
@@ -24,7 +25,7 @@ class RemarkEditor final : public QWidget
 public:
     explicit RemarkEditor(QWidget *parent = nullptr);
 
-    void show(const RemarkForm &remark);
+    void show(const RemarkForm &remark, const QString &step);
     void setReadOnly(bool readOnly);
 
 signals:
@@ -39,6 +40,8 @@ private:
     void retranslate();
 
     RemarkForm m_remark;
+    QString m_step; ///< of the remark
+    RefusedTexts m_texts;
     QLabel *m_purpose = nullptr;
     QLabel *m_compareCaption = nullptr;
     QComboBox *m_compare = nullptr;

@@ -13,12 +13,12 @@
 
 namespace cradle {
 
-SceneForm::SceneForm(QWidget *parent)
+SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
     : QWidget(parent)
     , m_caption(new QLabel(this))
     , m_kind(new QComboBox(this))
     , m_purpose(makeMutedText(this))
-    , m_values(new ParameterForm(this))
+    , m_values(new ParameterForm(texts, QStringLiteral("scene"), this))
 {
     m_kind->setObjectName(QStringLiteral("sceneKind"));
     m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
@@ -44,7 +44,7 @@ SceneForm::SceneForm(QWidget *parent)
         m_scene = values;
         emit valuesEdited(m_scene);
     });
-    connect(m_values, &ParameterForm::refused, this, &SceneForm::refused);
+    connect(m_values, &ParameterForm::refusalsChanged, this, &SceneForm::refusalsChanged);
 }
 
 void SceneForm::showScene(const QJsonObject &scene)

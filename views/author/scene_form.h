@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/author/refused_texts.h"
+
 #include <QJsonObject>
 #include <QWidget>
 
@@ -19,7 +21,8 @@ class SceneForm final : public QWidget
 {
     Q_OBJECT
 public:
-    explicit SceneForm(QWidget *parent = nullptr);
+    /// \param texts  keeps what is typed and is no value
+    SceneForm(RefusedTexts &texts, QWidget *parent);
 
     void showScene(const QJsonObject &scene); ///< as it stands in task.json
     void setReadOnly(bool readOnly);
@@ -29,7 +32,7 @@ public:
 signals:
     void kindEdited(const QJsonObject &scene);
     void valuesEdited(const QJsonObject &scene);
-    void refused(const QString &reason); ///< empty: it is right again
+    void refusalsChanged();
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -35,6 +35,7 @@ public slots:
     void moveDown();
 
 signals:
+    void said(const QString &text); ///< what the author should know of an edit
     /// At a place of the screen: what can be done with the step there.
     void menuRequested(const QPoint &place);
     void findingChosen(const cradle::Error &finding);

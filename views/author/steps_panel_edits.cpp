@@ -34,8 +34,12 @@ void StepsPanel::removeStep()
     if (at < 0)
         return;
     const QString next = at + 1 < steps.size() ? steps[at + 1] : steps.value(at - 1);
-    m_document.editStep(tr("Remove the step"),
-                        withStepRemoved(m_document.files(), m_document.step()), next);
+    const QStringList foreign = foreignFiles(m_document.files(), m_document.step());
+    const bool done = m_document.editStep(
+        tr("Remove the step"), withStepRemoved(m_document.files(), m_document.step()), next);
+    if (done && !foreign.isEmpty())
+        emit said(
+            tr("Files that the step did not use stay: %1").arg(foreign.join(QStringLiteral(", "))));
 }
 
 void StepsPanel::renameStep()

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/text_tab.h"
 
+#include "tasks/authoring/lab_edits.h"
 #include "tasks/mode.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
 #include "views/author/step_fields.h"
-#include "views/author/text_languages.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 #include "views/theme.h"
@@ -49,17 +49,14 @@ TextTab::~TextTab()
 void TextTab::makeLayout()
 {
     m_part = new QComboBox(this);
-    m_language = new QComboBox(this);
     m_mode = new QComboBox(this);
     m_figure = new QPushButton(this);
     m_part->setObjectName(QStringLiteral("textPart"));
-    m_language->setObjectName(QStringLiteral("textLanguage"));
     setKind(m_figure, "small");
     auto *top = new QHBoxLayout;
     top->setSpacing(8);
     top->setContentsMargins(12, 8, 12, 8);
     top->addWidget(m_part);
-    top->addWidget(m_language);
     top->addWidget(m_figure);
     top->addStretch(1);
     top->addWidget(m_mode);
@@ -112,8 +109,6 @@ void TextTab::wire()
     connect(&m_document, &AuthorDocument::stepChanged, this, &TextTab::followNames);
     connect(m_part, &QComboBox::currentIndexChanged, this, &TextTab::reload);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &TextTab::showPreview);
-    connect(m_language, &QComboBox::activated, this,
-            [this] { m_document.setLanguage(m_language->currentData().toString()); });
     connect(m_hints, &HintsList::currentChanged, this, &TextTab::reloadText);
     connect(m_hints, &HintsList::edited, this, &TextTab::takeHints);
     connect(m_editor, &MarkdownEditor::edited, this, &TextTab::takeText);
@@ -150,7 +145,6 @@ void TextTab::reload()
     m_prediction->setVisible(predicts);
     m_figure->setVisible(!predicts);
     m_mode->setVisible(!predicts);
-    showLanguages();
     reloadForm();
     reloadText();
     m_loading = false;
@@ -188,20 +182,6 @@ void TextTab::reloadText()
     m_editor->setReadOnly(m_document.isReadOnly()
                           || (part() != Instructions && m_hints->current() < 0));
     m_previewTimer.start();
-}
-
-void TextTab::showLanguages()
-{
-    const QStringList codes = offeredLanguages(m_document.files());
-    QStringList shown;
-    for (int i = 0; i < m_language->count(); ++i)
-        shown.append(m_language->itemData(i).toString());
-    if (shown != codes) {
-        m_language->clear();
-        for (const QString &code : codes)
-            m_language->addItem(languageWithCode(code), code);
-    }
-    m_language->setCurrentIndex(m_language->findData(m_document.language()));
 }
 
 void TextTab::showPreview()
@@ -245,8 +225,6 @@ void TextTab::retranslate()
                       tr("Prediction")});
     setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
-    m_language->setAccessibleName(tr("Language of the texts"));
-    m_language->setToolTip(tr("Language of the texts"));
     m_mode->setAccessibleName(tr("Mode of the preview"));
     m_figure->setText(tr("Insert the scene as a figure"));
     m_figure->setToolTip(tr("Draws the moment that the Scene tab shows, with its arrows, as an SVG "

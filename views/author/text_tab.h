@@ -54,7 +54,6 @@ private:
     void reload();
     void reloadForm();
     void reloadText();
-    void showLanguages();
     void showPreview();
     void showUnknown();
     void followNames();
@@ -69,7 +68,6 @@ private:
     FormulaRenderer *m_renderer; ///< of all texts of the tab
     QTimer m_previewTimer;
     QComboBox *m_part = nullptr;
-    QComboBox *m_language = nullptr;
     QComboBox *m_mode = nullptr; ///< for whom the preview is
     QPushButton *m_figure = nullptr;
     QSplitter *m_splitter = nullptr;

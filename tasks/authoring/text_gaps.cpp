@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/authoring/text_gaps.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/authoring/lab_json.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+
+namespace cradle {
+
+namespace {
+
+struct GapsText {
+    Q_DECLARE_TR_FUNCTIONS(LabReader)
+};
+
+const QString titleKey = QStringLiteral("title");
+const QString hintKeys[] = {QStringLiteral("hints"), QStringLiteral("code_hints")};
+
+/// An object whatever is wrong with it: the reader tells of that.
+QJsonObject objectIn(const LabFiles &files, const QString &path)
+{
+    return QJsonDocument::fromJson(files.contents.value(path)).object();
+}
+
+/// Ids of the entries of a list in task.json.
+QStringList idsOf(const QJsonObject &task, const QString &list)
+{
+    QStringList ids;
+    for (const QJsonValue &entry : task.value(list).toArray())
+        ids.append(entry.toObject().value(QStringLiteral("id")).toString());
+    return ids;
+}
+
+/// What \p words, a step's texts in another language, have not: "title", "checks.falls".
+QStringList missingIn(const QJsonObject &words, const QJsonObject &task,
+                      const QStringList &mistakes)
+{
+    QStringList missing;
+    if (words.value(titleKey).toString().isEmpty())
+        missing.append(titleKey);
+    for (const QString &key : hintKeys) {
+        if (words.value(key).toArray().size() != task.value(key).toArray().size())
+            missing.append(key);
+    }
+    const QString prediction = QStringLiteral("prediction");
+    if (task.contains(prediction) && !words.contains(prediction))
+        missing.append(prediction);
+    const QString checks = QStringLiteral("checks");
+    const QString remarks = QStringLiteral("remarks");
+    const std::pair<QString, QStringList> named[] = {{checks, idsOf(task, checks)},
+                                                     {QStringLiteral("mistakes"), mistakes},
+                                                     {remarks, idsOf(task, remarks)}};
+    for (const auto &[key, names] : named) {
+        const QJsonObject texts = words.value(key).toObject();
+        for (const QString &name : names) {
+            if (texts.value(name).toString().isEmpty())
+                missing.append(key + QLatin1Char('.') + name);
+        }
+    }
+    return missing;
+}
+
+/// What of a step still says what the template of new steps says.
+QStringList leftFromTemplate(const LabFiles &files, const QString &step, const LabFiles &pattern,
+                             const QString &patternStep)
+{
+    QStringList left;
+    const QJsonObject task = objectIn(files, step + QStringLiteral("/task.json"));
+    const QJsonObject old = objectIn(pattern, patternStep + QStringLiteral("/task.json"));
+    for (const QString &key : {titleKey, hintKeys[0], hintKeys[1]}) {
+        if (task.value(key) == old.value(key) && !task.value(key).isUndefined())
+            left.append(key);
+    }
+    const QString text = QStringLiteral("/instructions.md");
+    if (textOf(files, step + text) == textOf(pattern, patternStep + text))
+        left.append(QStringLiteral("instructions.md"));
+    return left;
+}
+
+} // namespace
+
+std::vector<Error> textGaps(const LabFiles &files)
+{
+    std::vector<Error> gaps;
+    const QStringList languages = languagesOf(files);
+    const LabFiles pattern = newLab(QStringLiteral("lab"), {}, languages.front());
+    const QString patternStep = stepsOf(pattern).value(0);
+    for (const QString &step : stepsOf(files)) {
+        const QString path = step + QStringLiteral("/task.json");
+        const QJsonObject task = objectIn(files, path);
+        if (task.isEmpty())
+            continue;
+        const QStringList left = leftFromTemplate(files, step, pattern, patternStep);
+        if (!left.isEmpty())
+            gaps.push_back({.message = GapsText::tr("still the text of the template: %1")
+                                           .arg(left.join(QStringLiteral(", "))),
+                            .file = path});
+        const QStringList mistakes = knownNames(files, step, KnownKind::Mistake);
+        for (const QString &language : languages.mid(1)) {
+            const QString translated = translatedPath(path, language);
+            QStringList missing = missingIn(objectIn(files, translated), task, mistakes);
+            if (!files.contents.contains(instructionsPath(files, step, language)))
+                missing.append(QStringLiteral("instructions.%1.md").arg(language));
+            if (!missing.isEmpty())
+                gaps.push_back({.message = GapsText::tr("not in this language yet: %1")
+                                               .arg(missing.join(QStringLiteral(", "))),
+                                .file = translated});
+        }
+    }
+    return gaps;
+}
+
+} // namespace cradle

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/authoring/lab_files.h"
+
+namespace cradle {
+
+/// What of a lab's texts is begun and not finished: a language in which a step lacks texts that it
+/// has in the lab's own, and texts that are still those of the template of new steps. A language
+/// that the lab has no text in is none of it. One error for each file, with its path in the lab.
+[[nodiscard]] std::vector<Error> textGaps(const LabFiles &files);
+
+} // namespace cradle

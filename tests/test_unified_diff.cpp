@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/unified_diff.h"
+
+#include <QTest>
+
+using namespace cradle;
+
+/// Differences of programs: written, and applied to a text that has changed since.
+class TestUnifiedDiff : public QObject
+{
+    Q_OBJECT
+private slots:
+    void differenceIsWrittenAsDiffWritesIt();
+    void whatIsWrittenAppliesAgain_data();
+    void whatIsWrittenAppliesAgain();
+    void movedLinesAreFound();
+    void otherLinesAroundAreAllowedOnce();
+    void changedLinesAreRefusedByTheirHunk();
+    void otherTextsAreNoDifferences();
+};
+
+namespace {
+
+QString text(const char *latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+} // namespace
+
+void TestUnifiedDiff::differenceIsWrittenAsDiffWritesIt()
+{
+    // As `diff -u` does, worked out with it.
+    QCOMPARE(unifiedDiff(text("a\nb\nc\nd\ne\n"), text("a\nb\nC\nd\ne\n"), 1),
+             text("@@ -2,3 +2,3 @@\n b\n-c\n+C\n d\n"));
+    QCOMPARE(unifiedDiff(text("a\n"), text("a\nb\n")), text("@@ -1 +1,2 @@\n a\n+b\n"));
+    QCOMPARE(unifiedDiff(text("a\n"), text("a\n")), QString());
+}
+
+void TestUnifiedDiff::whatIsWrittenAppliesAgain_data()
+{
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("after");
+    const auto row = [](const char *name, const char *before, const char *after) {
+        QTest::newRow(name) << text(before) << text(after);
+    };
+    row("one line", "a\nb\nc\n", "a\nx\nc\n");
+    row("two places", "1\n2\n3\n4\n5\n6\n7\n8\n9\n10\n11\n", "1\nx\n3\n4\n5\n6\n7\n8\n9\ny\n11\n");
+    row("first line", "a\nb\n", "x\na\nb\n");
+    row("last line", "a\nb\n", "a\nb\nx\n");
+    row("first line goes", "a\nb\n", "b\n");
+    row("all else", "a\nb\n", "x\n");
+    row("the same line twice", "a\na\na\na\na\na\na\na\n", "a\na\na\na\na\na\nx\na\na\n");
+    row("empty lines", "\n\na\n\n", "\na\n\n\n");
+    row("nothing", "a\n", "a\n");
+}
+
+void TestUnifiedDiff::whatIsWrittenAppliesAgain()
+{
+    QFETCH(const QString, before);
+    QFETCH(const QString, after);
+    for (const int context : {0, 1, 3}) {
+        const Result<QString> made = withDiff(before, unifiedDiff(before, after, context));
+        QVERIFY2(made.ok(), qPrintable(unifiedDiff(before, after, context)));
+        QCOMPARE(*made, after);
+    }
+}
+
+void TestUnifiedDiff::movedLinesAreFound()
+{
+    const QString diff = unifiedDiff(text("a\nb\nc\nd\ne\n"), text("a\nb\nx\nd\ne\n"), 1);
+    QCOMPARE(*withDiff(text("new\nnew\na\nb\nc\nd\ne\n"), diff), text("new\nnew\na\nb\nx\nd\ne\n"));
+    QCOMPARE(*withDiff(text("b\nc\nd\n"), diff), text("b\nx\nd\n"));
+}
+
+void TestUnifiedDiff::otherLinesAroundAreAllowedOnce()
+{
+    const QString diff = unifiedDiff(text("a\nb\nc\nd\ne\n"), text("a\nb\nx\nd\ne\n"), 2);
+    QCOMPARE(*withDiff(text("A\nb\nc\nd\nE\n"), diff), text("A\nb\nx\nd\nE\n"));
+    QVERIFY(!withDiff(text("A\nb\nc\nd\nE\nb\nc\nd\n"), diff).ok()); // which of the two?
+}
+
+void TestUnifiedDiff::changedLinesAreRefusedByTheirHunk()
+{
+    const QString before = text("1\n2\n3\n4\n5\n6\n7\n8\n9\n");
+    const QString diff = unifiedDiff(before, text("1\nx\n3\n4\n5\n6\n7\ny\n9\n"), 1);
+    const Result<QString> made = withDiff(text("1\n2\n3\n4\n5\n6\n7\neight\n9\n"), diff);
+    QVERIFY(!made.ok());
+    QCOMPARE(made.error().line, 6); // the second "@@"
+}
+
+void TestUnifiedDiff::otherTextsAreNoDifferences()
+{
+    for (const char *diff : {"a\n", "@@ -1 +1 @@\n*b\n", "@@ -x +1 @@\n-a\n", "-a\n"}) {
+        const Result<QString> made = withDiff(text("a\n"), text(diff));
+        QVERIFY2(!made.ok(), diff);
+        QVERIFY2(made.error().line >= 1, diff);
+    }
+}
+
+QTEST_MAIN(TestUnifiedDiff)
+#include "test_unified_diff.moc"

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/broken_file.h"
+
+#include "tasks/authoring/lab_edits.h"
+#include "views/author/form_rows.h"
+#include "views/author/rows_list.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QTextBlock>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_heading(makeHeading(this))
+    , m_reason(new QLabel(this))
+    , m_note(makeMutedText(this))
+    , m_text(new QPlainTextEdit(this))
+{
+    m_reason->setWordWrap(true);
+    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    setKind(m_reason, "warning");
+    m_text->setObjectName(QStringLiteral("brokenText"));
+    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setUndoRedoEnabled(false); // undo is the lab's
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(8);
+    for (QWidget *each : {static_cast<QWidget *>(m_heading), static_cast<QWidget *>(m_reason),
+                          static_cast<QWidget *>(m_note)})
+        column->addWidget(each);
+    column->addWidget(m_text, 1);
+    retranslate();
+    connect(m_text, &QPlainTextEdit::textChanged, this, &BrokenFile::takeText);
+}
+
+bool BrokenFile::follow()
+{
+    const std::optional<Error> fault =
+        brokenFile(m_document.files(), m_document.step(), m_document.language());
+    if (!fault) {
+        m_fault = {};
+        return false;
+    }
+    const bool another = fault->file != m_fault.file;
+    m_fault = *fault;
+    m_heading->setText(fault->file);
+    m_reason->setText(fault->toString());
+    m_text->setReadOnly(m_document.isReadOnly());
+    const QString text = textOf(m_document.files(), fault->file);
+    if (m_text->toPlainText() != text) {
+        m_loading = true;
+        m_text->setPlainText(text);
+        m_loading = false;
+    }
+    if (another && fault->line > 0) {
+        QTextCursor cursor(m_text->document()->findBlockByNumber(fault->line - 1));
+        m_text->setTextCursor(cursor);
+        m_text->centerCursor();
+    }
+    return true;
+}
+
+void BrokenFile::takeText()
+{
+    if (m_loading || m_fault.file.isEmpty())
+        return;
+    m_document.edit(tr("Mend %1").arg(m_fault.file),
+                    withText(m_document.files(), m_fault.file, m_text->toPlainText()),
+                    QStringLiteral("mend:") + m_fault.file);
+}
+
+void BrokenFile::retranslate()
+{
+    m_note->setText(tr("Until it can be read, nothing else of this step can be edited. Mend it "
+                       "here; the tabs come back by themselves."));
+    m_text->setAccessibleName(tr("Text of the file that cannot be read"));
+}
+
+void BrokenFile::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        follow();
+    }
+}
+
+} // namespace cradle

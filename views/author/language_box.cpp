@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/language_box.h"
+
+#include "views/author/text_languages.h"
+
+#include <QEvent>
+
+namespace cradle {
+
+LanguageBox::LanguageBox(AuthorDocument &document, QWidget *parent)
+    : QComboBox(parent)
+    , m_document(document)
+{
+    setObjectName(QStringLiteral("textLanguage"));
+    setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    retranslate();
+    showLanguages();
+    connect(&document, &AuthorDocument::changed, this, &LanguageBox::showLanguages);
+    connect(&document, &AuthorDocument::languageChanged, this, &LanguageBox::showLanguages);
+    connect(this, &QComboBox::activated, this,
+            [this] { m_document.setLanguage(currentData().toString()); });
+}
+
+void LanguageBox::showLanguages()
+{
+    const QStringList codes = offeredLanguages(m_document.files());
+    QStringList shown;
+    for (int i = 0; i < count(); ++i)
+        shown.append(itemData(i).toString());
+    if (shown != codes) {
+        clear();
+        for (const QString &code : codes)
+            addItem(tr("Texts in %1").arg(languageWithCode(code)), code);
+    }
+    setCurrentIndex(findData(m_document.language()));
+}
+
+void LanguageBox::retranslate()
+{
+    setAccessibleName(tr("Language of the texts"));
+    setToolTip(tr("What is typed in any of the tabs, and the titles of steps, are in this "
+                  "language"));
+    for (int i = 0; i < count(); ++i)
+        setItemText(i, tr("Texts in %1").arg(languageWithCode(itemData(i).toString())));
+}
+
+void LanguageBox::changeEvent(QEvent *event)
+{
+    QComboBox::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle
