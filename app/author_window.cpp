@@ -228,9 +228,10 @@ void AuthorWindow::goTo(const Error &finding)
     if (file.startsWith(QLatin1String("checks/"))) {
         showTab(Checks);
         m_checksTab->showScript(file.section(QLatin1Char('/'), 1));
-    } else if (file.endsWith(QLatin1String(".lua"))) {
+    } else if (file.endsWith(QLatin1String(".lua")) || file.endsWith(QLatin1String(".diff"))) {
         showTab(Programs);
-        m_programsTab->openProgram(file, finding.line);
+        m_programsTab->openProgram(file.section(QLatin1Char('.'), 0, -2) + QStringLiteral(".lua"),
+                                   finding.line);
     } else if (file.contains(QLatin1String("preset"))) {
         showTab(Scene);
         if (file.startsWith(QLatin1String("solution-preset")))

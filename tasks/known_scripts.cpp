@@ -26,33 +26,59 @@ QString readIfThere(const LabSource &source, const QString &path, Lab &lab)
     return source.has(path) ? readProgram(source, path, lab) : QString();
 }
 
-KnownScript readKnown(const LabSource &source, const QString &path, const QJsonObject &texts,
-                      Lab &lab)
+/// A program that is kept whole in \p path, or beside it as its difference from the solution.
+/// \return nullopt if that difference does not apply, which has been told then
+std::optional<QString> readWholeOrDiff(const LabSource &source, const QString &path,
+                                       const QString &solution, Lab &lab)
 {
-    KnownScript known;
-    known.name = path.section(QLatin1Char('/'), -1).chopped(4);
-    known.source = readProgram(source, path, lab);
+    const QString diffPath = diffPathOf(path);
+    if (!source.has(diffPath))
+        return readProgram(source, path, lab);
+    if (source.has(path))
+        lab.findings.push_back({.message = ReaderText::tr("the program is there whole, too; one "
+                                                          "of the two files is right"),
+                                .file = source.fullPath(diffPath)});
+    const Result<QString> program = programFromDiff(readProgram(source, diffPath, lab), solution);
+    if (program)
+        return *program;
+    Error error = program.error();
+    error.file = source.fullPath(diffPath);
+    lab.findings.push_back(error);
+    return std::nullopt;
+}
+
+std::optional<KnownScript> readKnown(const LabSource &source, const QString &path,
+                                     const QString &solution, const QJsonObject &texts, Lab &lab)
+{
+    const std::optional<QString> program = readWholeOrDiff(source, path, solution, lab);
+    if (!program)
+        return std::nullopt;
+    KnownScript known{path.section(QLatin1Char('/'), -1).chopped(4), *program, {}};
     known.message = texts.value(known.name).toString(firstCommentBlock(known.source));
     if (known.message.isEmpty())
         lab.findings.push_back(
             {.message = ReaderText::tr("the program begins without a comment; what the student "
                                        "should read of it stands there"),
-             .file = source.fullPath(path),
+             .file = source.fullPath(source.has(diffPathOf(path)) ? diffPathOf(path) : path),
              .line = 1});
     return known;
 }
 
-/// The programs in a folder, in order of their names.
+/// The programs in a folder, in order of their names: "FOLDER/NAME.lua", also those that are kept
+/// as differences.
 QStringList programsIn(const LabSource &source, const QString &folder)
 {
     const auto &files = source.files().contents;
     QStringList paths;
     for (auto it = files.lowerBound(folder); it != files.end() && it.key().startsWith(folder);
          ++it) {
-        if (it.key().endsWith(QLatin1String(".lua"))
+        const bool isDiff = it.key().endsWith(QLatin1String(".diff"));
+        if ((isDiff || it.key().endsWith(QLatin1String(".lua")))
             && it.key().indexOf(QLatin1Char('/'), folder.size()) < 0)
-            paths.append(it.key());
+            paths.append(isDiff ? it.key().chopped(5) + QStringLiteral(".lua") : it.key());
     }
+    paths.sort();
+    paths.removeDuplicates();
     return paths;
 }
 
@@ -70,10 +96,12 @@ void readRemarks(const LabSource &source, const QString &step, const QJsonObject
     for (const QJsonValue &value : json.value(QStringLiteral("remarks")).toArray()) {
         const QJsonObject object = value.toObject();
         const auto text = [&](const char *key) { return object.value(QLatin1String(key)); };
-        RemarkSpec remark;
-        remark.script =
+        const std::optional<KnownScript> script =
             readKnown(source, QStringLiteral("%1/remarks/%2.lua").arg(step, text("id").toString()),
-                      texts, lab);
+                      task.solution, texts, lab);
+        if (!script)
+            continue;
+        RemarkSpec remark{.script = *script};
         remark.compare = compareFromName(text("compare").toString());
         remark.scene = text("scene").toObject();
         const QJsonArray circles = text("circles").toArray();
@@ -102,18 +130,6 @@ void readCheckScripts(const LabSource &source, const QString &step, Task &task, 
 
 } // namespace
 
-QString firstCommentBlock(const QString &source)
-{
-    QStringList lines;
-    for (QString line : source.split(QLatin1Char('\n'))) {
-        if (!line.startsWith(QLatin1String("--")))
-            break;
-        line.remove(0, 2);
-        lines.append(line.startsWith(QLatin1Char(' ')) ? line.mid(1) : line);
-    }
-    return lines.join(QLatin1Char('\n')).trimmed();
-}
-
 void readScripts(const LabSource &source, const QString &step, const QJsonObject &json,
                  const QJsonObject &words, Task &task, Lab &lab)
 {
@@ -122,8 +138,10 @@ void readScripts(const LabSource &source, const QString &step, const QJsonObject
     if (task.starter.isEmpty() && !lab.tasks.empty())
         task.starter = lab.tasks.back().solution;
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();
-    for (const QString &path : programsIn(source, step + QStringLiteral("/mistakes/")))
-        task.mistakes.push_back(readKnown(source, path, texts, lab));
+    for (const QString &path : programsIn(source, step + QStringLiteral("/mistakes/"))) {
+        if (const auto known = readKnown(source, path, task.solution, texts, lab))
+            task.mistakes.push_back(*known);
+    }
     readCheckScripts(source, step, task, lab);
     readRemarks(source, step, json, words.value(QStringLiteral("remarks")).toObject(), task, lab);
 }

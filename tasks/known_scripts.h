@@ -3,13 +3,12 @@
 #pragma once
 
 #include "tasks/lab_source.h"
+#include "tasks/program_diff.h"
 
 namespace cradle {
 
-/// The comment block that a program begins with, without the dashes: CommonMark.
-[[nodiscard]] QString firstCommentBlock(const QString &source);
-
-/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/,
+/// Reads what a step of a lab knows of programs: starter.lua, solution.lua, mistakes/ (whole, or as
+/// differences from the solution),
 /// remarks/ and the checks in Lua. What cannot be read is named in Lab::findings.
 /// \param step   the step's folder
 /// \param json   the step's task.json

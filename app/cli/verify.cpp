@@ -3,6 +3,7 @@
 #include "app/cli/subcommand.h"
 
 #include "tasks/authoring/lab_archive.h"
+#include "tasks/authoring/lab_edits.h"
 #include "tasks/lab_verifier.h"
 
 #include <QCoreApplication>
@@ -33,6 +34,29 @@ QString summary(const Lab &lab, const std::vector<VerifiedTask> &tasks, qint64 m
         .arg(static_cast<double>(milliseconds) / 1000.0, 0, 'f', 1);
 }
 
+/// Rewrites programs in the lab's folder, and says how many lines that saved.
+std::optional<Error> keepAsDifferences(const QString &folder)
+{
+    const Result<LabFiles> files = readLabFiles(folder);
+    if (!files)
+        return files.error();
+    const LabFiles turned = withDifferences(*files);
+    if (auto error = saveLabFiles(turned, *files, folder))
+        return error;
+    qsizetype programs = 0;
+    qsizetype lines = 0;
+    for (auto it = files->contents.begin(); it != files->contents.end(); ++it) {
+        programs += turned.contents.contains(it.key()) ? 0 : 1;
+        lines += it->count('\n');
+    }
+    for (const QByteArray &content : turned.contents)
+        lines -= content.count('\n');
+    QTextStream(stderr)
+        << VerifyText::tr("%1 programs became differences, %2 lines fewer").arg(programs).arg(lines)
+        << Qt::endl;
+    return std::nullopt;
+}
+
 } // namespace
 
 ExitCode verify(const QStringList &arguments)
@@ -47,8 +71,16 @@ ExitCode verify(const QStringList &arguments)
     const QCommandLineOption only(QStringLiteral("task"), VerifyText::tr("this step alone"),
                                   QStringLiteral("L42T5"));
     parser.addOption(only);
+    const QCommandLineOption fix(QStringLiteral("fix"),
+                                 VerifyText::tr("keep mistakes and remarks as differences from "
+                                                "their solution where that is shorter"));
+    parser.addOption(fix);
     if (const auto code = parse(parser, arguments, 1, 1))
         return *code;
+    if (parser.isSet(fix)) {
+        if (const auto error = keepAsDifferences(parser.positionalArguments().first()))
+            return complain(*error);
+    }
     QElapsedTimer timer;
     timer.start();
     const Result<Lab> lab = readLabOrArchive(parser.positionalArguments().first());

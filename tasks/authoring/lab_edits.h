@@ -89,7 +89,21 @@ enum class StepPreset { Start, Solution };
 enum class KnownKind { Mistake, Remark };
 /// Their names, in order of the alphabet (mistakes) or of task.json (remarks).
 [[nodiscard]] QStringList knownNames(const LabFiles &files, const QString &step, KnownKind kind);
+/// "STEP/mistakes/NAME.lua", whether it is kept whole in that file or as its difference from the
+/// solution in NAME.diff beside it.
 [[nodiscard]] QString knownPath(const QString &step, KnownKind kind, const QString &name);
+/// Whether the program \p path is kept as its difference from the step's solution.
+[[nodiscard]] bool isDiff(const LabFiles &files, const QString &path);
+/// The whole of any program, "STEP/solution.lua" or "STEP/mistakes/NAME.lua", however it is kept;
+/// empty if there is none. \return an Error with file and line of a difference that does not apply
+/// to the solution as it is now
+[[nodiscard]] Result<QString> programText(const LabFiles &files, const QString &path);
+/// Sets the whole of a program; one that is kept as a difference stays so.
+[[nodiscard]] LabFiles withProgramText(const LabFiles &files, const QString &path,
+                                       const QString &text);
+/// Keeps as differences all mistakes and remarks that are shorter so.
+[[nodiscard]] LabFiles withDifferences(const LabFiles &files);
+/// A program is kept as its difference from the solution if that is much shorter.
 [[nodiscard]] Result<LabFiles> withKnownAdded(const LabFiles &files, const QString &step,
                                               KnownKind kind, const QString &name,
                                               const QString &source);

@@ -10,8 +10,6 @@
 #include <QJsonDocument>
 #include <QRegularExpression>
 
-#include <algorithm>
-
 namespace cradle {
 
 // Scenes, texts and programs of a step.
@@ -35,64 +33,6 @@ Result<QString> presetPath(const LabFiles &files, const QString &step, StepPrese
 QJsonObject jsonFrom(const Preset &preset)
 {
     return QJsonDocument::fromJson(writePreset(preset)).object();
-}
-
-QString taskPath(const QString &step)
-{
-    return step + QStringLiteral("/task.json");
-}
-
-/// "mistakes" or "remarks": the folder, and the key in translations.
-QString folderOf(KnownKind kind)
-{
-    return kind == KnownKind::Mistake ? QStringLiteral("mistakes") : QStringLiteral("remarks");
-}
-
-std::optional<Error> faultOfKnown(const LabFiles &files, const QString &step, KnownKind kind,
-                                  const QString &name)
-{
-    static const QRegularExpression right(QStringLiteral("^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$"));
-    const QString path = knownPath(step, kind, name);
-    if (!right.match(name).hasMatch() || !faultOfLabPath(path).isEmpty())
-        return Error{.message = EditText::tr("\"%1\" cannot be the name of a program; letters, "
-                                             "digits, dots, dashes and underscores are right")
-                                    .arg(name.left(60)),
-                     .file = step};
-    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
-        if (it.key().compare(path, Qt::CaseInsensitive) == 0)
-            return Error{.message = EditText::tr("the step has a program of this name already"),
-                         .file = path};
-    }
-    return std::nullopt;
-}
-
-Error noSuchProgram(const QString &path)
-{
-    return {.message = EditText::tr("there is no such program"), .file = path};
-}
-
-bool isListed(const TaskForm &form, const QString &remark)
-{
-    return std::any_of(form.remarks.begin(), form.remarks.end(),
-                       [&](const RemarkForm &known) { return known.id == remark; });
-}
-
-/// The remarks of task.json after one of them was renamed, or removed if \p newName is empty.
-Result<LabFiles> withRemark(const LabFiles &files, const QString &step, const QString &name,
-                            const QString &newName)
-{
-    Result<TaskForm> form = taskForm(files, step);
-    if (!form)
-        return form.error();
-    for (RemarkForm &remark : form->remarks) {
-        if (remark.id == name)
-            remark.id = newName;
-    }
-    form->remarks.erase(
-        std::remove_if(form->remarks.begin(), form->remarks.end(),
-                       [](const RemarkForm &remark) { return remark.id.isEmpty(); }),
-        form->remarks.end());
-    return withTask(files, step, *form);
 }
 
 } // namespace
@@ -170,102 +110,6 @@ QString instructionsPath(const LabFiles &files, const QString &step, const QStri
     return isTranslation(files, language)
                ? QStringLiteral("%1/instructions.%2.md").arg(step, language)
                : step + QStringLiteral("/instructions.md");
-}
-
-QString knownPath(const QString &step, KnownKind kind, const QString &name)
-{
-    return QStringLiteral("%1/%2/%3.lua").arg(step, folderOf(kind), name);
-}
-
-QStringList knownNames(const LabFiles &files, const QString &step, KnownKind kind)
-{
-    QStringList names;
-    if (kind == KnownKind::Remark) {
-        const Result<TaskForm> form = taskForm(files, step);
-        for (std::size_t i = 0; form && i < form->remarks.size(); ++i)
-            names.append(form->remarks[i].id);
-        return names;
-    }
-    const QString start = QStringLiteral("%1/%2/").arg(step, folderOf(kind));
-    for (auto it = files.contents.lowerBound(start);
-         it != files.contents.end() && it.key().startsWith(start); ++it) {
-        const QString name = it.key().mid(start.size());
-        if (name.endsWith(QLatin1String(".lua")) && !name.contains(QLatin1Char('/')))
-            names.append(name.chopped(4));
-    }
-    return names;
-}
-
-Result<LabFiles> withKnownAdded(const LabFiles &files, const QString &step, KnownKind kind,
-                                const QString &name, const QString &source)
-{
-    if (auto fault = faultOfKnown(files, step, kind, name))
-        return *fault;
-    const LabFiles added = withText(files, knownPath(step, kind, name), source);
-    if (kind == KnownKind::Mistake)
-        return added;
-    Result<TaskForm> form = taskForm(files, step);
-    if (!form)
-        return form.error();
-    if (!isListed(*form, name))
-        form->remarks.push_back({.id = name});
-    return withTask(added, step, *form);
-}
-
-Result<LabFiles> withKnownRemoved(const LabFiles &files, const QString &step, KnownKind kind,
-                                  const QString &name)
-{
-    const QString path = knownPath(step, kind, name);
-    const bool isThere =
-        files.contents.contains(path) || knownNames(files, step, kind).contains(name);
-    if (!isThere)
-        return noSuchProgram(path);
-    const LabFiles removed =
-        withTranslatedKey(withoutFile(files, path), step, folderOf(kind), name, {});
-    return kind == KnownKind::Mistake ? removed : withRemark(removed, step, name, {});
-}
-
-Result<LabFiles> withKnownRenamed(const LabFiles &files, const QString &step, KnownKind kind,
-                                  const QString &name, const QString &newName)
-{
-    const QString path = knownPath(step, kind, name);
-    if (!files.contents.contains(path))
-        return noSuchProgram(path);
-    if (name == newName)
-        return files;
-    LabFiles moved = withoutFile(files, path);
-    if (auto fault = faultOfKnown(moved, step, kind, newName))
-        return *fault;
-    moved.contents.insert(knownPath(step, kind, newName), files.contents.value(path));
-    moved = withTranslatedKey(moved, step, folderOf(kind), name, newName);
-    return kind == KnownKind::Mistake ? moved : withRemark(moved, step, name, newName);
-}
-
-QString knownText(const LabFiles &files, const QString &step, KnownKind kind, const QString &name,
-                  const QString &language)
-{
-    const QString path = translatedPath(taskPath(step), language);
-    const Result<QJsonObject> json = jsonOf(files, path, translationSchema);
-    return json ? json->value(folderOf(kind)).toObject().value(name).toString() : QString();
-}
-
-Result<LabFiles> withKnownText(const LabFiles &files, const QString &step, KnownKind kind,
-                               const QString &name, const QString &language, const QString &text)
-{
-    const QString path = translatedPath(taskPath(step), language);
-    QJsonObject texts;
-    if (files.contents.contains(path)) {
-        const Result<QJsonObject> json = jsonOf(files, path, translationSchema);
-        if (!json)
-            return json.error();
-        texts = json->value(folderOf(kind)).toObject();
-    }
-    if (text.isEmpty())
-        texts.remove(name);
-    else
-        texts.insert(name, text);
-    return withMember(files, path, translationSchema, folderOf(kind),
-                      texts.isEmpty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(texts));
 }
 
 QStringList foreignFiles(const LabFiles &files, const QString &step)

@@ -21,6 +21,7 @@ private slots:
     void fileThatCannotBeReadIsNamed_data();
     void fileThatCannotBeReadIsNamed();
     void unfinishedTextsAreTold();
+    void mistakesBecomeDifferences();
     void oneStepAlone();
     void unreadableLabIsRefused_data();
     void unreadableLabIsRefused();
@@ -218,6 +219,27 @@ void TestCliVerify::unfinishedTextsAreTold()
           "? task.de.json: not in this language yet: hints, checks.velocity, mistakes.twice, "
           "mistakes.upward, instructions.de.md\n"})
         QVERIFY2(outcome.out.contains(text(line)), outcome.toText().constData());
+}
+
+void TestCliVerify::mistakesBecomeDifferences()
+{
+    Files files = soundLab();
+    const QByteArray more = "\nlocal one = 1\nlocal two = 2\nlocal three = 3\nlocal four = 4\n"
+                            "local five = 5\nlocal six = 6\nlocal seven = 7\n";
+    files["S1/solution.lua"] += more;
+    files["S1/mistakes/twice.lua"] += more;
+    const QTemporaryDir folder;
+    write(folder, files);
+    const Outcome before = verify({folder.path()});
+    const Outcome after = verify({folder.path(), text("--fix")});
+    VERIFY_CODE(after, 0);
+    QVERIFY2(after.error.startsWith(text("1 programs became differences, ")),
+             after.toText().constData());
+    QVERIFY(QFileInfo::exists(folder.filePath(text("S1/mistakes/twice.diff"))));
+    QVERIFY(!QFileInfo::exists(folder.filePath(text("S1/mistakes/twice.lua"))));
+    QVERIFY(QFileInfo::exists(folder.filePath(text("S1/mistakes/upward.lua")))); // it is no shorter
+    const auto matrix = [](const Outcome &of) { return of.out.section(text(" problems"), 0, 0); };
+    QCOMPARE(matrix(after), matrix(before));
 }
 
 void TestCliVerify::oneStepAlone()

@@ -92,8 +92,8 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
                        "  circle1.position = circle1.position + circle1.velocity * timestep\n"
                        "end\n"));
     QTRY_VERIFY(
-        textOf(author.files(), knownPath(step, KnownKind::Mistake, QStringLiteral("thrown")))
-            .contains(QStringLiteral("vec(0, 2)")));
+        programText(author.files(), knownPath(step, KnownKind::Mistake, QStringLiteral("thrown")))
+            ->contains(QStringLiteral("vec(0, 2)")));
 
     // The proof.
     author.choose(QStringLiteral("Verify this step"));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/program_page.h"
 
-#include "tasks/known_scripts.h"
+#include "tasks/line_diff.h"
+#include "tasks/program_diff.h"
 #include "tasks/script/student_script.h"
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
@@ -103,16 +104,23 @@ bool ProgramPage::isTranslation() const
 void ProgramPage::showProgram(const QString &program)
 {
     m_program = program;
-    const QString text = textOf(m_document.files(), path());
+    const LabFiles &files = m_document.files();
+    const Result<QString> whole = programText(files, path());
+    m_applies = whole.ok();
+    const QString text = whole ? *whole : textOf(files, diffPathOf(path()));
     m_editor->setReadOnly(false); // a read-only area takes no text at all
+    // Blanks that are being typed stay, though a difference keeps none at the end of a comment.
+    const bool typed = m_applies && withProgramText(files, path(), m_editor->text()) == files;
     if (m_shownPath != path())
         m_editor->setText(text);
-    else
+    else if (!typed)
         m_editor->replaceText(text);
     m_editor->setReadOnly(m_document.isReadOnly());
     m_editor->setAccessibleName(tr("Program %1").arg(m_program));
     m_shownPath = path();
+    m_fault = whole ? Error{} : whole.error();
     checkSyntax();
+    markDifference();
     const auto kind = kindOfProgram(m_program);
     m_below->setVisible(kind.has_value());
     m_below->setTabVisible(Recognition, kind == KnownKind::Remark);
@@ -135,15 +143,50 @@ void ProgramPage::showNote()
                                    "before. Write here to start from something else."));
     else if (m_program == QLatin1String("solution.lua"))
         m_note->setText(tr("The reference: it passes every check, with every seed."));
+    else if (!m_applies)
+        m_note->setText(tr("The solution was changed where this difference changes it. Mend the "
+                           "lines after @@ so that they say what stands in the solution now, and "
+                           "what stands here instead."));
     else if (kindOfProgram(m_program) == KnownKind::Mistake)
         m_note->setText(tr("A whole program with one mistake: it fails by a check, and who wrote "
-                           "the same reads the comment that it begins with."));
+                           "the same reads the comment that it begins with.")
+                        + differenceNote());
     else
-        m_note->setText(tr("A whole program that passes and deserves a word."));
+        m_note->setText(tr("A whole program that passes and deserves a word.") + differenceNote());
+}
+
+QString ProgramPage::differenceNote() const
+{
+    return isDiff(m_document.files(), path())
+               ? QLatin1Char(' ')
+                     + tr("It is kept as its difference from the solution, which is marked, and "
+                          "follows it.")
+               : QString();
+}
+
+/// Marks the lines in which a mistake or remark is not the solution.
+void ProgramPage::markDifference()
+{
+    std::vector<int> lines;
+    if (kindOfProgram(m_program) && m_applies) {
+        const QString solution =
+            textOf(m_document.files(), m_document.step() + QStringLiteral("/solution.lua"));
+        const auto comment =
+            static_cast<int>(firstCommentBlock(m_editor->text()).count(QLatin1Char('\n')) + 2);
+        for (const DiffLine &line : lineDiff(solution, m_editor->text())) {
+            if (line.kind == DiffLine::Kind::Added && line.after > comment)
+                lines.push_back(line.after);
+        }
+    }
+    m_editor->setChanged(lines);
 }
 
 void ProgramPage::checkSyntax()
 {
+    if (!m_applies) {
+        m_editor->setError(m_fault.line, m_fault.message);
+        return;
+    }
     const auto error = findSyntaxError(m_editor->text());
     if (error)
         m_editor->setError(error->line, error->message);
@@ -156,7 +199,8 @@ void ProgramPage::showMessage()
     const auto kind = kindOfProgram(m_program);
     if (!kind)
         return;
-    QString message = firstCommentBlock(m_editor->text());
+    const Result<QString> whole = programText(m_document.files(), path());
+    QString message = whole ? firstCommentBlock(*whole) : QString();
     m_translation->setVisible(isTranslation());
     m_translation->setReadOnly(m_document.isReadOnly());
     if (isTranslation()) {
@@ -185,9 +229,14 @@ void ProgramPage::showRemark()
 
 void ProgramPage::takeSource()
 {
-    checkSyntax();
-    m_document.edit(tr("Edit a program"), withText(m_document.files(), path(), m_editor->text()),
+    const LabFiles &files = m_document.files();
+    const QString text = m_editor->text();
+    m_document.edit(tr("Edit a program"),
+                    m_applies ? withProgramText(files, path(), text)
+                              : withText(files, diffPathOf(path()), text),
                     QStringLiteral("program:") + path());
+    checkSyntax();
+    markDifference();
 }
 
 void ProgramPage::takeTranslation(const QString &text)

@@ -45,6 +45,8 @@ private:
     void showMessage();
     void showRemark();
     void checkSyntax();
+    void markDifference();
+    [[nodiscard]] QString differenceNote() const;
     void takeSource();
     void takeTranslation(const QString &text);
     void takeRemark(const RemarkForm &remark, const QString &field);
@@ -62,6 +64,8 @@ private:
     RemarkEditor *m_remark = nullptr;
     QString m_program;
     QString m_shownPath;
+    bool m_applies = true; ///< else the difference itself is shown, to be mended
+    Error m_fault{};       ///< why it does not apply
 };
 
 } // namespace cradle

@@ -42,7 +42,9 @@ const CheckOutcome *ProofTab::outcomeOf(const LabFinding &finding) const
 
 QString ProofTab::sourceOf(const QString &program) const
 {
-    return textOf(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
+    const Result<QString> source =
+        programText(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
+    return source ? *source : QString();
 }
 
 /// Who verifies the lab sees one of its steps: this tells of all the others.
