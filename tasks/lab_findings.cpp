@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_findings.h"
 
+#include "tasks/other_values.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -91,6 +93,36 @@ bool asksTheSame(const CheckSpec &a, const CheckSpec &b)
            && a.scene == b.scene && a.source == b.source;
 }
 
+/// Checks that fail whatever fails by \p check: one if there is such a one, else as few as it
+/// takes, the one that sees most of it first.
+QStringList repeatedBy(const VerifiedTask &verified, const QString &check)
+{
+    std::vector<const CheckReport *> rest;
+    for (const VerifiedProgram &p : verified.programs) {
+        if (p.role == Role::Mistake && isFailedBy(p.reports.front(), check))
+            rest.push_back(&p.reports.front());
+    }
+    QStringList others;
+    while (!rest.empty()) {
+        QString best;
+        std::ptrdiff_t most = 0;
+        for (const QString &other : verified.checks) {
+            const auto seen = std::count_if(rest.begin(), rest.end(), [&](const CheckReport *r) {
+                return isFailedBy(*r, other);
+            });
+            if (other != check && seen > most) {
+                most = seen;
+                best = other;
+            }
+        }
+        if (most == 0)
+            break;
+        others.append(best);
+        std::erase_if(rest, [&](const CheckReport *r) { return isFailedBy(*r, best); });
+    }
+    return others;
+}
+
 /// Checks that could be left out: nothing would be judged otherwise.
 std::vector<LabFinding> idleChecks(const Task &task, const VerifiedTask &verified)
 {
@@ -113,7 +145,8 @@ std::vector<LabFinding> idleChecks(const Task &task, const VerifiedTask &verifie
         } else if (seenBy(isFailedBy) && !seenBy(isFailedAlone)) {
             finding.kind = Kind::CheckNeverAlone;
             finding.message =
-                VerifyText::tr("no mistake fails by the check %1 alone").arg(check->id);
+                VerifyText::tr("no mistake fails by the check %1 alone: it repeats %2")
+                    .arg(check->id, repeatedBy(verified, check->id).join(QStringLiteral(", ")));
         } else {
             continue;
         }
@@ -145,6 +178,19 @@ void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified)
                 break;
             }
         }
+    }
+    for (const KnownScript &mistake : task.mistakes) {
+        const std::vector<OtherValue> others = otherValues(mistake.source, task.solution);
+        if (others.empty())
+            continue;
+        const QString program = QStringLiteral("mistakes/") + mistake.name;
+        verified.findings.push_back(
+            {.kind = Kind::MistakeDiffersInMore,
+             .task = task.id,
+             .program = program,
+             .message = VerifyText::tr("%1 differs in more than its mistake: it has “%2” where the "
+                                       "solution has “%3”")
+                            .arg(program, others.front().here, others.front().solution)});
     }
     if (task.solution.isEmpty())
         verified.findings.push_back({.kind = Kind::NoSolution,
@@ -189,6 +235,13 @@ LabFinding tooTight(const Task &task, const CheckSpec &check, const TightToleran
                          figure(toleranceMargin * tight.needed))};
 }
 
+void dropNeeded(VerifiedTask &verified, const QStringList &alone)
+{
+    std::erase_if(verified.warnings, [&](const LabFinding &warning) {
+        return warning.kind == Kind::CheckNeverAlone && alone.contains(warning.check);
+    });
+}
+
 QString programPath(const VerifiedProgram &program)
 {
     switch (program.role) {
@@ -221,17 +274,8 @@ QString describeVerified(const VerifiedTask &task)
     }
     for (const LabFinding &finding : task.findings)
         text += QStringLiteral("  ! %1\n").arg(finding.message);
-    QStringList idle;
-    for (const LabFinding &warning : task.warnings) {
-        if (warning.kind == Kind::CheckNeverAlone)
-            idle.append(warning.check);
-        else
-            text += QStringLiteral("  ? %1\n").arg(warning.message);
-    }
-    if (!idle.isEmpty())
-        text += QStringLiteral("  ? %1\n")
-                    .arg(VerifyText::tr("by these checks alone no mistake fails: %1")
-                             .arg(idle.join(QStringLiteral(", "))));
+    for (const LabFinding &warning : task.warnings)
+        text += QStringLiteral("  ? %1\n").arg(warning.message);
     return text;
 }
 

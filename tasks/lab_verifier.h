@@ -25,6 +25,7 @@ struct LabFinding {
         MistakePasses,          ///< it should fail by a check
         MistakeNotRecognised,   ///< it fails, and nothing is said of it
         MistakeTakenForAnother, ///< it gets the diagnosis of another
+        MistakeDiffersInMore,   ///< it has another value than the solution beside its mistake
         RemarkFails,            ///< work that gets a remark should pass
         RemarkNotRecognised,    ///< it passes, and nothing is said of it
         CheckNeverFails,        ///< no mistake fails \c check
@@ -54,10 +55,10 @@ struct VerifiedTask {
 };
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
-/// with five seeds; every mistake fails and is diagnosed as itself; every remark passes and is
+/// with five seeds; every mistake fails and is diagnosed as itself, and has the values of the solution; every remark passes and is
 /// recognised; every check is failed by a mistake; no tolerance is nearly used up by the solution
 /// itself. Warns of checks that add nothing: duplicates, and those without which every mistake
-/// would still fail. Where a step has a solution-preset.json, the laws of that scene pass, too.
+/// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of that scene pass, too.
 /// Uses all processors. \param only   the id of one step; empty for all \param hooks  called from
 /// other threads, never two at once \return nothing if it was cancelled
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
@@ -65,6 +66,10 @@ struct VerifiedTask {
 
 /// "mistakes/NAME", "starter": the file of a program in its step without the ending.
 [[nodiscard]] QString programPath(const VerifiedProgram &program);
+
+/// Takes back the warnings of checks that something fails alone: some mutations of the solution,
+/// see mutations.h. \param alone  the ids of such checks
+void dropNeeded(VerifiedTask &verified, const QStringList &alone);
 
 /// The matrix of mistakes and checks of a step, and its problems, for a terminal.
 [[nodiscard]] QString describeVerified(const VerifiedTask &task);

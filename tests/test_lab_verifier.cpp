@@ -104,6 +104,7 @@ void TestLabVerifier::findingSaysWhatItIsAbout_data()
     row("mistake passes", Kind::MistakePasses, "mistakes/twice", "");
     row("mistake not recognised", Kind::MistakeNotRecognised, "mistakes/twice", "drifts");
     row("mistake like another", Kind::MistakeTakenForAnother, "mistakes/backwards", "drifts");
+    row("mistake has another value", Kind::MistakeDiffersInMore, "mistakes/twice", "");
     row("remark fails", Kind::RemarkFails, "remarks/word", "drifts");
     row("remark not recognised", Kind::RemarkNotRecognised, "remarks/word", "");
     row("check never fails", Kind::CheckNeverFails, "", "start");
@@ -140,6 +141,9 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
             "  circle1.position = circle1.position + share * circle1.velocity * dt\nend\n");
     } else if (change == QLatin1String("mistake like another")) {
         task.mistakes[1].source = twice;
+    } else if (change == QLatin1String("mistake has another value")) {
+        task.solution += QStringLiteral("function on_load()\n  restitution = 0.8\nend\n");
+        task.mistakes[0].source += QStringLiteral("function on_load()\n  restitution = 0.5\nend\n");
     } else if (change == QLatin1String("remark fails")) {
         task.remarks = {word};
     } else if (change == QLatin1String("remark not recognised")) {
@@ -187,6 +191,13 @@ void TestLabVerifier::checksThatAddNothingAreNamed()
     for (const LabFinding &warning : warnings)
         QCOMPARE(warning.kind, LabFinding::Kind::CheckNeverAlone);
     QCOMPARE(warnings.back().check, QStringLiteral("longer"));
+    QVERIFY2(warnings.back().message.endsWith(QStringLiteral("it repeats drifts")),
+             qPrintable(warnings.back().message));
+    // Something else than the mistakes fails by it alone.
+    VerifiedTask verified = verifyLab(labOf(task)).front();
+    dropNeeded(verified, {QStringLiteral("longer")});
+    QCOMPARE(verified.warnings.size(), std::size_t{1});
+    QCOMPARE(verified.warnings.front().check, QStringLiteral("drifts"));
     task.checks.back().scene = task.checks.front().scene;
     warnings = warningsOf(task);
     QCOMPARE(warnings.back().kind, LabFinding::Kind::CheckIsDuplicate);

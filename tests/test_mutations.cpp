@@ -143,7 +143,7 @@ void TestMutations::missingTestIsFound()
                     .circles = {0},
                     .scene = {{QStringLiteral("kind"), QStringLiteral("own")},
                               {QStringLiteral("duration"), 1.0}}}};
-    const std::vector<Suggestion> suggestions = suggestMistakes({}, task);
+    const std::vector<Suggestion> suggestions = suggestMistakes({}, task).list;
     const auto find = [&](const QString &change) {
         const auto found =
             std::find_if(suggestions.begin(), suggestions.end(),
@@ -164,7 +164,7 @@ void TestMutations::missingTestIsFound()
 
     // Once it has one, it is not suggested again.
     task.mistakes = {{QStringLiteral("known"), faster->mutant.source, QStringLiteral("Known")}};
-    for (const Suggestion &s : suggestMistakes({}, task))
+    for (const Suggestion &s : suggestMistakes({}, task).list)
         QVERIFY(s.mutant.change != faster->mutant.change);
 }
 
@@ -173,7 +173,7 @@ void TestMutations::cancelledSearchSaysNothing()
     Task task;
     task.preset.circles.resize(1);
     task.solution = fall;
-    QVERIFY(suggestMistakes({}, task, {.cancelled = [] { return true; }}).empty());
+    QVERIFY(suggestMistakes({}, task, {.cancelled = [] { return true; }}).list.empty());
 }
 
 QTEST_GUILESS_MAIN(TestMutations)

@@ -56,7 +56,7 @@ ExitCode suggest(const QStringList &arguments)
         if (!only.isEmpty() && task.id != only)
             continue;
         QString text = QStringLiteral("%1  %2\n").arg(task.id, task.title);
-        for (const Suggestion &suggestion : suggestMistakes(*lab, task)) {
+        for (const Suggestion &suggestion : suggestMistakes(*lab, task).list) {
             text += describe(suggestion);
             passing += suggestion.kind == Suggestion::Kind::Passes ? 1 : 0;
         }

@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/authoring/mutations.h"
 #include "tasks/lab_verifier.h"
 
 #include <QCoreApplication>
@@ -74,7 +75,11 @@ ExitCode verify(const QStringList &arguments)
     const QCommandLineOption fix(QStringLiteral("fix"),
                                  VerifyText::tr("keep mistakes and remarks as differences from "
                                                 "their solution where that is shorter"));
-    parser.addOption(fix);
+    const QCommandLineOption mutations(
+        QStringLiteral("mutations"),
+        VerifyText::tr("also ask of every check whether some change of the solution fails by it "
+                       "alone; takes minutes"));
+    parser.addOptions({fix, mutations});
     if (const auto code = parse(parser, arguments, 1, 1))
         return *code;
     if (parser.isSet(fix)) {
@@ -90,7 +95,12 @@ ExitCode verify(const QStringList &arguments)
         QTextStream(stderr) << finding.toString() << Qt::endl;
     if (parser.isSet(only) && lab->indexOf(parser.value(only)) < 0)
         return complain(VerifyText::tr("the lab has no step %1").arg(parser.value(only)));
-    const std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only));
+    std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only));
+    for (VerifiedTask &task : tasks) {
+        if (parser.isSet(mutations))
+            dropNeeded(task,
+                       suggestMistakes(*lab, lab->tasks[std::size_t(lab->indexOf(task.id))]).alone);
+    }
     bool sound = lab->findings.empty();
     QString text;
     for (const VerifiedTask &task : tasks) {

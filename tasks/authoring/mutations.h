@@ -37,12 +37,18 @@ struct Suggestion {
     QString finding{}; ///< what that check said
 };
 
+/// What the mutants of a solution tell.
+struct Suggestions {
+    std::vector<Suggestion> list{}; ///< those that pass first
+    QStringList alone{};            ///< ids of checks that some mutant fails by no other
+};
+
 /// Judges the mutants of the solution of \p task. Of those that do the same in all its scenes only
 /// the first is kept; those that do what the solution does, stop with an error or are diagnosed
 /// are left out.
 /// \param hooks  called from other threads, never two at once
-/// \return those that pass first; nothing if it was cancelled
-[[nodiscard]] std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task,
-                                                      const JudgeHooks &hooks = {});
+/// \return nothing if it was cancelled
+[[nodiscard]] Suggestions suggestMistakes(const Lab &lab, const Task &task,
+                                          const JudgeHooks &hooks = {});
 
 } // namespace cradle

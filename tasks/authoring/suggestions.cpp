@@ -129,7 +129,7 @@ void tryOut(Trial &trial, const std::vector<Variant> &scenes,
 
 } // namespace
 
-std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const JudgeHooks &hooks)
+Suggestions suggestMistakes(const Lab &lab, const Task &task, const JudgeHooks &hooks)
 {
     if (task.solution.isEmpty())
         return {};
@@ -175,15 +175,21 @@ std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const 
     if (stop())
         return {};
 
-    std::vector<Suggestion> suggestions;
+    Suggestions made;
+    std::vector<Suggestion> &suggestions = made.list;
     for (Trial &trial : trials) {
         const CheckReport &report = *trial.report;
+        const auto failures =
+            std::count_if(report.checks.begin(), report.checks.end(),
+                          [](const CheckOutcome &check) { return !check.passed; });
+        const auto failed = std::find_if(report.checks.begin(), report.checks.end(),
+                                         [](const CheckOutcome &check) { return !check.passed; });
+        if (failures == 1 && !made.alone.contains(failed->id))
+            made.alone.append(failed->id);
         if (report.error || (!report.passed && !mistakesOf(report).isEmpty()))
             continue;
         Suggestion suggestion;
         suggestion.kind = report.passed ? Suggestion::Kind::Passes : Suggestion::Kind::NotDiagnosed;
-        const auto failed = std::find_if(report.checks.begin(), report.checks.end(),
-                                         [](const CheckOutcome &check) { return !check.passed; });
         if (failed != report.checks.end()) {
             suggestion.check = failed->id;
             suggestion.finding = failed->message;
@@ -193,7 +199,7 @@ std::vector<Suggestion> suggestMistakes(const Lab &lab, const Task &task, const 
     }
     std::stable_partition(suggestions.begin(), suggestions.end(),
                           [](const Suggestion &s) { return s.kind == Suggestion::Kind::Passes; });
-    return suggestions;
+    return made;
 }
 
 } // namespace cradle

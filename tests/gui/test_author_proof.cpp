@@ -6,6 +6,8 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/error_line.h"
 
+#include <QJsonArray>
+
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -18,6 +20,7 @@ private slots:
     void otherStepsAreToldAndOpened();
     void runOfACheckKeepsItsScene();
     void referenceStopsAtWhatTheStepFixes();
+    void proofSaysNoMoreThanItProves();
 };
 
 namespace {
@@ -130,6 +133,75 @@ void TestAuthorProof::referenceStopsAtWhatTheStepFixes()
     QVERIFY(!tab.simulation().programError());
     QVERIFY(!line->isVisible());
     QVERIFY(tab.simulation().isProgrammed());
+}
+
+/// A check that is missing, and a check that adds nothing, stand beside no "all is as it should
+/// be".
+void TestAuthorProof::proofSaysNoMoreThanItProves()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    ProofTab &proof = author.window.proofTab();
+    waitForProof(author, QStringLiteral("Verify this step"));
+    const auto says = [&](const QString &text) {
+        for (const auto *label : proof.findChildren<QLabel *>()) {
+            if (label->isVisible() && label->text().contains(text))
+                return true;
+        }
+        return false;
+    };
+    QVERIFY(proof.result()->warnings.empty());
+    QVERIFY(says(QStringLiteral("every check is needed")));
+
+    // The same check twice: told, and "needed" is not.
+    author.window.showTab(AuthorWindow::Checks);
+    author.window.checksTab().duplicateCheck();
+    waitForProof(author, QStringLiteral("Verify this step"));
+    QVERIFY(says(QStringLiteral("Worth a look")));
+    QVERIFY(says(QStringLiteral("asks for the same as")));
+    QVERIFY(!says(QStringLiteral("every check is needed")));
+
+    // With a coarse look at the end of the fall alone, changes of the solution pass.
+    const QString step = author.document().step();
+    TaskForm form = *taskForm(author.files(), step);
+    std::erase_if(form.checks,
+                  [](const CheckForm &check) { return check.id != QLatin1String("falls"); });
+    form.checks[0].kind = QStringLiteral("ends_at");
+    form.checks[0].parameters = {
+        {QStringLiteral("positions"), QJsonArray{QJsonValue(QJsonArray{0.0, -3.78675})}},
+        {QStringLiteral("tolerance"), 0.3}};
+    form.checks[0].scene = {{QStringLiteral("kind"), QStringLiteral("own")},
+                            {QStringLiteral("duration"), 1.0}};
+    LabFiles files = *withTask(author.files(), step, form);
+    for (const QString &name : knownNames(files, step, KnownKind::Mistake)) {
+        if (name != QLatin1String("never-moved"))
+            files = *withKnownRemoved(files, step, KnownKind::Mistake, name);
+    }
+    QVERIFY(author.document().edit(QStringLiteral("fewer"), files));
+    waitForProof(author, QStringLiteral("Verify this step"));
+    QVERIFY2(proof.result()->findings.empty(),
+             proof.result()->findings.empty() ? ""
+                                              : qPrintable(proof.result()->findings[0].message));
+    QVERIFY(says(QStringLiteral("All is as it should be")));
+    waitForProof(author, QStringLiteral("Suggest mistakes"));
+    QVERIFY(says(QStringLiteral("Passes every check, so one is missing")));
+    QVERIFY(!says(QStringLiteral("All is as it should be")));
+    QVERIFY(says(QStringLiteral("a check is missing")));
+
+    // What is answered goes, and what is left is as old as it says.
+    const auto rows = [&] {
+        int count = 0;
+        for (const auto *button : proof.findChildren<QPushButton *>())
+            count += button->isVisible() && button->text() == QStringLiteral("Add as a mistake");
+        return count;
+    };
+    const int before = rows();
+    QVERIFY(before > 0);
+    author.click(QStringLiteral("Add as a mistake"));
+    author.window.showTab(AuthorWindow::Proof);
+    QTRY_COMPARE(rows(), before - 1);
+    QVERIFY(says(QStringLiteral("before the last edits")));
 }
 
 QTEST_MAIN(TestAuthorProof)

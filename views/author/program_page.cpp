@@ -142,7 +142,7 @@ void ProgramPage::showNote()
                               : tr("None of its own: students go on from the solution of the step "
                                    "before. Write here to start from something else."));
     else if (m_program == QLatin1String("solution.lua"))
-        m_note->setText(tr("The reference: it passes every check, with every seed."));
+        m_note->setText(tr("The reference: it should pass every check, with every seed."));
     else if (!m_applies)
         m_note->setText(tr("The solution was changed where this difference changes it. Mend the "
                            "lines after @@ so that they say what stands in the solution now, and "

@@ -32,14 +32,14 @@ public slots:
 signals:
     void progressed(int done, int total);
     void verified(const std::vector<cradle::VerifiedTask> &tasks);
-    void suggested(const std::vector<cradle::Suggestion> &suggestions);
+    void suggested(const cradle::Suggestions &suggestions);
     void ended(); ///< done or cancelled
 
 private:
     struct Outcome {
         bool suggesting = false;
         std::vector<VerifiedTask> tasks{};
-        std::vector<Suggestion> suggestions{};
+        Suggestions suggestions{};
     };
 
     [[nodiscard]] JudgeHooks begin();

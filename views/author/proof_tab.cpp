@@ -110,7 +110,8 @@ void ProofTab::wire()
     connect(&m_document, &AuthorDocument::opened, this, [this] {
         m_job.cancel();
         m_verified.clear();
-        m_suggestions.clear();
+        m_suggestions = {};
+        m_suggestedFor.clear();
         showStep();
     });
     connect(m_matrix, &ProofMatrix::programChosen, this, &ProofTab::programRequested);
@@ -162,6 +163,8 @@ void ProofTab::suggest()
     if (!task)
         return;
     m_suggestedFor = task->id;
+    m_suggestedFiles = m_document.files();
+    m_suggestions = {}; // of before, or of another step
     setRunning(true);
     m_job.suggest(m_document.lab(), *task);
 }
@@ -200,9 +203,13 @@ void ProofTab::takeVerified(const std::vector<VerifiedTask> &tasks)
     showStep();
 }
 
-void ProofTab::takeSuggested(const std::vector<Suggestion> &suggestions)
+void ProofTab::takeSuggested(const Suggestions &suggestions)
 {
     m_suggestions = suggestions;
+    for (VerifiedTask &task : m_verified) {
+        if (task.id == m_suggestedFor)
+            dropNeeded(task, suggestions.alone);
+    }
     m_suggestedLast = true;
     showStep();
 }
@@ -232,11 +239,35 @@ void ProofTab::showSummary()
     showOthers();
     if (!verified)
         return;
-    const auto count = static_cast<int>(verified->findings.size());
-    setKind(m_summary, count == 0 ? "successTitle" : "warningTitle");
-    m_summary->setText(count == 0 ? tr("All is as it should be: the solution passes, every mistake "
-                                       "fails and is recognised, every check is needed.")
-                                  : tr("Not as it should be: %1").arg(count));
+    const bool right = verified->findings.empty() && missingChecks() == 0;
+    setKind(m_summary, right ? "successTitle" : "warningTitle");
+    m_summary->setText(summaryOf(*verified));
+}
+
+int ProofTab::missingChecks() const
+{
+    if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
+        return 0;
+    return static_cast<int>(std::count_if(
+        m_suggestions.list.begin(), m_suggestions.list.end(),
+        [](const Suggestion &each) { return each.kind == Suggestion::Kind::Passes; }));
+}
+
+/// No more than what was proven.
+QString ProofTab::summaryOf(const VerifiedTask &verified) const
+{
+    const auto count = static_cast<int>(verified.findings.size());
+    if (count > 0)
+        return tr("Not as it should be: %1").arg(count);
+    if (missingChecks() > 0)
+        return tr("The solution passes, and every mistake fails and is recognised; but a check is "
+                  "missing: changes of the solution that pass every check: %1")
+            .arg(missingChecks());
+    return verified.warnings.empty()
+               ? tr("All is as it should be: the solution passes, every mistake fails and is "
+                    "recognised, every check is needed.")
+               : tr("All is as it should be: the solution passes, every mistake fails and is "
+                    "recognised.");
 }
 
 void ProofTab::showRows()
@@ -254,6 +285,7 @@ void ProofTab::showRows()
     showFindings();
     if (!m_suggestedLast)
         showSuggestions();
+    showWarnings();
     m_rowsScroll->setVisible(m_rows->count() > 1);
 }
 

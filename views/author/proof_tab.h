@@ -56,15 +56,18 @@ private:
     void retranslate();
     void setRunning(bool running);
     void takeVerified(const std::vector<VerifiedTask> &tasks);
-    void takeSuggested(const std::vector<Suggestion> &suggestions);
+    void takeSuggested(const Suggestions &suggestions);
     void showStep();
     void showSummary();
     void showOthers();
     void showRows();
-    void addFinding(const LabFinding &finding);
+    void addFinding(const LabFinding &finding, bool wrong);
     void addSuggestion(const Suggestion &suggestion);
     void addHeading(const QString &text);
     void showFindings();
+    void showWarnings();
+    [[nodiscard]] QString summaryOf(const VerifiedTask &verified) const;
+    [[nodiscard]] int missingChecks() const; ///< suggestions that pass every check
     void showSuggestions();
     QPushButton *addRow(const QString &text, bool warning, const QString &action);
     void showRun(const LabFinding &finding);
@@ -78,7 +81,8 @@ private:
     ProofJob m_job;
     std::vector<VerifiedTask> m_verified;
     LabFiles m_verifiedFiles; ///< that m_verified is about
-    std::vector<Suggestion> m_suggestions;
+    Suggestions m_suggestions;
+    LabFiles m_suggestedFiles;    ///< that m_suggestions are about
     QString m_suggestedFor;       ///< id of the step
     bool m_suggestedLast = false; ///< then the suggestions stand above the findings
     QPushButton *m_verifyStep = nullptr;

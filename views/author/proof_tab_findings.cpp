@@ -77,41 +77,57 @@ void ProofTab::showFindings()
         return;
     addHeading(tr("Findings"));
     for (const LabFinding &finding : verified->findings)
-        addFinding(finding);
+        addFinding(finding, true);
+}
+
+/// What may well be so, and yet deserves a look.
+void ProofTab::showWarnings()
+{
+    const VerifiedTask *verified = result();
+    if (!verified || verified->warnings.empty())
+        return;
+    addHeading(tr("Worth a look"));
+    for (const LabFinding &warning : verified->warnings)
+        addFinding(warning, false);
 }
 
 void ProofTab::showSuggestions()
 {
     if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
         return;
-    addHeading(tr("Mistakes that this step does not know"));
-    for (const Suggestion &suggestion : m_suggestions)
+    addHeading(m_suggestedFiles == m_document.files()
+                   ? tr("Mistakes that this step does not know")
+                   : tr("Mistakes that this step did not know before the last edits"));
+    for (const Suggestion &suggestion : m_suggestions.list)
         addSuggestion(suggestion);
-    if (m_suggestions.empty() && !m_job.isRunning())
+    if (m_suggestions.list.empty() && !m_job.isRunning() && m_suggestedFiles == m_document.files())
         addRow(tr("None was found: each change of the solution is caught and explained."), false,
                {});
 }
 
-void ProofTab::addFinding(const LabFinding &finding)
+/// \param wrong  else it is only worth a look
+void ProofTab::addFinding(const LabFinding &finding, bool wrong)
 {
     QString text = finding.message;
     if (!finding.program.isEmpty() && !text.startsWith(finding.program))
         text = QStringLiteral("%1: %2").arg(finding.program, text);
     if (outcomeOf(finding)) {
-        QPushButton *button = addRow(text, true, tr("Show the run"));
+        QPushButton *button = addRow(text, wrong, tr("Show the run"));
         connect(button, &QPushButton::clicked, this, [this, finding] { showRun(finding); });
     } else if (!finding.program.isEmpty()) {
         const bool scene = finding.program == QLatin1String("solution-preset");
         QPushButton *button =
-            addRow(text, true, scene ? tr("Open the scene") : tr("Open the program"));
+            addRow(text, wrong, scene ? tr("Open the scene") : tr("Open the program"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit programRequested(finding.program); });
     } else if (!finding.check.isEmpty()) {
-        QPushButton *button = addRow(text, true, tr("Open the check"));
+        QPushButton *button = addRow(text, wrong, tr("Open the check"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit checkRequested(finding.check); });
+    } else if (finding.kind == LabFinding::Kind::TextUnfinished) {
+        addRow(text, wrong, {});
     } else {
-        QPushButton *button = addRow(text, true, tr("Open the programs"));
+        QPushButton *button = addRow(text, wrong, tr("Open the programs"));
         connect(button, &QPushButton::clicked, this,
                 [this] { emit programRequested(QStringLiteral("solution")); });
     }
@@ -156,10 +172,16 @@ void ProofTab::adopt(const Suggestion &suggestion)
     const QStringList taken = knownNames(files, m_document.step(), KnownKind::Mistake);
     const QString name =
         freeName(suggestion.mutant.name, [&](const QString &each) { return taken.contains(each); });
-    if (m_document.edit(tr("Add a suggested mistake"),
-                        withKnownAdded(files, m_document.step(), KnownKind::Mistake, name,
-                                       suggestion.mutant.source)))
-        emit programRequested(QStringLiteral("mistakes/") + name);
+    if (!m_document.edit(tr("Add a suggested mistake"),
+                         withKnownAdded(files, m_document.step(), KnownKind::Mistake, name,
+                                        suggestion.mutant.source)))
+        return;
+    // It is answered; the others stay.
+    std::erase_if(m_suggestions.list, [&](const Suggestion &each) {
+        return each.mutant.source == suggestion.mutant.source;
+    });
+    showStep();
+    emit programRequested(QStringLiteral("mistakes/") + name);
 }
 
 void ProofTab::retranslate()
