@@ -256,11 +256,25 @@ QString programPath(const VerifiedProgram &program)
     return QStringLiteral("mistakes/") + program.name;
 }
 
+/// How wrong is just wrong enough for the check at \p index.
+QString wrongEnough(const VerifiedTask &task, qsizetype index)
+{
+    const auto at = static_cast<std::size_t>(index);
+    const bool measured = at < task.sensitivity.size() && task.sensitivity[at];
+    return measured ? describe(*task.sensitivity[at]) : QString();
+}
+
 QString describeVerified(const VerifiedTask &task)
 {
     QString text = QStringLiteral("%1  %2\n").arg(task.id, task.title);
+    text += QStringLiteral("  %1 %2\n")
+                .arg(QString(), 59)
+                .arg(VerifyText::tr("fails what is turned, too fast, adrift by"));
     for (qsizetype i = 0; i < task.checks.size(); ++i)
-        text += QStringLiteral("  %1 %2\n").arg(i + 1, 36).arg(task.checks[i]);
+        text += QStringLiteral("  %1 %2  %3\n")
+                    .arg(i + 1, 36)
+                    .arg(task.checks[i], -22)
+                    .arg(wrongEnough(task, i));
     for (const VerifiedProgram &program : task.programs) {
         const CheckReport &report = program.reports.front();
         QString note;

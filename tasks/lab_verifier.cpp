@@ -29,6 +29,7 @@ struct ToleranceJob {
     std::size_t task = 0; ///< index of its step
     const CheckSpec *check = nullptr;
     std::optional<TightTolerance> tight{};
+    std::optional<Sensitivity> sensitivity{};
 };
 
 /// Lets the caller's hooks be called from many threads, one at a time.
@@ -100,7 +101,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     for (const Task &task : lab.tasks) {
         if (!only.isEmpty() && task.id != only)
             continue;
-        VerifiedTask verified{task.id, task.title, {}, {}, {}, {}};
+        VerifiedTask verified{.id = task.id, .title = task.title};
         for (const CheckSpec &check : task.checks)
             verified.checks.append(check.id);
         candidates.push_back(candidatesOf(task));
@@ -138,6 +139,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     });
     QtConcurrent::blockingMap(tolerances, [&](ToleranceJob &job) {
         job.tight = findTightTolerance(*tasks[job.task], *job.check, cancel.cancelled);
+        job.sensitivity = sensitivityOf(*tasks[job.task], *job.check, cancel.cancelled);
         watch.advance();
     });
     if (watch.isCancelled())
@@ -145,6 +147,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     for (std::size_t t = 0; t < result.size(); ++t)
         findProblems(lab, *tasks[t], result[t]);
     for (const ToleranceJob &job : tolerances) {
+        result[job.task].sensitivity.push_back(job.sensitivity);
         if (job.tight)
             result[job.task].findings.push_back(tooTight(*tasks[job.task], *job.check, *job.tight));
     }

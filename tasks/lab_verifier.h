@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/judgement.h"
+#include "tasks/sensitivity.h"
 
 namespace cradle {
 
@@ -51,16 +52,18 @@ struct VerifiedTask {
     QStringList checks{}; ///< ids
     std::vector<VerifiedProgram> programs{};
     std::vector<LabFinding> findings{};
+    std::vector<std::optional<Sensitivity>> sensitivity{}; ///< of each check
     std::vector<LabFinding> warnings{}; ///< what may well be so, and yet deserves a look
 };
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
-/// with five seeds; every mistake fails and is diagnosed as itself, and has the values of the solution; every remark passes and is
-/// recognised; every check is failed by a mistake; no tolerance is nearly used up by the solution
-/// itself. Warns of checks that add nothing: duplicates, and those without which every mistake
-/// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of that scene pass, too.
-/// Uses all processors. \param only   the id of one step; empty for all \param hooks  called from
-/// other threads, never two at once \return nothing if it was cancelled
+/// with five seeds; every mistake fails and is diagnosed as itself, and has the values of the
+/// solution; every remark passes and is recognised; every check is failed by a mistake; no
+/// tolerance is nearly used up by the solution itself. Measures how wrong a run must just be for
+/// each check. Warns of checks that add nothing: duplicates, and those without which every mistake
+/// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of
+/// that scene pass, too. Uses all processors. \param only   the id of one step; empty for all
+/// \param hooks  called from other threads, never two at once \return nothing if it was cancelled
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
                                                   const JudgeHooks &hooks = {});
 
@@ -70,6 +73,10 @@ struct VerifiedTask {
 /// Takes back the warnings of checks that something fails alone: some mutations of the solution,
 /// see mutations.h. \param alone  the ids of such checks
 void dropNeeded(VerifiedTask &verified, const QStringList &alone);
+
+/// How wrong is just wrong enough for the check at \p index, see describe(); empty if that was not
+/// measured.
+[[nodiscard]] QString wrongEnough(const VerifiedTask &task, qsizetype index);
 
 /// The matrix of mistakes and checks of a step, and its problems, for a terminal.
 [[nodiscard]] QString describeVerified(const VerifiedTask &task);

@@ -3864,6 +3864,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>by these checks alone no mistake fails: %1</source>
         <translation>allein an diesen Prüfungen scheitert kein Fehler: %1</translation>
     </message>
+    <message>
+        <source>fails what is turned, too fast, adrift by</source>
+        <translation>fällt durch bei: gedreht, zu schnell, weggetrieben um</translation>
+    </message>
 </context>
 <context>
     <name>Locks</name>
@@ -8973,6 +8977,22 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>not recognised</source>
         <translation>nicht erkannt</translation>
+    </message>
+    <message>
+        <source>Just wrong enough</source>
+        <translation>Gerade falsch genug</translation>
+    </message>
+    <message>
+        <source>By how much a right run must be turned, too fast or adrift for the check to fail it</source>
+        <translation>Um wie viel ein richtiger Lauf gedreht, zu schnell oder weggetrieben sein muss, damit die Prüfung ihn durchfallen lässt</translation>
+    </message>
+    <message>
+        <source>%1: turned by %2, too fast by %3, adrift by %4</source>
+        <translation>%1: gedreht um %2, zu schnell um %3, weggetrieben um %4</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1: nicht gemessen</translation>
     </message>
 </context>
 <context>

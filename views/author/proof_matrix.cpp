@@ -68,7 +68,8 @@ ProofMatrix::ProofMatrix(QWidget *parent)
     setShowGrid(true);
     setFrameShape(QFrame::NoFrame);
     connect(this, &QTableWidget::cellActivated, this, [this](int row) {
-        emit programChosen(programPath(m_task.programs[static_cast<std::size_t>(row)]));
+        if (row < static_cast<int>(m_task.programs.size())) // the last is about the checks
+            emit programChosen(programPath(m_task.programs[static_cast<std::size_t>(row)]));
     });
     connect(horizontalHeader(), &QHeaderView::sectionClicked, this, [this](int column) {
         if (column >= 1 && column <= m_task.checks.size())
@@ -88,7 +89,8 @@ void ProofMatrix::fill()
     setAccessibleName(tr("Programs and the checks that they fail"));
     clear();
     const auto checks = static_cast<int>(m_task.checks.size());
-    setRowCount(static_cast<int>(m_task.programs.size()));
+    const auto programs = static_cast<int>(m_task.programs.size());
+    setRowCount(programs == 0 ? 0 : programs + 1);
     setColumnCount(m_task.programs.empty() ? 0 : checks + 2);
     if (m_task.programs.empty())
         return;
@@ -100,9 +102,36 @@ void ProofMatrix::fill()
         horizontalHeaderItem(i + 1)->setToolTip(tr("Check %1").arg(m_task.checks[i]));
     for (const int column : {0, checks + 1})
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    for (int row = 0; row < rowCount(); ++row)
+    for (int row = 0; row < programs; ++row)
         addRow(row, m_task.programs[static_cast<std::size_t>(row)]);
+    addSensitivity(programs);
     fitColumns();
+}
+
+/// How wrong is just wrong enough: the least angle in the cell, all of it in its tip.
+void ProofMatrix::addSensitivity(int row)
+{
+    auto *name = new QTableWidgetItem(tr("Just wrong enough"));
+    name->setToolTip(tr("By how much a right run must be turned, too fast or adrift for the check "
+                        "to fail it"));
+    setItem(row, 0, name);
+    for (int i = 0; i < m_task.checks.size(); ++i) {
+        const QStringList figures = wrongEnough(m_task, i).split(QStringLiteral(" · "));
+        const bool measured = figures.size() == 3;
+        const auto seen = std::find_if(figures.begin(), figures.end(), [](const QString &figure) {
+            return figure != QStringLiteral("–");
+        });
+        auto *cell =
+            new QTableWidgetItem(measured && seen != figures.end() ? *seen : QStringLiteral("–"));
+        cell->setTextAlignment(Qt::AlignCenter);
+        cell->setForeground(theme().mutedText);
+        cell->setToolTip(measured ? tr("%1: turned by %2, too fast by %3, adrift by %4")
+                                        .arg(m_task.checks[i], figures[0], figures[1], figures[2])
+                                  : tr("%1: not measured").arg(m_task.checks[i]));
+        cell->setData(Qt::AccessibleTextRole, cell->toolTip());
+        setItem(row, i + 1, cell);
+    }
+    setItem(row, columnCount() - 1, new QTableWidgetItem);
 }
 
 /// The checks share what programs and words leave.

@@ -30,6 +30,7 @@ private:
     void fill();
     void fitColumns();
     void addRow(int row, const VerifiedProgram &program);
+    void addSensitivity(int row);
 
     VerifiedTask m_task;
 };

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/lab_reader.h"
+#include "tasks/sensitivity.h"
+
+#include <QJsonArray>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace cradle;
+
+/// How wrong a run must just be for a check: tolerances from their other side.
+class TestSensitivity : public QObject
+{
+    Q_OBJECT
+private slots:
+    void endIsJustMissed_data();
+    void endIsJustMissed();
+    void whatIsNotNoticedIsNotTold();
+    void keptQuantitiesAreHeldToABillionth();
+    void nothingIsMeasuredOfAWrongSolution();
+};
+
+namespace {
+
+bool never()
+{
+    return false;
+}
+
+/// A circle drifts from (−2, 0) by 1 m in 1 s, and must end at (−1, 0).
+Task drifting(double tolerance)
+{
+    Task task;
+    task.preset.circles.resize(1);
+    task.preset.circles[0].body = {.position = {-2, 0}, .velocity = {1, 0}};
+    task.solution =
+        QStringLiteral("function on_update(dt)\n  circle1.position = circle1.position + "
+                       "circle1.velocity * dt\nend\n");
+    CheckSpec check;
+    check.id = QStringLiteral("end");
+    check.kind = QStringLiteral("ends_at");
+    check.circles = {0};
+    check.parameters = {
+        {QStringLiteral("positions"), QJsonArray{QJsonValue(QJsonArray{-1.0, 0.0})}},
+        {QStringLiteral("tolerance"), tolerance}};
+    check.scene = {{QStringLiteral("kind"), QStringLiteral("own")},
+                   {QStringLiteral("duration"), 1.0}};
+    task.checks = {check};
+    return task;
+}
+
+bool isWithinATenth(const std::optional<double> &value, double right)
+{
+    return value && *value >= 0.999 * right && *value <= 1.101 * right;
+}
+
+} // namespace
+
+void TestSensitivity::endIsJustMissed_data()
+{
+    QTest::addColumn<double>("tolerance"); ///< m
+    QTest::newRow("a millimetre") << 1e-3;
+    QTest::newRow("ten times looser") << 1e-2;
+    QTest::newRow("a thousand times tighter") << 1e-6;
+}
+
+/// The way is 1 m long: turned by α it ends 2 sin(α/2) m beside, by a share of s too fast s m
+/// beyond, and with a drift of d m/s along both axes √2 d m beside.
+void TestSensitivity::endIsJustMissed()
+{
+    QFETCH(const double, tolerance);
+    const Task task = drifting(tolerance);
+    const auto found = sensitivityOf(task, task.checks[0], never);
+    QVERIFY(found);
+    const double degrees = 2.0 * std::asin(0.5 * tolerance) * 180.0 / std::numbers::pi;
+    QVERIFY2(isWithinATenth(found->turn, degrees), qPrintable(describe(*found)));
+    QVERIFY2(isWithinATenth(found->speed, tolerance), qPrintable(describe(*found)));
+    QVERIFY2(isWithinATenth(found->drift, tolerance / std::numbers::sqrt2),
+             qPrintable(describe(*found)));
+}
+
+void TestSensitivity::whatIsNotNoticedIsNotTold()
+{
+    Task task = drifting(1e-3);
+    task.checks[0].kind = QStringLiteral("start");
+    task.checks[0].parameters = {{QStringLiteral("velocity"), QJsonArray{1.0, 0.0}}};
+    const auto found = sensitivityOf(task, task.checks[0], never);
+    QVERIFY(found);
+    QCOMPARE(*found, Sensitivity{});
+    QCOMPARE(describe(*found), QStringLiteral("– · – · –"));
+    QCOMPARE(describe({.turn = 0.0624, .speed = 0.005, .drift = 0.0012}),
+             QStringLiteral("0.062° · 0.5 % · 1.2 mm/s"));
+}
+
+/// In the shipped lab, from both sides: its solution passes, and what is wrong by so little fails.
+void TestSensitivity::keptQuantitiesAreHeldToABillionth()
+{
+    const Result<Lab> lab = readLab(QLatin1String(shippedLab));
+    QVERIFY(lab.ok());
+    int checks = 0;
+    for (const Task &task : lab->tasks) {
+        for (const CheckSpec &check : task.checks) {
+            const bool kept = check.kind == QLatin1String("conserves");
+            if (!kept && check.kind != QLatin1String("collides"))
+                continue;
+            if (task.id == QLatin1String("L42T9"))
+                continue; // hits end there at rest, which has no direction
+            const auto found = sensitivityOf(task, check, never);
+            QVERIFY2(found && found->turn && found->speed, qPrintable(task.id + check.id));
+            QVERIFY2(*found->turn < 1e-6, qPrintable(task.id + check.id + describe(*found)));
+            QVERIFY2(*found->speed < 1e-8, qPrintable(task.id + check.id + describe(*found)));
+            ++checks;
+        }
+    }
+    QVERIFY(checks >= 15);
+}
+
+void TestSensitivity::nothingIsMeasuredOfAWrongSolution()
+{
+    Task task = drifting(1e-3);
+    task.solution = QStringLiteral("function on_update(dt)\nend\n");
+    QVERIFY(!sensitivityOf(task, task.checks[0], never));
+    task.solution.clear();
+    QVERIFY(!sensitivityOf(task, task.checks[0], never));
+}
+
+QTEST_MAIN(TestSensitivity)
+#include "test_sensitivity.moc"
