@@ -58,34 +58,40 @@ private:
     {
         return outwardNormal(static_cast<Wall>(wall - m_circles.size()));
     }
+    // The motion: pile_step.cpp
     void begin(std::span<const std::uint32_t> ids);
+    void findMotion();
+    void setFree();
+    void activateFirst(bool again);
+    void activate(Near &near);
+    [[nodiscard]] bool activateMissed();
+    [[nodiscard]] double limitOf(double gap) const;
+    void fly();
+    void keepPushes();
+
+    // Who may meet: pile_near.cpp
     void findNear();
     void addNear(Body a, Body b);
     void lookAt(Near &near) const;
-    [[nodiscard]] double gapOf(const Near &near, const std::vector<Vec2> &places) const;
-    void findMotion();
-    [[nodiscard]] double tolerance() const;
-    void setFree();
-    void activateFirst(bool again);
     [[nodiscard]] bool haveComeFar();
-    void activate(Near &near);
     [[nodiscard]] bool isSlow(const Near &near) const;
-    [[nodiscard]] bool activateMissed();
-    void fly();
+    [[nodiscard]] double gapOf(const Near &near, const std::vector<Vec2> &places) const;
+    [[nodiscard]] std::uint64_t keyOf(const Near &near) const;
+
+    // The end of the step: pile_rebound.cpp
+    void partEnds();
     void rebound();
     void boundEnergy();
     [[nodiscard]] double gained(std::span<const Vec2> velocities) const;
-    void partEnds();
     void report(std::vector<Hit> &hits) const;
-    void keepPushes();
-    [[nodiscard]] std::uint64_t keyOf(const Near &near) const;
-    [[nodiscard]] double limitOf(double gap) const;
 
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
     double m_dt = 0.0;
-    double m_gain = 0.0;  ///< m/s that gravity gives in the step
-    double m_apart = 0.0; ///< what may be left between two that touch, m
+    double m_gain = 0.0;      ///< m/s that gravity gives in the step
+    double m_tolerance = 0.0; ///< an error of a closing speed that is as good as none, m/s
+    double m_borne = 0.0;     ///< an overlap that is, m
+    double m_apart = 0.0;     ///< what may be left between two that touch, m
     DiscGrid m_grid;
 
     // In the order of height.
