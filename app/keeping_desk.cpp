@@ -83,8 +83,8 @@ void KeepingDesk::saveNote()
     m_saveSoon.stop();
     if (!std::exchange(m_noteEdited, false) || m_noteTask.isEmpty())
         return;
-    if (const auto error = m_workbench.code().workspace().saveNote(m_noteTask, m_notes.text()))
-        emit m_workbench.failed(*error);
+    if (m_workbench.code().workspace().saveNote(m_noteTask, m_notes.text()))
+        m_workbench.code().save(); // says so, and tries again
 }
 
 } // namespace cradle

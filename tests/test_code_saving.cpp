@@ -86,6 +86,7 @@ private slots:
     void outsideEditIsTaken();
     void outsideEditWhileTypingIsKept();
     void secondWindowCannotType();
+    void otherProcessIsNamedAndEnds();
 
 private:
     [[nodiscard]] QString path(const char *name = "w") const
@@ -119,7 +120,7 @@ void TestCodeSaving::killedWindowsLoseLittle()
         process.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--type"), folder});
         int keys = 0;
         // Another number of keys each time, so that it dies at another moment of saving.
-        while (keys < 30 + run && process.waitForReadyRead(30'000)) {
+        while (keys < 15 + run && process.waitForReadyRead(30'000)) {
             while (process.canReadLine())
                 keys = process.readLine().trimmed().toInt();
         }
@@ -284,6 +285,29 @@ void TestCodeSaving::secondWindowCannotType()
     QCOMPARE(failed.size(), 1);
     QVERIFY(!one.isEditable());
     QCOMPARE(contentOf(path("w/steps/A.lua")), QByteArray("-- two\n"));
+}
+
+void TestCodeSaving::otherProcessIsNamedAndEnds()
+{
+    QProcess other;
+    other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--type"), path()});
+    QVERIFY(other.waitForReadyRead(30'000));
+    Simulation simulation{Preset{}};
+    CodeSession session(simulation);
+    open(session, path());
+    QVERIFY(!session.isEditable());
+    QCOMPARE(session.workspace().holder()->process, other.processId());
+    session.edit(QStringLiteral("-- mine\n"));
+    session.save();
+    QVERIFY(contentOf(path("w/steps/A.lua")) != "-- mine\n");
+    // Its lock dies with it.
+    other.kill();
+    QVERIFY(other.waitForFinished());
+    open(session, path());
+    QVERIFY(session.isEditable());
+    session.edit(QStringLiteral("-- mine\n"));
+    session.save();
+    QCOMPARE(contentOf(path("w/steps/A.lua")), QByteArray("-- mine\n"));
 }
 
 int main(int argc, char **argv)

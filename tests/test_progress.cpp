@@ -6,6 +6,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <thread>
+#include <vector>
+
 using namespace cradle;
 
 class TestProgress : public QObject
@@ -27,6 +30,8 @@ private slots:
     void saysWhatKeptItFromSaving();
     void savingLeavesNothingBeside();
     void keepsNothingWithoutAPath();
+    void staleWindowTakesNoPassAway();
+    void windowsThatSaveAtOnceLoseNothing();
 
 private:
     [[nodiscard]] QString path() const { return m_folder->filePath(QStringLiteral("p.json")); }
@@ -267,6 +272,50 @@ void TestProgress::keepsNothingWithoutAPath()
     QVERIFY(!store.load());
     store.lab(lab) = someProgress();
     QVERIFY(!store.save());
+}
+
+void TestProgress::staleWindowTakesNoPassAway()
+{
+    ProgressStore stale(path());
+    QVERIFY(!stale.load());
+    stale.lab(lab).tasks[QStringLiteral("L42T1")].hintsOpened = 2;
+    ProgressStore other(path());
+    QVERIFY(!other.load());
+    other.lab(lab).tasks[QStringLiteral("L42T1")] = {
+        .passed = true, .pass = {.when = {}, .commit = QStringLiteral("L42T1 mine")}};
+    other.lab(QStringLiteral("another")).tasks[QStringLiteral("A")].passed = true;
+    QVERIFY(!other.save());
+    QVERIFY(!stale.save());
+    ProgressStore after(path());
+    QVERIFY(!after.load());
+    QVERIFY(after.isPassed(lab, QStringLiteral("L42T1")));
+    QVERIFY(after.isPassed(QStringLiteral("another"), QStringLiteral("A")));
+    QCOMPARE(after.lab(lab).tasks[QStringLiteral("L42T1")].hintsOpened, 2);
+    QCOMPARE(after.lab(lab).tasks[QStringLiteral("L42T1")].pass.commit,
+             QStringLiteral("L42T1 mine"));
+}
+
+void TestProgress::windowsThatSaveAtOnceLoseNothing()
+{
+    constexpr int windows = 4;
+    constexpr int saves = 10;
+    std::vector<std::thread> running;
+    for (int window = 0; window < windows; ++window) {
+        running.emplace_back([this, window] {
+            for (int i = 0; i < saves; ++i) {
+                ProgressStore store(path());
+                (void)store.load();
+                const QString step = QStringLiteral("%1-%2").arg(window).arg(i);
+                store.lab(lab).tasks[step].passed = true;
+                (void)store.save();
+            }
+        });
+    }
+    for (std::thread &each : running)
+        each.join();
+    ProgressStore after(path());
+    QVERIFY(!after.load());
+    QCOMPARE(after.lab(lab).tasks.size(), std::size_t(windows * saves));
 }
 
 QTEST_GUILESS_MAIN(TestProgress)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace.h"
 
+#include "full_disk.h"
 #include "git_home.h"
 #include "model/file_io.h"
 #include "tasks/script/script_limits.h"
@@ -368,6 +369,27 @@ void TestWorkspaceKeeping::notesAreKept()
     QVERIFY(!workspace.saveNote(first, QStringLiteral("It *fell*.")));
     QCOMPARE(workspace.noteOf(first), QStringLiteral("It *fell*."));
     QCOMPARE(content(path("w/notes/A.md")), QByteArray("It *fell*."));
+    // On a full disk it stays in memory, and is tried again.
+    const QString more = QStringLiteral("It *fell*.\n").repeated(100);
+    {
+        const FullDisk full(512);
+        QVERIFY(workspace.saveNote(first, more));
+    }
+    QVERIFY(workspace.hasUnsaved());
+    QCOMPARE(workspace.noteOf(first), more);
+    QCOMPARE(content(path("w/notes/A.md")), QByteArray("It *fell*."));
+    QVERIFY(!workspace.saveUnsaved());
+    QVERIFY(!workspace.hasUnsaved());
+    QCOMPARE(content(path("w/notes/A.md")), more.toUtf8());
+    // Another window has taken over: this one changes nothing of it.
+    Workspace other(path());
+    QVERIFY(!other.begin(lab()));
+    other.takeOver();
+    QVERIFY(!other.saveNote(first, QStringLiteral("Theirs")));
+    QVERIFY(workspace.saveNote(first, QStringLiteral("Mine")));
+    QVERIFY(!workspace.setStudent(QStringLiteral("Nobody"), {}));
+    QCOMPARE(content(path("w/notes/A.md")), QByteArray("Theirs"));
+    QVERIFY(!content(path("w/cradle.json")).contains("Nobody"));
 }
 
 void TestWorkspaceKeeping::aFolderThatCannotBeMadeIsSaid()

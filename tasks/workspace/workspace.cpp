@@ -141,11 +141,8 @@ std::optional<Error> Workspace::save(const QString &taskId, const QString &text)
         m_texts[taskId] = text;
         return std::nullopt;
     }
-    if (m_hasLock && !m_lock.isHeld()) {
-        m_hasLock = false;
-        m_readOnly = true;
+    if (wasTakenOver())
         (void)keep(taskId, text, {.reason = VersionReason::Unsaved});
-    }
     if (m_readOnly)
         return Error{.message = WorkspaceText::tr("another window works on this lab now; this one "
                                                   "saves nothing more, and what was typed last "
@@ -164,9 +161,14 @@ std::optional<Error> Workspace::save(const QString &taskId, const QString &text)
 
 std::optional<Error> Workspace::saveUnsaved()
 {
-    const auto unsaved = m_texts;
-    for (const auto &[taskId, text] : unsaved) {
+    const auto texts = m_texts;
+    for (const auto &[taskId, text] : texts) {
         if (auto error = save(taskId, text))
+            return error;
+    }
+    const auto notes = m_notes;
+    for (const auto &[taskId, text] : notes) {
+        if (auto error = saveNote(taskId, text))
             return error;
     }
     return std::nullopt;
@@ -229,17 +231,18 @@ std::optional<Error> Workspace::replaceForeign(const Lab &lab, int index, bool c
 std::optional<Error> Workspace::savePredictions(const QByteArray &text)
 {
     const QString path = m_folder + QStringLiteral("/predictions.json");
-    if (m_folder.isEmpty() || m_readOnly || contentOf(path).value_or("{\n}\n") == text)
+    if (m_folder.isEmpty() || wasTakenOver() || m_readOnly
+        || contentOf(path).value_or("{\n}\n") == text)
         return std::nullopt;
     return write(path, text);
 }
 
 QString Workspace::noteOf(const QString &taskId) const
 {
-    if (m_folder.isEmpty()) {
-        const auto found = m_notes.find(taskId);
-        return found == m_notes.end() ? QString() : found->second;
-    }
+    if (const auto found = m_notes.find(taskId); found != m_notes.end())
+        return found->second;
+    if (m_folder.isEmpty())
+        return {};
     const auto text = readFile(m_folder + QStringLiteral("/notes/%1.md").arg(taskId), noteBytes);
     return text ? QString::fromUtf8(*text) : QString();
 }
@@ -250,9 +253,18 @@ std::optional<Error> Workspace::saveNote(const QString &taskId, const QString &t
         m_notes[taskId] = text;
         return std::nullopt;
     }
-    if (m_readOnly || text == noteOf(taskId))
+    if (m_lookedAt || (!m_notes.contains(taskId) && text == noteOf(taskId)))
         return std::nullopt;
-    return write(m_folder + QStringLiteral("/notes/%1.md").arg(taskId), text.toUtf8());
+    const QString path = m_folder + QStringLiteral("/notes/%1.md").arg(taskId);
+    m_notes[taskId] = text;
+    if (wasTakenOver() || m_readOnly)
+        return Error{.message = WorkspaceText::tr("another window works on this lab now; this one "
+                                                  "saves nothing more"),
+                     .file = path};
+    auto error = write(path, text.toUtf8());
+    if (!error)
+        m_notes.erase(taskId);
+    return error;
 }
 
 } // namespace cradle

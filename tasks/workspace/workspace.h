@@ -64,7 +64,10 @@ public:
     /// Keeps \p text as that of the step, and as lab.lua. What cannot be saved is kept in memory.
     std::optional<Error> save(const QString &taskId, const QString &text);
     /// Whether there is text that could not be saved.
-    [[nodiscard]] bool hasUnsaved() const { return !m_folder.isEmpty() && !m_texts.empty(); }
+    [[nodiscard]] bool hasUnsaved() const
+    {
+        return !m_folder.isEmpty() && !(m_texts.empty() && m_notes.empty());
+    }
     /// Tries again.
     std::optional<Error> saveUnsaved();
 
@@ -95,6 +98,7 @@ public:
 
     /// What the student has noted about a step, Markdown; empty if nothing.
     [[nodiscard]] QString noteOf(const QString &taskId) const;
+    /// What cannot be saved is kept in memory.
     std::optional<Error> saveNote(const QString &taskId, const QString &text);
 
     /// Keeps predictions.json, if it says something else.
@@ -105,6 +109,7 @@ public:
 
 private:
     [[nodiscard]] Result<std::optional<QString>> ownText(const QString &taskId) const;
+    [[nodiscard]] bool wasTakenOver();
     std::optional<Error> write(const QString &path, const QByteArray &text);
     std::optional<Error> openHistory();
     std::optional<Error> takeLabFile(const QString &currentTask);
@@ -120,7 +125,7 @@ private:
     std::optional<LockHolder> m_holder;
     bool m_readOnly = false;
     bool m_lookedAt = false; ///< and never written
-    bool m_hasLock = false; ///< the lock was taken, by us
+    bool m_hasLock = false;  ///< the lock was taken, by us
     std::unique_ptr<History> m_history;
 };
 

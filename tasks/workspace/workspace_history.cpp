@@ -112,6 +112,16 @@ std::optional<Error> Workspace::takeLabFile(const QString &currentTask)
     return save(currentTask, *text);
 }
 
+/// Whether another window has taken the right to write since it was used last.
+bool Workspace::wasTakenOver()
+{
+    if (!m_hasLock || m_lock.isHeld())
+        return false;
+    m_hasLock = false;
+    m_readOnly = true;
+    return true;
+}
+
 void Workspace::takeOver()
 {
     m_lock.takeOver();
@@ -142,7 +152,7 @@ std::optional<Error> Workspace::commitPass(const CheckReport &report,
                                            const std::optional<QString> &program,
                                            const std::optional<Preset> &scene)
 {
-    if (!m_history || m_readOnly)
+    if (!m_history || wasTakenOver() || m_readOnly)
         return std::nullopt;
     const QString path = m_folder + QStringLiteral("/presets/%1.json").arg(report.taskId);
     if (scene) {
@@ -167,7 +177,7 @@ std::optional<Error> Workspace::setStudent(const QString &name, const QString &n
 {
     m_info.student = name.simplified();
     m_info.studentId = number.simplified();
-    return m_folder.isEmpty() || m_readOnly ? std::nullopt : saveInfo();
+    return m_folder.isEmpty() || wasTakenOver() || m_readOnly ? std::nullopt : saveInfo();
 }
 
 /// Written only if it says something else, so that git sees no change.

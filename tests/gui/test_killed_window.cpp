@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+#include "open_window.h"
+#include "tests/git_home.h"
+
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+
+#include <QProcess>
+
+#include <algorithm>
+#include <cstdio>
+
+using namespace cradle;
+
+namespace {
+
+constexpr int keyPause = 10; ///< ms: nobody types faster
+constexpr int mostLost = 50; ///< keys: 0.5 s of them
+constexpr int killings = 8;  ///< or as many as the environment's CRADLE_KILLINGS says
+
+/// The whole window, in which keys are pressed without a pause until it is killed.
+int typeForEver(const QString &folder)
+{
+    const QTemporaryDir place(folder + QStringLiteral("/w"));
+    windows::OpenWindow open(place);
+    std::printf("%s\n", qPrintable(place.path()));
+    open.bench.setMode(Mode::Code);
+    CodeEditor &editor = open.window.codePane().editor();
+    editor.exchangeText(QStringLiteral("-- "));
+    editor.setFocus();
+    QTest::keyClick(&editor, Qt::Key_End, Qt::ControlModifier);
+    int keys = 0;
+    QTimer typing;
+    QObject::connect(&typing, &QTimer::timeout, &open.window, [&] {
+        QTest::keyClick(&editor, Qt::Key_1);
+        std::printf("%d\n", ++keys);
+        std::fflush(stdout);
+    });
+    typing.start(keyPause);
+    return QApplication::exec();
+}
+
+} // namespace
+
+/// Kill -9 of the window in which somebody types.
+class TestKilledWindow final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void losesLittleAndLeavesNothing();
+
+private:
+    GitHome m_home;
+};
+
+void TestKilledWindow::losesLittleAndLeavesNothing()
+{
+    bool given = false;
+    const int wanted = qEnvironmentVariableIntValue("CRADLE_KILLINGS", &given);
+    for (int run = 0; run < (given ? wanted : killings); ++run) {
+        const QTemporaryDir folder;
+        const QTemporaryDir passing;
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("TMPDIR"), passing.path());
+        environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder.path());
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        process.setProcessEnvironment(environment);
+        process.start(QCoreApplication::applicationFilePath(),
+                      {QStringLiteral("--type"), folder.path()});
+        QVERIFY(process.waitForReadyRead(60'000));
+        const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
+        int keys = 0;
+        // Another number of keys each time, so that it dies at another moment of saving.
+        while (keys < 25 + 3 * (run % 50) && process.waitForReadyRead(60'000)) {
+            while (process.canReadLine())
+                keys = process.readLine().trimmed().toInt();
+        }
+        process.kill();
+        QVERIFY(process.waitForFinished());
+        for (const QByteArray &line : process.readAll().split('\n'))
+            keys = std::max(keys, line.trimmed().toInt());
+        QVERIFY(keys > 0);
+        QFile file(place + QStringLiteral("/programs/lab-4.2/steps/L42T1.lua"));
+        const auto kept = file.open(QIODevice::ReadOnly) ? file.readAll().count('1') : 0;
+        QVERIFY2(keys - kept <= mostLost,
+                 qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
+        const QStringList left =
+            QDir(passing.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
+    }
+}
+
+int main(int argc, char **argv)
+{
+    QApplication app(argc, argv);
+    if (const QStringList arguments = QApplication::arguments();
+        arguments.value(1) == QLatin1String("--type"))
+        return typeForEver(arguments.value(2));
+    TestKilledWindow test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_killed_window.moc"
