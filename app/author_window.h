@@ -77,6 +77,7 @@ protected:
 
 private:
     void makePanes();
+    [[nodiscard]] QWidget *makeLanguageCorner();
     void wire();
     void wireProof();
     void fillMenus();

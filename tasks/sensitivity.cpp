@@ -5,6 +5,7 @@
 #include "tasks/checks/check_library.h"
 #include "tasks/observation.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace cradle {
 namespace {
 
 constexpr std::size_t mostScenes = 3; ///< of a check: the others are drawn alike
-constexpr double leastShare = 1e-13; ///< of the most that is tried
+constexpr double leastShare = 1e-13;  ///< of the most that is tried
 constexpr double exactness = 1.1;     ///< of the answer, as a factor
 constexpr double hitShare = 1e-3;     ///< of a speed: a larger change in a step is a hit
 constexpr double mostTurn = 45.0;     ///< °
@@ -130,8 +131,11 @@ std::optional<Sensitivity> sensitivityOf(const Task &task, const CheckSpec &chec
 QString describe(const Sensitivity &sensitivity)
 {
     const auto figure = [](const std::optional<double> &value, double factor, const char *unit) {
-        return value ? QString::number(*value * factor, 'g', 2) + QString::fromUtf8(unit)
-                     : QStringLiteral("–");
+        static const QRegularExpression zeros(QStringLiteral("e([+-])0"));
+        return value
+                   ? QString::number(*value * factor, 'g', 2).replace(zeros, QStringLiteral("e\\1"))
+                         + QString::fromUtf8(unit)
+                   : QStringLiteral("–");
     };
     return QStringList{figure(sensitivity.turn, 1.0, "°"), figure(sensitivity.speed, 100.0, " %"),
                        figure(sensitivity.drift, 1000.0, " mm/s")}

@@ -117,10 +117,13 @@ void ProgramPage::showProgram(const QString &program)
         m_editor->replaceText(text);
     m_editor->setReadOnly(m_document.isReadOnly());
     m_editor->setAccessibleName(tr("Program %1").arg(m_program));
+    const bool another = m_shownPath != path();
     m_shownPath = path();
     m_fault = whole ? Error{} : whole.error();
     checkSyntax();
-    markDifference();
+    const int first = markDifference();
+    if (another && first > 0)
+        m_editor->revealLine(first);
     const auto kind = kindOfProgram(m_program);
     m_below->setVisible(kind.has_value());
     m_below->setTabVisible(Recognition, kind == KnownKind::Remark);
@@ -165,7 +168,8 @@ QString ProgramPage::differenceNote() const
 }
 
 /// Marks the lines in which a mistake or remark is not the solution.
-void ProgramPage::markDifference()
+/// \return the first of them; 0 if there is none
+int ProgramPage::markDifference()
 {
     std::vector<int> lines;
     if (kindOfProgram(m_program) && m_applies) {
@@ -179,6 +183,7 @@ void ProgramPage::markDifference()
         }
     }
     m_editor->setChanged(lines);
+    return lines.empty() ? 0 : lines.front();
 }
 
 void ProgramPage::checkSyntax()

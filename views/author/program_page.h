@@ -45,7 +45,7 @@ private:
     void showMessage();
     void showRemark();
     void checkSyntax();
-    void markDifference();
+    int markDifference();
     [[nodiscard]] QString differenceNote() const;
     void takeSource();
     void takeTranslation(const QString &text);

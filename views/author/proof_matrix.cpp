@@ -144,8 +144,11 @@ void ProofMatrix::fitColumns()
     setColumnWidth(0, nameWidth);
     const int room = (viewport()->width() - nameWidth - saidWidth) / std::max(checks, 1);
     for (int i = 1; i <= checks; ++i) {
+        const QTableWidgetItem *figure = item(rowCount() - 1, i);
         const int wanted =
-            horizontalHeader()->fontMetrics().horizontalAdvance(m_task.checks[i - 1]) + cellMargin;
+            std::max(horizontalHeader()->fontMetrics().horizontalAdvance(m_task.checks[i - 1]),
+                     fontMetrics().horizontalAdvance(figure ? figure->text() : QString()))
+            + cellMargin;
         const int width = std::clamp(room, leastCell, std::clamp(wanted, leastCell, mostCell));
         setColumnWidth(i, width);
         // A heading with a style sheet is cut at both ends instead.
