@@ -49,7 +49,10 @@ void AuthorWindow::fillMenus()
     QAction *undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
-    redo->setShortcuts(QKeySequence::Redo);
+    QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (!again.contains(alsoRedo))
+        again.append(alsoRedo);
+    redo->setShortcuts(again);
     edit->addActions({undo, redo});
     edit->addSeparator();
     add(edit, tr("Insert the scene as a &figure"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F),

@@ -218,7 +218,8 @@ bool AuthorWindow::eventFilter(QObject *watched, QEvent *event)
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *widget = qobject_cast<const QWidget *>(watched);
         const auto *key = static_cast<QKeyEvent *>(event);
-        const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
+        const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)
+                            || alsoRedo.matches(key->keyCombination()) == QKeySequence::ExactMatch;
         if (isUndo && widget && widget->window() == this) {
             event->ignore();
             return true;

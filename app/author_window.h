@@ -76,6 +76,9 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Beside that of the platform: what other programs have.
+    static inline const QKeySequence alsoRedo{Qt::CTRL | Qt::Key_Y};
+
     void makePanes();
     [[nodiscard]] QWidget *makeLanguageCorner();
     void wire();

@@ -149,6 +149,8 @@ void TestAuthorLosses::brokenStepIsBlockedAloneAndMendedHere()
              taskForm(author.files(), QStringLiteral("BALL2"))->title);
     author.undo();
     QVERIFY(text->isVisible());
+    QTest::keyClick(author.focus(), Qt::Key_Y, Qt::ControlModifier); // as well as Ctrl+Shift+Z
+    QVERIFY(!text->isVisible());
 }
 
 void TestAuthorLosses::exportAsksForWhatCannotBeRead()

@@ -97,6 +97,9 @@ void TestAuthorTexts::valuesAreReadAsTheyAreShown_data()
     QTest::addColumn<QString>("text");
     QTest::addColumn<QJsonValue>("value");
     QTest::newRow("number") << Type::Number << QStringLiteral("0.5") << QJsonValue(0.5);
+    QTest::newRow("fraction") << Type::Number << QStringLiteral("1/30") << QJsonValue(1.0 / 30.0);
+    QTest::newRow("fractions") << Type::Numbers << QStringLiteral("1/60, 0.02, 1/3")
+                               << QJsonValue(QJsonArray{1.0 / 60.0, 0.02, 1.0 / 3.0});
     QTest::newRow("count") << Type::Count << QStringLiteral("3") << QJsonValue(3);
     QTest::newRow("vector") << Type::Vector << QStringLiteral("2, -1")
                             << QJsonValue(QJsonArray{2, -1});
