@@ -31,6 +31,7 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setUndoRedoEnabled(false); // undo is the lab's
+    m_text->setTabChangesFocus(true);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 12, 16, 12);
     column->setSpacing(8);
