@@ -1294,6 +1294,18 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>students: %1</source>
         <translation>Studierende: %1</translation>
     </message>
+    <message>
+        <source>%1 programs became differences, %2 lines fewer</source>
+        <translation>%1 Programme wurden Unterschiede, %2 Zeilen weniger</translation>
+    </message>
+    <message>
+        <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
+        <translation>bewahrt Fehler und Bemerkungen als Unterschiede zur Lösung auf, wo das kürzer ist</translation>
+    </message>
+    <message>
+        <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
+        <translation>fragt bei jeder Prüfung auch, ob eine Änderung der Lösung an ihr allein scheitert; dauert Minuten</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3678,6 +3690,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>not in this language yet: %1</source>
         <translation>noch nicht in dieser Sprache: %1</translation>
     </message>
+    <message>
+        <source>the program is there whole, too; one of the two files is right</source>
+        <translation>das Programm ist auch ganz da; richtig ist eine der beiden Dateien</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -3857,16 +3873,16 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>die Prüfung %1 verlangt dasselbe wie %2</translation>
     </message>
     <message>
-        <source>no mistake fails by the check %1 alone</source>
-        <translation>kein Fehler scheitert allein an der Prüfung %1</translation>
-    </message>
-    <message>
-        <source>by these checks alone no mistake fails: %1</source>
-        <translation>allein an diesen Prüfungen scheitert kein Fehler: %1</translation>
-    </message>
-    <message>
         <source>fails what is turned, too fast, adrift by</source>
         <translation>fällt durch bei: gedreht, zu schnell, weggetrieben um</translation>
+    </message>
+    <message>
+        <source>no mistake fails by the check %1 alone: it repeats %2</source>
+        <translation>kein Fehler scheitert allein an der Prüfung %1: Sie wiederholt %2</translation>
+    </message>
+    <message>
+        <source>%1 differs in more than its mistake: it has “%2” where the solution has “%3”</source>
+        <translation>%1 unterscheidet sich in mehr als seinem Fehler: Dort steht „%2“, in der Lösung „%3“</translation>
     </message>
 </context>
 <context>
@@ -6287,6 +6303,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>this is no address of a git repository</source>
         <translation>das ist keine Adresse eines Git-Repositorys</translation>
+    </message>
+    <message>
+        <source>another window works on this lab now; this one saves nothing more</source>
+        <translation>ein anderes Fenster arbeitet jetzt an diesem Lab; dieses speichert nichts mehr</translation>
     </message>
 </context>
 <context>
@@ -8829,10 +8849,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Kein eigener: Es geht mit der Lösung des vorigen Schritts weiter. Schreibe hier, um mit etwas anderem anzufangen.</translation>
     </message>
     <message>
-        <source>The reference: it passes every check, with every seed.</source>
-        <translation>Die Referenz: Sie besteht jede Prüfung, mit jedem Startwert.</translation>
-    </message>
-    <message>
         <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
         <translation>Ein ganzes Programm mit einem Fehler: Es scheitert an einer Prüfung, und wer dasselbe schrieb, liest den Kommentar an seinem Anfang.</translation>
     </message>
@@ -8871,6 +8887,18 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>What the student reads, translated</source>
         <translation>Was Studierende lesen, übersetzt</translation>
+    </message>
+    <message>
+        <source>The reference: it should pass every check, with every seed.</source>
+        <translation>Die Referenz: Sie soll jede Prüfung bestehen, mit jedem Startwert.</translation>
+    </message>
+    <message>
+        <source>The solution was changed where this difference changes it. Mend the lines after @@ so that they say what stands in the solution now, and what stands here instead.</source>
+        <translation>Die Lösung wurde dort geändert, wo dieser Unterschied sie ändert. Bring die Zeilen nach @@ in Ordnung: was jetzt in der Lösung steht, und was hier stattdessen steht.</translation>
+    </message>
+    <message>
+        <source>It is kept as its difference from the solution, which is marked, and follows it.</source>
+        <translation>Gespeichert ist sein Unterschied zur Lösung, der markiert ist; so folgt es ihr.</translation>
     </message>
 </context>
 <context>
@@ -9108,6 +9136,22 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Every program runs through the checks…</source>
         <translation>Jedes Programm durchläuft die Prüfungen…</translation>
+    </message>
+    <message>
+        <source>The solution passes, and every mistake fails and is recognised; but a check is missing: changes of the solution that pass every check: %1</source>
+        <translation>Die Lösung besteht, jeder Fehler scheitert und wird erkannt; aber eine Prüfung fehlt: Änderungen der Lösung, die jede Prüfung bestehen: %1</translation>
+    </message>
+    <message>
+        <source>All is as it should be: the solution passes, every mistake fails and is recognised.</source>
+        <translation>Alles ist, wie es sein soll: Die Lösung besteht, jeder Fehler scheitert und wird erkannt.</translation>
+    </message>
+    <message>
+        <source>Worth a look</source>
+        <translation>Einen Blick wert</translation>
+    </message>
+    <message>
+        <source>Mistakes that this step did not know before the last edits</source>
+        <translation>Fehler, die dieser Schritt vor den letzten Änderungen nicht kannte</translation>
     </message>
 </context>
 <context>
