@@ -19,7 +19,7 @@ DrawList listOf(const Simulation &simulation, bool shown)
     SceneOptions options;
     options.grid = options.trails = options.hitParts = options.names = false;
     options.centreOfMass = shown;
-    return buildScene(DrawnMoment(simulation), options, lookAt(simulation.preset()));
+    return buildScene(SceneMoment(simulation), options, lookAt(simulation.preset()));
 }
 
 } // namespace

@@ -35,7 +35,7 @@ private slots:
 void TestDrawList::startShowsCirclesAndVelocity()
 {
     const Simulation simulation(twoCircles());
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, lookAt(twoCircles()));
+    const DrawList list = buildScene(SceneMoment(simulation), {}, lookAt(twoCircles()));
     QCOMPARE(list.background, theme().scene);
     QCOMPARE(list.discs.size(), std::size_t{2});
     QCOMPARE(list.discs[0].centre, (Vec2{-2.0, 2.3}));
@@ -55,7 +55,7 @@ void TestDrawList::optionsLeaveThingsOut()
     Simulation simulation(twoCircles());
     simulation.seekNextHit();
     const SceneOptions none{false, false, false, false, false, false, false, false};
-    const DrawList list = buildScene(DrawnMoment(simulation), none, lookAt(twoCircles()));
+    const DrawList list = buildScene(SceneMoment(simulation), none, lookAt(twoCircles()));
     QCOMPARE(list.lines.size(), std::size_t{4});
     QCOMPARE(list.discs.size(), std::size_t{2});
     QVERIFY(list.arrows.empty());
@@ -69,7 +69,7 @@ void TestDrawList::trailFollowsTheRecording()
         simulation.stepForward();
     SceneOptions options;
     options.grid = false;
-    const DrawList list = buildScene(DrawnMoment(simulation), options, lookAt(twoCircles()));
+    const DrawList list = buildScene(SceneMoment(simulation), options, lookAt(twoCircles()));
     QCOMPARE(list.lines.size(), std::size_t{4 + 30});
     QVERIFY(near(list.lines[4].from, {-2.0, 2.3}));
     QVERIFY(near(list.lines.back().to, {-1.0, 2.3}));
@@ -89,7 +89,7 @@ void TestDrawList::labelsNeverCoverEachOther()
     const Simulation simulation(preset);
     SceneLook look = lookAt(preset, {400.0, 300.0});
     look.selected = 0;
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
     QVERIFY(list.labels.size() > 5);
     QVERIFY(!textOverText(list, look.camera, look.font));
 }
@@ -118,12 +118,12 @@ void TestDrawList::crowdHasNoLabels()
         *makeCircles({.count = 1000, .radius = 0.05, .rmsSpeed = 2.0}, preset.halfWidth);
     const Simulation simulation(preset);
     SceneLook look = lookAt(preset);
-    const DrawList plain = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList plain = buildScene(SceneMoment(simulation), {}, look);
     QCOMPARE(plain.discs.size(), std::size_t{1000});
     QVERIFY(plain.labels.empty());
     QVERIFY(plain.arrows.empty());
     look.selected = 7;
-    const DrawList marked = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList marked = buildScene(SceneMoment(simulation), {}, look);
     QCOMPARE(marked.arrows.size(), std::size_t{1});
     QCOMPARE(marked.labels.size(), std::size_t{2}); // its number and its speed
 }
@@ -133,10 +133,10 @@ void TestDrawList::sameMomentGivesTheSameList()
     Simulation simulation(twoCircles());
     simulation.seekNextHit();
     const SceneLook look = lookAt(twoCircles());
-    const DrawList first = buildScene(DrawnMoment(simulation), {}, look);
-    QVERIFY(first == buildScene(DrawnMoment(simulation), {}, look));
+    const DrawList first = buildScene(SceneMoment(simulation), {}, look);
+    QVERIFY(first == buildScene(SceneMoment(simulation), {}, look));
     simulation.stepForward();
-    QVERIFY(first != buildScene(DrawnMoment(simulation), {}, look));
+    QVERIFY(first != buildScene(SceneMoment(simulation), {}, look));
 }
 
 void TestDrawList::cameraMapsThereAndBack_data()
@@ -216,7 +216,7 @@ void TestDrawList::circleOutOfSightIsPointedTo()
     preset.circles[0].body = {.position = {-12.0, 3.0}, .velocity = {-1.0, 0.0}};
     const Simulation simulation(preset);
     const SceneLook look = lookAt(preset);
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
     QCOMPARE(list.discs.size(), std::size_t{2});
     QCOMPARE(list.arrows.size(), std::size_t{1}); // no velocity besides
     const DrawList::Arrow &pointer = list.arrows[0];
@@ -232,7 +232,7 @@ void TestDrawList::circleOutOfSightIsPointedTo()
     // With its rim at the edge it is seen.
     preset.circles[0].body.position = {-5.1, 3.0};
     const Simulation nearer(preset);
-    const DrawList seen = buildScene(DrawnMoment(nearer), {}, look);
+    const DrawList seen = buildScene(SceneMoment(nearer), {}, look);
     QVERIFY(near(seen.arrows[0].from, {-5.1, 3.0}));
 }
 

@@ -51,7 +51,7 @@ void TestHitParts::hitIsSplitAlongAndAcross()
     const Vec2 n = normalized(Vec2{2.0, 2.0} - at);
     const Vec2 along = 2.0 * n.x * n;
     const Vec2 across = Vec2{2.0, 0.0} - along;
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, lookAt(twoCircles()));
+    const DrawList list = buildScene(SceneMoment(simulation), {}, lookAt(twoCircles()));
     const DrawList::Arrow alongArrow = arrowOf(list, theme().along);
     const DrawList::Arrow acrossArrow = arrowOf(list, theme().across);
     QVERIFY(near(alongArrow.to - alongArrow.from, 0.75 * along));
@@ -80,7 +80,7 @@ void TestHitParts::hitIsSplitAlongAndAcross()
     QVERIFY(dot(head.from - Vec2{2.0, 2.0}, n) > 0.2);
     // A step later nothing of it is shown.
     simulation.stepForward();
-    const DrawList later = buildScene(DrawnMoment(simulation), {}, lookAt(twoCircles()));
+    const DrawList later = buildScene(SceneMoment(simulation), {}, lookAt(twoCircles()));
     QCOMPARE(arrowOf(later, theme().along), DrawList::Arrow{});
 }
 
@@ -91,7 +91,7 @@ void TestHitParts::wallHitIsSplitAlongTheWallsNormal()
     preset.circles[0].body = {.position = {3.0, 0.0}, .velocity = {3.0, 1.0}};
     Simulation simulation(preset);
     simulation.seekNextHit();
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, lookAt(preset, {1200.0, 700.0}));
+    const DrawList list = buildScene(SceneMoment(simulation), {}, lookAt(preset, {1200.0, 700.0}));
     const DrawList::Arrow along = arrowOf(list, theme().along);
     const DrawList::Arrow across = arrowOf(list, theme().across);
     QVERIFY(near(along.to - along.from, {0.75 * 3.0, 0.0}));
@@ -109,7 +109,7 @@ void TestHitParts::swappedVelocitiesLookDifferent()
     preset.laws.circles = CircleLaw::SwapVelocities;
     Simulation simulation(preset);
     simulation.seekNextHit();
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, lookAt(preset));
+    const DrawList list = buildScene(SceneMoment(simulation), {}, lookAt(preset));
     QCOMPARE(arrowOf(list, colourOf(0)), DrawList::Arrow{}); // stands still
     QVERIFY(near(shaft(arrowOf(list, colourOf(1))), {1.5, 0.0}));
     QVERIFY(texts(list).contains(QStringLiteral("after 0.00")));
@@ -143,7 +143,7 @@ void TestHitParts::discsAndLabelsStayFree()
     simulation.seekNextHit();
     QCOMPARE(simulation.recording().hits().size(), std::size_t{1});
     const SceneLook look = lookAt(preset, viewport);
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
     QVERIFY(!textOverText(list, look.camera, look.font));
     for (const QColor &part : {theme().along, colourOf(0), colourOf(1)})
         QVERIFY(arrowOf(list, part) != DrawList::Arrow{});
@@ -173,7 +173,7 @@ void TestHitParts::fastArrowsAreLabelledWhereTheyAreSeen()
     Simulation simulation(preset);
     simulation.seekNextHit();
     const SceneLook look = lookAt(preset);
-    const DrawList list = buildScene(DrawnMoment(simulation), {}, look);
+    const DrawList list = buildScene(SceneMoment(simulation), {}, look);
     const QRectF seen({}, look.camera.viewport());
     for (const DrawList::Arrow &arrow : list.arrows)
         QVERIFY(seen.contains(look.camera.toPixels(arrow.to)));
@@ -207,7 +207,7 @@ void TestHitParts::hitFadesWhileRunning()
     simulation.seekNextHit();
     for (int i = 0; i < 12; ++i)
         simulation.stepForward(); // 0.2 s later: half of 0.4 s
-    const DrawnMoment moment(simulation.preset(), simulation.recording(), simulation.current(),
+    const SceneMoment moment(simulation.preset(), simulation.recording(), simulation.current(),
                              true);
     const DrawList list = buildScene(moment, {}, lookAt(twoCircles()));
     const auto half = std::find_if(list.arrows.begin(), list.arrows.end(), [](const auto &arrow) {

@@ -20,7 +20,7 @@ MomentumInset insetOf(const Preset &preset, QSizeF viewport = {700.0, 700.0},
                       const std::vector<QRectF> &reserved = {})
 {
     const Simulation simulation(preset);
-    return momentumInset(DrawnMoment(simulation), lookAt(preset, viewport).camera, {}, reserved)
+    return momentumInset(SceneMoment(simulation), lookAt(preset, viewport).camera, {}, reserved)
         .value_or(MomentumInset{});
 }
 
@@ -88,9 +88,9 @@ void TestMomentumInset::aHitLeavesTheSumAsItWas()
 {
     Simulation simulation(twoCircles());
     const Camera camera = lookAt(twoCircles()).camera;
-    const auto before = momentumInset(DrawnMoment(simulation), camera, {}, {});
+    const auto before = momentumInset(SceneMoment(simulation), camera, {}, {});
     simulation.seekNextHit();
-    const auto after = momentumInset(DrawnMoment(simulation), camera, {}, {});
+    const auto after = momentumInset(SceneMoment(simulation), camera, {}, {});
     QVERIFY(before && after);
     QCOMPARE(before->arrows.size(), std::size_t{2}); // the second one rests
     QCOMPARE(after->arrows.size(), std::size_t{3});

@@ -31,7 +31,7 @@ DrawList listOf(const std::vector<Drawing> &drawings, const SceneOptions &option
     Simulation simulation(twoCircles());
     simulation.setProgram(&program);
     simulation.stepForward();
-    return buildScene(DrawnMoment(simulation), options, lookAt(twoCircles()));
+    return buildScene(SceneMoment(simulation), options, lookAt(twoCircles()));
 }
 
 } // namespace
@@ -87,7 +87,7 @@ void TestProgramDrawings::drawingsAreThoseOfTheStepShown()
         simulation.stepForward();
     const auto points = [&](qint64 index) {
         simulation.seek(index);
-        const DrawList list = buildScene(DrawnMoment(simulation), bare, lookAt(twoCircles()));
+        const DrawList list = buildScene(SceneMoment(simulation), bare, lookAt(twoCircles()));
         return std::vector<DrawList::Disc>(list.discs.begin() + 2, list.discs.end());
     };
     QCOMPARE(points(0).size(), std::size_t{0});
