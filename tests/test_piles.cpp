@@ -91,7 +91,7 @@ std::vector<PileContact> randomContacts(Random &random, std::size_t count, PileB
     std::vector<PileContact> contacts;
     for (std::size_t i = 0; i < count; ++i) {
         const auto a = static_cast<std::uint32_t>(1 + i % (bodyCount - 1));
-        auto b = static_cast<std::uint32_t>(random.below(static_cast<int>(bodyCount)));
+        auto b = static_cast<std::uint32_t>(random.below(bodyCount));
         if (a == b)
             b = 0;
         const double angle = random.between(-pi, pi);

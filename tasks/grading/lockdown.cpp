@@ -78,6 +78,16 @@ qint64 mappedBytes()
                                                                      : 0;
 }
 
+/// The macros of the library are C, which not every compiler of C++ takes.
+constexpr scmp_arg_cmp equals(unsigned argument, scmp_datum_t value)
+{
+    return {argument, SCMP_CMP_EQ, value, 0};
+}
+constexpr scmp_arg_cmp masked(unsigned argument, scmp_datum_t mask, scmp_datum_t value)
+{
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
 bool addRules(scmp_filter_ctx filter)
 {
     bool right = true;
@@ -89,19 +99,17 @@ bool addRules(scmp_filter_ctx filter)
     };
     for (const int call : plainCalls)
         allow(call);
-    allow(SCMP_SYS(write), {SCMP_A0(SCMP_CMP_EQ, Lockdown::outputDescriptor)});
+    allow(SCMP_SYS(write), {equals(0, Lockdown::outputDescriptor)});
     // Memory, but none that could hold code, and none of a file.
     constexpr scmp_datum_t noFile = MAP_ANONYMOUS;
-    allow(SCMP_SYS(mmap),
-          {SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0), SCMP_A3(SCMP_CMP_MASKED_EQ, noFile, noFile)});
-    allow(SCMP_SYS(mprotect), {SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)});
+    allow(SCMP_SYS(mmap), {masked(2, PROT_EXEC, 0), masked(3, noFile, noFile)});
+    allow(SCMP_SYS(mprotect), {masked(2, PROT_EXEC, 0)});
     // Regular expressions would like to become code; refused that, they do without.
-    right = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1,
-                             SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, PROT_EXEC))
-                == 0
+    const scmp_arg_cmp code = masked(2, PROT_EXEC, PROT_EXEC);
+    right = seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mmap), 1, &code) == 0
             && right;
     // Its own share of processor time, below what it may take at all.
-    allow(SCMP_SYS(prlimit64), {SCMP_A0(SCMP_CMP_EQ, 0), SCMP_A1(SCMP_CMP_EQ, RLIMIT_CPU)});
+    allow(SCMP_SYS(prlimit64), {equals(0, 0), equals(1, RLIMIT_CPU)});
     return right;
 }
 
