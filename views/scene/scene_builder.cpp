@@ -168,19 +168,27 @@ void addRefused(DrawList &list, const Circle &circle, const SceneMoment &moment)
 /// beside them stand the numbers of all.
 void joinNumbers(std::vector<LabelWish> &wishes, const Camera &camera)
 {
+    // Numbers stand on their discs, without a plate; what programs write has one.
+    const auto isNumber = [](const LabelWish &wish) { return wish.atAnchor && !wish.label.plate; };
     for (std::size_t i = 0; i < wishes.size(); ++i) {
-        for (std::size_t j = i + 1; wishes[i].atAnchor && j < wishes.size(); ++j) {
+        if (!isNumber(wishes[i]))
+            continue;
+        bool joined = false;
+        for (std::size_t j = i + 1; j < wishes.size(); ++j) {
             const QPointF apart =
                 camera.toPixels(wishes[i].label.anchor) - camera.toPixels(wishes[j].label.anchor);
-            if (!wishes[j].atAnchor || QPointF::dotProduct(apart, apart) > onePlace * onePlace)
+            if (!isNumber(wishes[j]) || QPointF::dotProduct(apart, apart) > onePlace * onePlace)
                 continue;
+            joined = true;
             wishes[i].label.text += QStringLiteral(", ") + wishes[j].label.text;
-            wishes[i].label.colour = theme().text;
-            wishes[i].label.plate = true;
             wishes[i].clearance = std::max(wishes[i].clearance, wishes[j].clearance);
             wishes.erase(wishes.begin() + static_cast<std::ptrdiff_t>(j--));
         }
-        wishes[i].atAnchor = wishes[i].atAnchor && !wishes[i].label.plate;
+        if (!joined)
+            continue;
+        wishes[i].label.colour = theme().text;
+        wishes[i].label.plate = true;
+        wishes[i].atAnchor = false;
     }
 }
 
