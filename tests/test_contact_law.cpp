@@ -140,7 +140,7 @@ void TestContactLaw::faultIsNamed()
     QFETCH(QString, hit);
     QFETCH(QString, said);
     const LawBench step(task(QStringLiteral("L42T14")));
-    for (const std::size_t structure : {1, 3}) {
+    for (const std::size_t structure : {std::size_t{1}, std::size_t{3}}) {
         const QString program = written(withHit(hit), structures[structure]);
         // One word, and nothing of the answer, which is right.
         QCOMPARE(step.contact(program) + step.response(program), QStringList(said));

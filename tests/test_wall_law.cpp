@@ -158,7 +158,7 @@ void TestWallLaw::faultIsNamed()
     QFETCH(QString, walls);
     QFETCH(QStringList, said);
     const LawBench step(task(QStringLiteral("L42T17")));
-    for (const std::size_t structure : {0, 2})
+    for (const std::size_t structure : {std::size_t{0}, std::size_t{2}})
         QCOMPARE(step.walls(written(withWalls(walls), structures[structure])), said);
 }
 

@@ -91,7 +91,8 @@ void TestChartLabels::aSteepCurveTellsItsValueAtTheCursor()
         ramp.append(i / 60.0, 1000.0 * i / 600.0 - 500.0);
     for (const double shown : {3.0, 5.0, 7.0}) {
         show(ramp, shown);
-        const auto &[text, rect] = m_plot.labels().front();
+        const auto labels = m_plot.labels();
+        const auto &[text, rect] = labels.front();
         QVERIFY(text.contains(QLatin1Char(':')));
         const QPointF place(m_plot.xOf(shown), m_plot.yOf(ramp.valueAt(shown)));
         QVERIFY(rect.adjusted(-near, -near, near, near).contains(place));
