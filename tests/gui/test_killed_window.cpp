@@ -29,12 +29,12 @@ int typeForEver(const QString &folder)
     open.bench.setMode(Mode::Code);
     CodeEditor &editor = open.window.codePane().editor();
     editor.exchangeText(QStringLiteral("-- "));
-    editor.setFocus();
-    QTest::keyClick(&editor, Qt::Key_End, Qt::ControlModifier);
+    QWidget *area = editor.focusProxy();
+    QTest::keyClick(area, Qt::Key_End, Qt::ControlModifier);
     int keys = 0;
     QTimer typing;
     QObject::connect(&typing, &QTimer::timeout, &open.window, [&] {
-        QTest::keyClick(&editor, Qt::Key_1);
+        QTest::keyClick(area, Qt::Key_1);
         std::printf("%d\n", ++keys);
         std::fflush(stdout);
     });
@@ -73,8 +73,9 @@ void TestKilledWindow::losesLittleAndLeavesNothing()
         QVERIFY(process.waitForReadyRead(60'000));
         const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
         int keys = 0;
-        // Another number of keys each time, so that it dies at another moment of saving.
-        while (keys < 25 + 3 * (run % 50) && process.waitForReadyRead(60'000)) {
+        // More than may be lost, and another number each time, so that it dies at another moment
+        // of saving.
+        while (keys < mostLost + 5 + 2 * (run % 25) && process.waitForReadyRead(60'000)) {
             while (process.canReadLine())
                 keys = process.readLine().trimmed().toInt();
         }
