@@ -66,7 +66,7 @@ QString hardSteps(const LabReport &report)
     for (const StepReport *step : hard) {
         QString found;
         for (const StepReport::Met &met : step->met)
-            found += (found.isEmpty() ? QStringLiteral(": ") : QStringLiteral("; ")) + met.headline;
+            found += (found.isEmpty() ? QStringLiteral(". ") : QStringLiteral("; ")) + met.headline;
         items += QStringLiteral("<li><b>%1</b> – %2%3</li>\n")
                      .arg(step->title.toHtmlEscaped(),
                           EndingText::tr("Checks: %1").arg(step->attempts).toHtmlEscaped(),

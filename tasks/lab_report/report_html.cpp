@@ -40,6 +40,7 @@ const QString style = QStringLiteral(
 const QString screenStyle = QStringLiteral(
     "@media screen { body { max-width: 760px; margin: 24px auto; padding: 0 16px; } }\n"
     "svg { max-width: 100%; height: auto; }\n"
+    "pre, code, table.code td { font-variant-ligatures: none; }\n"
     "@media print { h2, h3, svg { break-after: avoid; } }\n");
 
 /// Writes the page piece by piece.
