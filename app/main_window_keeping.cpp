@@ -63,6 +63,9 @@ void MainWindow::showTaskNotice()
         std::vector<NoticeBar::Offer> offers;
         if (code.workspace().canConvert(code.taskId()))
             offers.push_back({tr("Make a program of it"), [bench] { bench->convertProgram(); }});
+        if (bench->newestVersion())
+            offers.push_back(
+                {tr("Back to the newest version"), [bench] { bench->recoverProgram(); }});
         offers.push_back({tr("Begin this step anew"), [bench] { bench->setProgramAside(); }});
         m_notice->showNotice(tr("The file of your program is no program, and is left as it is. %1 "
                                 "Whatever you choose, the file is kept beside it.")

@@ -52,6 +52,8 @@ public:
     /// What the student expects of the current step.
     [[nodiscard]] Guess guess();
     /// Whether this window may save: if not, another works on the lab (see the workspace).
+    /// The text of the newest version of the open step's program; nothing if there is none.
+    [[nodiscard]] std::optional<QString> newestVersion() const;
     [[nodiscard]] bool mayWrite() const { return m_code.workspace().mayWrite(); }
     /// The step before, if the open one builds on its solution and the student has a program of
     /// neither: who jumped ahead.
@@ -91,6 +93,8 @@ public slots:
     void takeOver();          ///< the right to save, from the window that has it
     void convertProgram();    ///< the step's file, which is no program, becomes one
     void setProgramAside();   ///< the step begins anew; the file that is no program is kept
+    /// Puts the newest version of the step's program in place of a file that is none.
+    void recoverProgram();
     void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
     void save();                                          ///< the progress, now
 

@@ -31,6 +31,8 @@ private slots:
     void init();
     void secondWindowSaysWhoWorks();
     void foreignFileIsExplained();
+    void damagedProgramComesBackFromItsVersions();
+    void outsideEditIsSaid();
     void brokenProgressIsSaidWithAStep();
     void jumpingAheadShowsNoSolution();
     void versionsComeAndGoBack();
@@ -126,6 +128,42 @@ void TestKeeping::foreignFileIsExplained()
     QCOMPARE(open.window.codePane().editor().text(), QStringLiteral("x=1\n"));
     QVERIFY(!open.window.codePane().editor().isReadOnly());
     QCOMPARE(content(work() + QStringLiteral("/steps/L42T1.lua.original")), bytes);
+}
+
+/// A crash of the machine left zeros where the program was.
+void TestKeeping::damagedProgramComesBackFromItsVersions()
+{
+    {
+        windows::OpenWindow open(*m_folder);
+        inCode(open);
+        type(open, QStringLiteral("-- mine\n"));
+        check(open);
+    }
+    for (const char *file : {"/steps/L42T1.lua", "/lab.lua"})
+        QVERIFY(!writeFile(work() + QLatin1String(file), QByteArray(8, '\0')));
+    windows::OpenWindow open(*m_folder);
+    inCode(open);
+    open.bench.openTaskAt(0);
+    open.click(QStringLiteral("Back to the newest version"));
+    QCOMPARE(open.window.codePane().editor().text(), QStringLiteral("-- mine\n"));
+    QVERIFY(!open.window.codePane().editor().isReadOnly());
+    QCOMPARE(content(work() + QStringLiteral("/steps/L42T1.lua")), QByteArray("-- mine\n"));
+    QCOMPARE(content(work() + QStringLiteral("/steps/L42T1.lua.original")), QByteArray(8, '\0'));
+}
+
+void TestKeeping::outsideEditIsSaid()
+{
+    windows::OpenWindow open(*m_folder);
+    inCode(open);
+    type(open, QStringLiteral("-- mine\n"));
+    QVERIFY(!writeFile(work() + QStringLiteral("/lab.lua"), "-- theirs\n"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        open.window.notice().text().contains(QStringLiteral("Another program has changed")),
+        20'000);
+    QCOMPARE(open.window.codePane().editor().text(), QStringLiteral("-- theirs\n"));
+    auto *list = open.window.versions().findChild<QTreeWidget *>();
+    QCOMPARE(list->topLevelItemCount(), 2);
+    QCOMPARE(list->topLevelItem(0)->text(1), QStringLiteral("By another program"));
 }
 
 void TestKeeping::brokenProgressIsSaidWithAStep()
