@@ -120,7 +120,7 @@ std::optional<Error> HandInDialog::writeTo(const QString &path)
     nameSender(handIn, who);
     const LabReportPage page = labReportPage(handIn.report, Drawings::Numbered, currentLanguage());
     const auto packed =
-        packHandIn(handIn, QStringLiteral("report.pdf"), printedPdf(page, handIn.report.labTitle));
+        packHandIn(handIn, QStringLiteral("report.pdf"), printedPdf(page, titleOf(handIn.report)));
     return packed ? writeFile(path, *packed) : std::optional(packed.error());
 }
 

@@ -83,7 +83,7 @@ std::optional<Error> ReportDialog::writeTo(const QString &path)
         return writeFile(path,
                          labReportPage(report, Drawings::Inside, currentLanguage()).html.toUtf8());
     return writeFile(path, printedPdf(labReportPage(report, Drawings::Numbered, currentLanguage()),
-                                      report.labTitle));
+                                      titleOf(report)));
 }
 
 void ReportDialog::chooseFile()

@@ -127,6 +127,9 @@ void TestHandIn::everyStepIsJudgedAnew()
     const QString html = labReportPage(handIn.report, Drawings::Inside, QStringLiteral("en")).html;
     QVERIFY(html.contains(QStringLiteral("It <i>fell</i> &lt;b&gt;.")));
     QVERIFY(html.contains(QStringLiteral("<svg ")));
+    QVERIFY(html.contains(QStringLiteral("– Ada Lovelace</title>")));
+    QVERIFY(labReportPage(handIn.report, Drawings::Inside, QStringLiteral("de"))
+                .html.contains(QStringLiteral("22. November 2026")));
     QVERIFY(!html.contains(QStringLiteral("http://www.w3.org/1999/xlink")));
 }
 

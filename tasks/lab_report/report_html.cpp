@@ -60,7 +60,7 @@ public:
         m_page.html += QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n"
                                       "<meta charset=\"utf-8\">\n<title>%2</title>\n"
                                       "<style>\n%3</style>\n</head>\n<body>\n")
-                           .arg(m_language, titleOf().toHtmlEscaped(), css);
+                           .arg(m_language, titleOf(m_report).toHtmlEscaped(), css);
         writeHead();
         for (const StepReport &step : m_report.steps)
             writeStep(step);
@@ -70,13 +70,6 @@ public:
     }
 
 private:
-    [[nodiscard]] QString titleOf() const
-    {
-        return m_report.student.isEmpty()
-                   ? m_report.labTitle
-                   : QStringLiteral("%1 – %2").arg(m_report.labTitle, m_report.student);
-    }
-
     void add(const QString &html) { m_page.html += html + QLatin1Char('\n'); }
     void addText(const char *element, const QString &text)
     {
@@ -106,7 +99,10 @@ private:
         for (const QString &part : {m_report.student, m_report.studentId})
             if (!part.isEmpty())
                 who.append(part);
-        who.append(QLocale().toString(m_report.when.toLocalTime().date(), QLocale::LongFormat));
+        // In the language of the page; where the system speaks it too, as the system writes dates.
+        const QLocale spoken(m_language);
+        const QLocale dates = QLocale().language() == spoken.language() ? QLocale() : spoken;
+        who.append(dates.toString(m_report.when.toLocalTime().date(), QLocale::LongFormat));
         addText("p", who.join(QStringLiteral(" · ")));
         addText(
             "p",
@@ -314,6 +310,13 @@ Result<LabReportPage> readPage(const QString &folder)
         page.drawings.push_back(*svg);
     }
     return page;
+}
+
+QString titleOf(const LabReport &report)
+{
+    return report.student.isEmpty()
+               ? report.labTitle
+               : QStringLiteral("%1 – %2").arg(report.labTitle, report.student);
 }
 
 LabReportPage labReportPage(const LabReport &report, Drawings drawings, const QString &language)

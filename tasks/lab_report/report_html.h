@@ -25,4 +25,7 @@ Result<LabReportPage> readPage(const QString &folder);
 [[nodiscard]] LabReportPage labReportPage(const LabReport &report, Drawings drawings,
                                           const QString &language);
 
+/// The lab, and whose report it is if that is known.
+[[nodiscard]] QString titleOf(const LabReport &report);
+
 } // namespace cradle
