@@ -31,22 +31,11 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
-
 namespace cradle {
 
 namespace {
 
-/// Raised when the panes change so that a kept layout no longer fits.
-constexpr int layoutVersion = 3;
 constexpr QSize firstSize{1440, 900}; ///< px
-
-// Of the right column, for the values.
-constexpr double usualValues = 0.36;
-constexpr double leastValues = 242.0; ///< px: a hit is told, and how far off the exact motion is
-constexpr double mostValues = 300.0;  ///< px
-constexpr double samePart = 0.03;     ///< of the column, that a resize may move
 
 QToolBar *fixedBar(QMainWindow *window, Qt::ToolBarArea area, QWidget *content, const QString &name)
 {
@@ -78,10 +67,9 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     // No larger than the screen, with room for its window's frame.
     const QSize room = screen()->availableGeometry().size() - QSize(0, 32);
     resize(firstSize.boundedTo(room));
-    arrangePanes();
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-    if (restoreState(settings.value(QStringLiteral("layout")).toByteArray(), layoutVersion))
-        m_sharesColumn = false; // it is the student's
+    restoreArrangement();
+    m_arranging = false;
     m_scene->setFocus();
 }
 
@@ -95,20 +83,21 @@ void MainWindow::makePanes()
     Simulation &simulation = m_workbench.simulation();
     PresetDocument &document = m_workbench.document();
 
-    m_transport = new TransportBar(simulation, this);
-    fixedBar(this, Qt::TopToolBarArea, m_transport, QStringLiteral("transport"));
+    // What is to be said stands across the whole window, where it takes no room from the scene.
+    auto *top = new QWidget(this);
+    m_transport = new TransportBar(simulation, top);
+    m_notice = new NoticeBar(top);
+    auto *rows = new QVBoxLayout(top);
+    rows->setContentsMargins({});
+    rows->setSpacing(0);
+    rows->addWidget(m_transport);
+    rows->addWidget(m_notice);
+    fixedBar(this, Qt::TopToolBarArea, top, QStringLiteral("transport"));
     m_timeline = new Timeline(simulation, this);
     fixedBar(this, Qt::BottomToolBarArea, m_timeline, QStringLiteral("timeline"));
 
-    auto *centre = new QWidget(this);
-    m_notice = new NoticeBar(centre);
-    m_scene = new SceneView(document, centre);
-    auto *column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_notice);
-    column->addWidget(m_scene, 1);
-    setCentralWidget(centre);
+    m_scene = new SceneView(document, this);
+    setCentralWidget(m_scene);
 
     m_taskPane = new TaskPane(this);
     m_inspector = new Inspector(document, this);
@@ -119,7 +108,8 @@ void MainWindow::makePanes()
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addPane(m_taskPane, QStringLiteral("task"), Qt::LeftDockWidgetArea);
-    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockNestingEnabled(true);
     addPane(m_code, QStringLiteral("code"), Qt::BottomDockWidgetArea);
     addPane(m_inspector, QStringLiteral("inspector"), Qt::BottomDockWidgetArea);
     m_versions = new VersionsPane(this);
@@ -150,62 +140,9 @@ QDockWidget *MainWindow::addPane(QWidget *widget, const QString &name, Qt::DockW
     dock->setObjectName(name);
     dock->setWidget(widget);
     addDockWidget(area, dock);
+    watchPane(dock);
     m_docks.push_back(dock);
     return dock;
-}
-
-void MainWindow::arrangePanes()
-{
-    const auto dock = [this](const char *name) {
-        return findChild<QDockWidget *>(QLatin1String(name));
-    };
-    for (QDockWidget *pane : m_docks) {
-        pane->setFloating(false);
-        pane->show();
-    }
-    addDockWidget(Qt::LeftDockWidgetArea, dock("task"));
-    addDockWidget(Qt::BottomDockWidgetArea, dock("code"));
-    for (const char *name : {"inspector", "versions", "notes"})
-        tabifyDockWidget(dock("code"), dock(name));
-    for (const char *name : {"momentum", "energy", "values"})
-        addDockWidget(Qt::RightDockWidgetArea, dock(name));
-    resizeDocks({dock("task"), dock("momentum")}, {332, 356}, Qt::Horizontal);
-    resizeDocks({dock("code"), dock("inspector")}, {280, 280}, Qt::Vertical);
-    showMode();
-    m_sharesColumn = true;
-    m_valuesPart.reset();
-    if (isVisible()) // else it is shared as soon as the panes have heights
-        shareColumn();
-}
-
-/// The charts and the values share the right column while nobody has given them other heights: the
-/// values get what two circles need, and a little more where there is much.
-void MainWindow::shareColumn()
-{
-    QList<QDockWidget *> column;
-    double whole = 0.0;
-    for (const char *name : {"momentum", "energy", "values"}) {
-        column.append(findChild<QDockWidget *>(QLatin1String(name)));
-        QDockWidget *dock = column.last();
-        if (dock->isHidden() || dock->isFloating() || !tabifiedDockWidgets(dock).isEmpty()
-            || dockWidgetArea(dock) != Qt::RightDockWidgetArea)
-            return;
-        whole += dock->height();
-    }
-    const double part = column.last()->height() / whole;
-    if (m_valuesPart && std::abs(part - *m_valuesPart) > samePart)
-        return;
-    const double values = std::clamp(usualValues * whole, leastValues, mostValues);
-    const int chart = static_cast<int>(0.5 * std::max(0.0, whole - values));
-    resizeDocks(column, {chart, chart, static_cast<int>(values)}, Qt::Vertical);
-    m_valuesPart = values / whole;
-}
-
-void MainWindow::resizeEvent(QResizeEvent *event)
-{
-    QMainWindow::resizeEvent(event);
-    if (m_sharesColumn)
-        shareColumn();
 }
 
 void MainWindow::chooseTheme(ThemeChoice choice)
@@ -233,17 +170,13 @@ void MainWindow::chooseRenderer(Renderer renderer)
 void MainWindow::unlockPanes(bool unlocked)
 {
     m_unlocked = unlocked;
+    m_keepsSizes = m_keepsSizes || unlocked;
     for (QDockWidget *dock : m_docks) {
         QWidget *old = dock->titleBarWidget();
         // Without a bar of its own a dock shows the style's, with which it is moved and closed.
         dock->setTitleBarWidget(unlocked ? nullptr : new QWidget(dock));
         delete old;
     }
-}
-
-void MainWindow::resetLayout()
-{
-    arrangePanes();
 }
 
 void MainWindow::retranslate()
@@ -279,7 +212,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
-    m_settings.setValue(QStringLiteral("layout"), saveState(layoutVersion));
+    keepArrangement();
     m_keeping->saveNote();
     m_workbench.save();
     event->accept();

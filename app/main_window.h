@@ -98,6 +98,7 @@ protected:
     void changeEvent(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
 
 private:
     void makePanes();
@@ -106,8 +107,18 @@ private:
     void wireViews();
     void wireCharts();
     [[nodiscard]] RunSource runSource(); ///< of the run that goes on
-    void arrangePanes();
-    void shareColumn();
+    enum class Height { Low, Middling, High };
+    [[nodiscard]] static Height heightOf(int body); ///< px
+    void arrangePanes();                            ///< as the mode has them at first
+    void arrangeCode();
+    void arrangeExplore();
+    void shareRoom();
+    void showArrangement();
+    void keepArrangement();
+    void restoreArrangement();
+    void watchPane(QDockWidget *pane);
+    [[nodiscard]] QDockWidget *dock(const char *name) const;
+    [[nodiscard]] QSize body() const; ///< px between the bars
     void retranslate();
     void restoreChoices();
     void showTask();
@@ -158,8 +169,10 @@ private:
     QString m_unsavedWarning;        ///< that the program could not be saved
     std::optional<bool> m_saidFault; ///< of a scene of a check, that this is the moment
     bool m_unlocked = false;
-    bool m_sharesColumn = false;        ///< the student has not taken over the right column
-    std::optional<double> m_valuesPart; ///< of the right column, as it was shared last
+    Mode m_arranged = Mode::Explore; ///< whose arrangement is shown
+    bool m_keepsSizes = false;       ///< the student has moved a border or a pane
+    bool m_arranging = true;         ///< what happens to panes is not the student's doing
+    Height m_height = Height::High;  ///< that it was arranged for
 };
 
 } // namespace cradle

@@ -132,15 +132,11 @@ void MainWindow::showLooseScene()
 void MainWindow::showMode()
 {
     const bool code = m_workbench.mode() == Mode::Code;
-    auto *codeDock = findChild<QDockWidget *>(QStringLiteral("code"));
     const bool hasStep = m_workbench.task() != nullptr;
-    auto *inspectorDock = findChild<QDockWidget *>(QStringLiteral("inspector"));
     m_transport->setModes(hasStep ? QStringList{tr("Explore"), tr("Code")} : QStringList(),
                           code ? 1 : 0);
-    codeDock->setVisible(code);
-    for (const char *name : {"versions", "notes"})
-        findChild<QDockWidget *>(QLatin1String(name))->setVisible(hasStep && code);
-    (code ? codeDock : inspectorDock)->raise();
+    showArrangement();
+    dock(code ? "code" : "inspector")->raise();
     if (hasStep)
         showInstructions();
 }
@@ -175,7 +171,7 @@ void MainWindow::showPause(const StudentScript::Pause &pause)
 
 void MainWindow::showLine(int line)
 {
-    findChild<QDockWidget *>(QStringLiteral("code"))->raise();
+    dock("code")->raise();
     m_code->editor().goToLine(line);
     m_code->editor().setFocus();
 }

@@ -9692,6 +9692,25 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::StepDots</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>aktuell</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+</context>
+<context>
     <name>cradle::StepFields</name>
     <message>
         <source>Rename the step&apos;s folder</source>
@@ -9779,6 +9798,26 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>%1 files of this lab could not be read</source>
         <translation>%1 Dateien dieses Labs konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Close ▴</source>
+        <translation>Schließen ▴</translation>
+    </message>
+    <message>
+        <source>All steps ▾</source>
+        <translation>Alle Schritte ▾</translation>
+    </message>
+    <message>
+        <source>Close the list of steps</source>
+        <translation>Liste der Schritte schließen</translation>
+    </message>
+    <message>
+        <source>All steps, %1</source>
+        <translation>Alle Schritte, %1</translation>
+    </message>
+    <message>
+        <source>Search the steps</source>
+        <translation>Schritte durchsuchen</translation>
     </message>
 </context>
 <context>

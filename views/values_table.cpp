@@ -31,7 +31,7 @@ namespace cradle {
 namespace {
 
 constexpr int titleInterval = 250; ///< ms from one count of hits to the next, while it runs
-constexpr int cellPad = 10;        ///< px left and right of a number together
+constexpr int cellPad = 8;         ///< px left and right of a number together
 constexpr int massPlaces = 7;      ///< characters of a mass
 constexpr int fittedRows = 64;     ///< the columns of the hits fit these many of them
 
@@ -210,7 +210,7 @@ void ValuesPane::fitValues()
     const QFontMetrics figures(columnFont());
     const int figure = figures.horizontalAdvance(u'0');
     for (int column = 0; column < m_valuesModel->columnCount(); ++column) {
-        const int places = column < ValuesModel::Mass    ? ValuesModel::narrowPlaces
+        const int places = column <= ValuesModel::Speed  ? ValuesModel::narrowPlaces
                            : column == ValuesModel::Mass ? massPlaces
                                                          : ValuesModel::widePlaces;
         m_values->setColumnWidth(column, places * figure + cellPad);

@@ -232,7 +232,7 @@ void TestMainWindow::layoutIsReset()
     m_open->window.resetLayout();
     QVERIFY(pane("energy")->isVisible() && !pane("values")->isFloating());
     QCOMPARE(m_open->window.dockWidgetArea(pane("task")), Qt::LeftDockWidgetArea);
-    QCOMPARE(m_open->window.dockWidgetArea(pane("inspector")), Qt::BottomDockWidgetArea);
+    QCOMPARE(m_open->window.dockWidgetArea(pane("inspector")), Qt::RightDockWidgetArea);
 }
 
 void TestMainWindow::sceneFileIsOpened()
@@ -273,7 +273,7 @@ void TestMainWindow::brokenSettingsDoNoHarm()
         QSettings settings(m_folder->filePath(QStringLiteral("settings.ini")),
                            QSettings::IniFormat);
         settings.setValue(QStringLiteral("geometry"), QByteArray("nonsense"));
-        settings.setValue(QStringLiteral("layout"), QByteArray(1000, '\xff'));
+        settings.setValue(QStringLiteral("layout/explore"), QByteArray(1000, '\xff'));
         settings.setValue(QStringLiteral("renderer"), QStringLiteral("crayon"));
     }
     reopen();

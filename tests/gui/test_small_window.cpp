@@ -107,6 +107,7 @@ void TestSmallWindow::valuesAndSentencesAreWhole()
     m_open->simulation().setShadowed(true);
     m_open->simulation().seekNextHit();
     m_open->simulation().seekNextHit(); // on the floor, which takes the most words
+    m_open->window.findChild<QDockWidget *>(QStringLiteral("values"))->raise();
     QTest::qWait(100);
     const auto *values = m_open->window.findChild<ValuesPane *>();
     QVERIFY(values);
@@ -135,7 +136,8 @@ void TestSmallWindow::circlesAreWhole()
     const auto *table = m_open->window.inspector().findChild<QTableView *>();
     QVERIFY(table->isVisible());
     QVERIFY(isWhole(*table));
-    QVERIFY(!table->horizontalScrollBar()->isVisible());
+    // Beside the scene the last columns are reached by scrolling.
+    QVERIFY(mode == Mode::Explore || !table->horizontalScrollBar()->isVisible());
     // No text is wider than its cell, and all of the table is in sight.
     for (int row = 0; row < table->model()->rowCount(); ++row) {
         for (int column = 0; column < table->model()->columnCount(); ++column) {
@@ -157,14 +159,14 @@ void TestSmallWindow::chartsGetWhatTheValuesDoNotNeed()
     const auto height = [this](const char *name) {
         return m_open->window.findChild<QDockWidget *>(QLatin1String(name))->height();
     };
-    const int chart = height("energy");
+    const int chart = height("momentum");
     m_open->window.resize(1920, 1080);
     QTest::qWait(100);
     QVERIFY2(height("values") <= 305, qPrintable(QString::number(height("values"))));
-    QVERIFY2(height("energy") >= chart + 100, qPrintable(QString::number(height("energy"))));
+    QVERIFY2(height("energy") >= 140, qPrintable(QString::number(height("energy"))));
     m_open->window.resize(1280, 720);
     QTest::qWait(100);
-    QVERIFY(std::abs(height("energy") - chart) <= 2);
+    QVERIFY(std::abs(height("momentum") - chart) <= 2);
 }
 
 void TestSmallWindow::heightsOfTheStudentStay()
@@ -173,12 +175,15 @@ void TestSmallWindow::heightsOfTheStudentStay()
     const auto dock = [this](const char *name) {
         return m_open->window.findChild<QDockWidget *>(QLatin1String(name));
     };
-    m_open->window.resizeDocks({dock("energy"), dock("values")}, {130, 300}, Qt::Vertical);
+    const QRect above = dock("momentum")->geometry();
+    QTest::mouseClick(&m_open->window, Qt::LeftButton, {},
+                      {above.center().x(), above.bottom() + 2});
+    m_open->window.resizeDocks({dock("momentum"), dock("inspector")}, {180, 320}, Qt::Vertical);
     QTest::qWait(50);
-    const double part = dock("values")->height() / (1.0 * dock("momentum")->height());
+    const double part = dock("inspector")->height() / (1.0 * dock("momentum")->height());
     m_open->window.resize(1920, 1080);
     QTest::qWait(100);
-    const double after = dock("values")->height() / (1.0 * dock("momentum")->height());
+    const double after = dock("inspector")->height() / (1.0 * dock("momentum")->height());
     QVERIFY2(std::abs(after / part - 1.0) < 0.1, qPrintable(QString::number(after / part)));
 }
 

@@ -47,18 +47,22 @@ void TestTaskPane::listsStepsWithTheirState()
     QVERIFY(said(0).endsWith(QStringLiteral("passed")));
     QVERIFY(said(1).endsWith(QStringLiteral("current")));
     QVERIFY(said(2).endsWith(QStringLiteral("open")));
-    QVERIFY(m_open->says(QStringLiteral("Steps · 1 of 3")));
+    QVERIFY(m_open->says(QStringLiteral("2 · Title 2")));
+    QVERIFY(m_open->button(QStringLiteral("All steps, Steps · 1 of 3")));
 }
 
 void TestTaskPane::choosesAStepByMouseAndKey()
 {
     QSignalSpy chosen(&m_open->pane, &TaskPane::stepChosen);
     auto *list = m_open->pane.findChild<QListWidget *>();
+    m_open->button(QStringLiteral("All steps"))->click();
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(2)).center());
     QCOMPARE(chosen.size(), 1);
     QCOMPARE(chosen.back().front().toInt(), 2);
     m_open->pane.setProgress({true, false, false}, 2);
+    QVERIFY(!list->isVisible()); // a step was chosen
+    m_open->button(QStringLiteral("All steps"))->click();
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Up);
     QTest::keyClick(list, Qt::Key_Up);
@@ -74,6 +78,8 @@ void TestTaskPane::scrollsToTheCurrentStep()
         m_open->lab.tasks.push_back(m_open->lab.tasks[0]);
     m_open->pane.setLab(m_open->lab);
     m_open->pane.setProgress({}, 25);
+    m_open->button(QStringLiteral("All steps"))->click();
+    QTest::qWait(20);
     const auto *list = m_open->pane.findChild<QListWidget *>();
     const QRect row = list->visualItemRect(list->item(25));
     QVERIFY(list->viewport()->rect().contains(row));

@@ -27,8 +27,6 @@ constexpr std::array<ColumnText, ValuesModel::Count> columnTexts{{
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Velocity to the right")},
     {"v_y", QT_TRANSLATE_NOOP("cradle::ValuesModel", "m/s"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Velocity upwards")},
-    {"m", QT_TRANSLATE_NOOP("cradle::ValuesModel", "kg"),
-     QT_TRANSLATE_NOOP("cradle::ValuesModel", "Mass")},
     {"|v|", QT_TRANSLATE_NOOP("cradle::ValuesModel", "m/s"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Speed")},
     {"p_x", QT_TRANSLATE_NOOP("cradle::ValuesModel", "kg m/s"),
@@ -38,6 +36,8 @@ constexpr std::array<ColumnText, ValuesModel::Count> columnTexts{{
     {QT_TRANSLATE_NOOP("cradle::ValuesModel", "kinetic"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "J"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Kinetic energy")},
+    {"m", QT_TRANSLATE_NOOP("cradle::ValuesModel", "kg"),
+     QT_TRANSLATE_NOOP("cradle::ValuesModel", "Mass")},
     {"Δr", QT_TRANSLATE_NOOP("cradle::ValuesModel", "m"),
      QT_TRANSLATE_NOOP("cradle::ValuesModel", "Distance from the exact motion")},
     {"ΔE", QT_TRANSLATE_NOOP("cradle::ValuesModel", "J"),
@@ -190,7 +190,7 @@ QString ValuesModel::text(double value, int column) const
 {
     if (column == Mass)
         return fourDigits(value);
-    return fixedNumber(value, column < Mass ? narrowPlaces : widePlaces);
+    return fixedNumber(value, column <= Speed ? narrowPlaces : widePlaces);
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -22,18 +22,18 @@ public:
         Y,
         VelocityX,
         VelocityY,
-        Mass,
         Speed,
         MomentumX,
         MomentumY,
         Kinetic,
+        Mass,
         Offset,       ///< distance from the exact motion
         EnergyOffset, ///< total energy more than in the exact motion
         Count
     };
-    /// Characters of a number of the columns before the mass, and of those after it.
-    static constexpr int narrowPlaces = 8;
-    static constexpr int widePlaces = 11;
+    /// Characters of a number of the columns up to the speed, and of those after it.
+    static constexpr int narrowPlaces = 6;
+    static constexpr int widePlaces = 7;
     static constexpr int unitRole = Qt::UserRole; ///< of a column's header
 
     explicit ValuesModel(const Simulation &simulation, QObject *parent = nullptr);

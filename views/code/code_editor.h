@@ -56,6 +56,7 @@ public:
     /// The name at the cursor, for the reference: with its library, as "math.sqrt", or alone.
     [[nodiscard]] QString wordUnderCursor() const;
     [[nodiscard]] int currentLine() const;
+    [[nodiscard]] int linesInSight() const; ///< that fit wholly
     void goToLine(int line);
     /// Scrolls there if it must, and so that a message below it is seen; the cursor stays.
     void revealLine(int line);

@@ -171,4 +171,9 @@ void CodeEditor::goToLine(int line)
     m_area->ensureCursorVisible();
 }
 
+int CodeEditor::linesInSight() const
+{
+    return static_cast<int>(m_area->SendScintilla(QsciScintillaBase::SCI_LINESONSCREEN));
+}
+
 } // namespace cradle

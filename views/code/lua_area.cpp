@@ -25,7 +25,7 @@ constexpr int edgeWidth = 4;  ///< px
 constexpr int markWidth = 14; ///< px
 constexpr int foldWidth = 14; ///< px
 constexpr long textGap = 5;   ///< px between margins and text
-constexpr int lineSpace = 2;  ///< px above and below the letters of a line
+constexpr int lineSpace = 1;  ///< px below the letters of a line
 
 long toRgb(const QColor &colour)
 {
@@ -52,7 +52,6 @@ LuaArea::LuaArea(QWidget *parent)
     setCallTipsStyle(CallTipsNone);
     setScrollWidth(1);
     setScrollWidthTracking(true);
-    setExtraAscent(lineSpace);
     setExtraDescent(lineSpace);
     setAnnotationDisplay(AnnotationIndented);
     setCaretWidth(2);

@@ -3,10 +3,13 @@
 #include "views/task_pane/steps_list.h"
 
 #include "views/task_pane/step_delegate.h"
+#include "views/task_pane/step_dots.h"
 #include "views/theme.h"
 
 #include <QEvent>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -14,12 +17,6 @@
 #include <algorithm>
 
 namespace cradle {
-
-namespace {
-
-constexpr int rowsShown = 5;
-
-} // namespace
 
 StepsList::StepsList(QWidget *parent)
     : QWidget(parent)
@@ -32,8 +29,17 @@ void StepsList::makeLayout()
 {
     m_heading = new QLabel(this);
     m_heading->setFont(headingFont());
-    m_heading->setContentsMargins(12, 8, 12, 6);
-    setKind(m_heading, "heading");
+    m_heading->setContentsMargins(12, 8, 4, 4);
+    m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_heading->setTextFormat(Qt::PlainText);
+    m_all = new QPushButton(this);
+    m_all->setCheckable(true);
+    setKind(m_all, "link");
+    m_dots = new StepDots(this);
+    m_search = new QLineEdit(this);
+    m_search->setClearButtonEnabled(true);
+    m_search->installEventFilter(this);
+    m_search->hide();
     m_notice = new QPushButton(this);
     m_notice->setIcon(QIcon());
     m_notice->setCheckable(true);
@@ -53,24 +59,90 @@ void StepsList::makeLayout()
     m_list->setMouseTracking(true);
     m_list->setUniformItemSizes(true);
     m_list->setMinimumHeight(3 * StepDelegate::rowHeight);
+    m_list->installEventFilter(this);
+    m_list->hide();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
     auto *noticeRow = new QHBoxLayout;
     noticeRow->setContentsMargins(8, 0, 8, 0);
     noticeRow->addWidget(m_notice);
-    column->addWidget(m_heading);
+    auto *titleRow = new QHBoxLayout;
+    titleRow->setContentsMargins(0, 0, 8, 0);
+    titleRow->addWidget(m_heading, 1);
+    titleRow->addWidget(m_all);
+    auto *searchRow = new QHBoxLayout;
+    searchRow->setContentsMargins(12, 0, 12, 0);
+    searchRow->addWidget(m_search);
+    column->addLayout(titleRow);
+    column->addWidget(m_dots);
     column->addLayout(noticeRow);
     column->addWidget(m_findings);
+    column->addLayout(searchRow);
     column->addWidget(m_list, 1);
     connect(m_notice, &QPushButton::toggled, m_findings, &QWidget::setVisible);
     const auto chosen = [this](QListWidgetItem *item) { choose(m_list->row(item)); };
     connect(m_list, &QListWidget::itemClicked, this, chosen);
     connect(m_list, &QListWidget::itemActivated, this, chosen);
+    connect(m_dots, &StepDots::stepChosen, this, &StepsList::choose);
+    connect(m_all, &QPushButton::toggled, this, &StepsList::setOpen);
+    connect(m_search, &QLineEdit::textChanged, this, &StepsList::search);
+    connect(m_search, &QLineEdit::returnPressed, this, [this] {
+        for (int i = 0; i < m_list->count(); ++i) {
+            if (!m_list->item(i)->isHidden())
+                return choose(i);
+        }
+    });
+}
+
+bool StepsList::isOpen() const
+{
+    return m_all->isChecked();
+}
+
+void StepsList::setOpen(bool open)
+{
+    m_all->setChecked(open);
+    m_list->setVisible(open);
+    m_search->setVisible(open);
+    m_search->clear();
+    if (open && m_current >= 0 && m_current < m_list->count())
+        m_list->scrollToItem(m_list->item(m_current), QAbstractItemView::PositionAtCenter);
+    if (open && m_all->hasFocus())
+        m_search->setFocus();
+    showProgress();
+    emit openChanged(open);
+}
+
+void StepsList::search(const QString &text)
+{
+    const QString wanted = text.trimmed();
+    for (int i = 0; i < m_list->count(); ++i)
+        m_list->item(i)->setHidden(!m_list->item(i)->text().contains(wanted, Qt::CaseInsensitive));
+}
+
+/// Escape closes the list; from the field, Down goes into it.
+bool StepsList::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if (key == Qt::Key_Escape) {
+            setOpen(false);
+            m_dots->setFocus();
+            return true;
+        }
+        if (key == Qt::Key_Down && watched == m_search) {
+            m_list->setFocus();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void StepsList::choose(int step)
 {
+    if (m_all->isChecked())
+        setOpen(false);
     if (step >= 0 && step != m_current)
         emit stepChosen(step);
 }
@@ -122,15 +194,25 @@ void StepsList::showProgress()
         item->setToolTip(item->text());
     }
     const auto reached = std::count(m_passed.begin(), m_passed.end(), true);
-    m_heading->setText(m_list->count() == 0
-                           ? tr("Steps")
-                           : tr("Steps · %1 of %2").arg(reached).arg(m_list->count()));
-    m_heading->setToolTip(tr("Steps passed"));
+    m_dots->setSteps(m_titles, m_passed, m_current);
+    const QString count = tr("Steps · %1 of %2").arg(reached).arg(m_list->count()); // passed
+    const bool named = m_current >= 0 && m_current < m_list->count() && !isOpen();
+    m_heading->setText(m_list->count() == 0 ? tr("Steps")
+                       : named              ? m_list->item(m_current)->text()
+                                            : count);
+    m_heading->setToolTip(named ? m_heading->text() : tr("Steps passed"));
+    m_all->setText(isOpen() ? tr("Close ▴") : tr("All steps ▾"));
+    m_all->setToolTip(m_list->count() == 0 ? QString() : count);
+    m_all->setAccessibleName(isOpen() ? tr("Close the list of steps")
+                                      : tr("All steps, %1").arg(count));
+    m_all->setVisible(m_list->count() > 0);
 }
 
 void StepsList::retranslate()
 {
     m_list->setAccessibleName(tr("Steps"));
+    m_search->setPlaceholderText(tr("Search the steps"));
+    m_search->setAccessibleName(m_search->placeholderText());
     const auto count = static_cast<int>(m_errors.size());
     m_notice->setVisible(count > 0);
     m_notice->setText(count == 1 ? tr("1 file of this lab could not be read")
@@ -140,25 +222,6 @@ void StepsList::retranslate()
         lines.append(error.toString());
     m_findings->setText(lines.join(QLatin1Char('\n')));
     showProgress();
-}
-
-int StepsList::heightOf(int rows) const
-{
-    const int above = m_heading->sizeHint().height() + (m_errors.empty() ? 0 : 24);
-    return above + rows * StepDelegate::rowHeight + 4;
-}
-
-QSize StepsList::sizeHint() const
-{
-    return {320, heightOf(rowsShown)};
-}
-
-/// The open step stays in sight when the list gets lower.
-void StepsList::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    if (m_current >= 0 && m_current < m_list->count())
-        m_list->scrollToItem(m_list->item(m_current));
 }
 
 void StepsList::changeEvent(QEvent *event)

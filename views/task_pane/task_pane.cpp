@@ -18,12 +18,8 @@ namespace {
 constexpr int narrowest = 260;        ///< px
 constexpr int resultHeight = 320;     ///< px, with a report; the student may change it
 constexpr int passedHeight = 190;     ///< px, of a step that was passed before
-constexpr double resultShare = 0.42;  ///< of the pane, at most
+constexpr double resultShare = 0.38;  ///< of the pane, at most
 constexpr int emptyResultHeight = 64; ///< px, while there is none
-constexpr int lowPane = 640;          ///< px; a lower pane shows fewer steps
-constexpr int manySteps = 5;          ///< rows
-constexpr int fewSteps = 4;           ///< rows
-constexpr int fewestSteps = 3;        ///< rows, in a low pane with a report
 
 } // namespace
 
@@ -36,16 +32,21 @@ TaskPane::TaskPane(QWidget *parent)
     setMinimumWidth(narrowest);
     auto *splitter = new QSplitter(Qt::Vertical, this);
     splitter->setChildrenCollapsible(false);
-    for (QWidget *part : {static_cast<QWidget *>(m_steps), static_cast<QWidget *>(m_instructions),
-                          static_cast<QWidget *>(m_result)})
-        splitter->addWidget(part);
-    splitter->setStretchFactor(0, 0);
-    splitter->setStretchFactor(1, 1);
-    splitter->setStretchFactor(2, 0);
+    splitter->addWidget(m_instructions);
+    splitter->addWidget(m_result);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 0);
     m_splitter = splitter;
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(splitter);
+    column->setSpacing(0);
+    column->addWidget(m_steps);
+    column->addWidget(splitter, 1);
+    // The open list has the room of the instructions, for a moment.
+    connect(m_steps, &StepsList::openChanged, this, [this, column](bool open) {
+        m_splitter->setVisible(!open);
+        column->setStretchFactor(m_steps, open ? 1 : 0);
+    });
     connect(splitter, &QSplitter::splitterMoved, this, [this] { m_shared = true; });
     connect(m_steps, &StepsList::stepChosen, this, &TaskPane::stepChosen);
     connect(m_instructions, &InstructionsPane::stepRequested, this, &TaskPane::chooseById);
@@ -115,16 +116,14 @@ void TaskPane::shareHeight()
     const int most = static_cast<int>(resultShare * height());
     const int wanted = m_hasReport ? resultHeight : m_hasPassed ? passedHeight : emptyResultHeight;
     const int result = std::min(wanted, most);
-    const int rows = height() >= lowPane          ? manySteps
-                     : m_hasReport || m_hasPassed ? fewestSteps
-                                                  : fewSteps;
-    const int steps = m_shared ? m_splitter->sizes().value(0) : m_steps->heightOf(rows);
-    m_splitter->setSizes({steps, std::max(1, height() - steps - result), result});
+    const int whole = m_splitter->height();
+    m_splitter->setSizes({std::max(1, whole - result), result});
 }
 
 void TaskPane::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    layout()->activate();
     if (!m_shared)
         shareHeight();
 }
