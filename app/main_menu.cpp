@@ -227,6 +227,18 @@ void addView(MainWindow &window, QMenuBar &bar)
     menu->addSeparator();
     addCharts(window, menu);
 
+    QAction *full = menu->addAction(MenuText::tr("&Full screen"));
+    full->setCheckable(true);
+    full->setChecked(window.isFullScreen());
+    full->setShortcut(Qt::Key_F11);
+    QObject::connect(full, &QAction::toggled, &window, &MainWindow::showFullScreen);
+    add(menu, MenuText::tr("Ne&xt pane"), QKeySequence(Qt::Key_F6), &window,
+        [w = &window] { w->focusNextPane(1); });
+    add(menu, MenuText::tr("Pre&vious pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), &window,
+        [w = &window] { w->focusNextPane(-1); });
+    add(menu, MenuText::tr("Into the &program"), QKeySequence(Qt::CTRL | Qt::Key_L), &window,
+        &MainWindow::focusCode);
+    menu->addSeparator();
     QMenu *panes = menu->addMenu(MenuText::tr("&Panes"));
     for (QDockWidget *dock : window.panes())
         panes->addAction(dock->toggleViewAction());

@@ -93,6 +93,10 @@ public slots:
     void resetCharts(); ///< ends their zoom
     void showAbout();
     void showShortcuts();
+    /// Moves the keyboard's focus to the next pane that is seen. \param direction 1 or −1
+    void focusNextPane(int direction);
+    void focusCode(); ///< in Code mode, the editor
+    void showFullScreen(bool full);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -110,6 +114,7 @@ private:
     enum class Height { Low, Middling, High };
     [[nodiscard]] static Height heightOf(int body); ///< px
     void arrangePanes();                            ///< as the mode has them at first
+    [[nodiscard]] std::vector<QWidget *> focusRound() const;
     void arrangeCode();
     void arrangeExplore();
     void shareRoom();

@@ -128,35 +128,4 @@ void MainWindow::showAbout()
                            .arg(QCoreApplication::applicationVersion()));
 }
 
-void MainWindow::showShortcuts()
-{
-    QString rows;
-    const auto addRow = [&rows](const QString &what, const QString &how) {
-        rows += QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;&nbsp;</td>"
-                               "<td style='white-space: nowrap'><b>%2</b></td></tr>")
-                    .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
-    };
-    for (const QAction *menu : menuBar()->actions()) {
-        for (const QAction *action : menu->menu()->actions()) {
-            if (!action->shortcut().isEmpty())
-                addRow(action->text().remove(QLatin1Char('&')),
-                       action->shortcut().toString(QKeySequence::NativeText));
-        }
-    }
-    const QString keys = std::exchange(rows, {});
-    addRow(tr("Select several circles"), tr("Ctrl+click, Shift+drag, Shift+arrows"));
-    addRow(tr("Move what is selected"), tr("drag; Ctrl+arrows, finer with Shift"));
-    addRow(tr("Drag free of the grid"), tr("Alt"));
-    addRow(tr("Take a drag back"), tr("Esc"));
-    addRow(tr("Move the view"), tr("drag on empty space, or the middle button"));
-    addRow(tr("Zoom at the pointer"), tr("wheel"));
-    QMessageBox box(QMessageBox::NoIcon, tr("Keyboard shortcuts"),
-                    QStringLiteral("<table><tr><td><table>%1</table></td>"
-                                   "<td>&nbsp;&nbsp;&nbsp;</td>"
-                                   "<td><p><b>%2</b></p><table>%3</table></td></tr></table>")
-                        .arg(keys, tr("In the scene"), rows),
-                    QMessageBox::Close, this);
-    box.exec();
-}
-
 } // namespace cradle

@@ -179,13 +179,13 @@ void TestCodeDesk::linesAreSteppedThrough()
 void TestCodeDesk::keysStepThroughLinesFromTheScene()
 {
     write(drift);
-    m_open->press(Qt::Key_F11);
+    m_open->press(Qt::Key_F10);
     QCOMPARE(editor().executingLine(), 5);
-    m_open->press(Qt::Key_F11, Qt::ShiftModifier);
+    m_open->press(Qt::Key_F10, Qt::ControlModifier);
     QCOMPARE(editor().executingLine(), 0);
     QCOMPARE(simulation().current(), 1);
     m_open->bench.setMode(Mode::Explore);
-    m_open->press(Qt::Key_F11);
+    m_open->press(Qt::Key_F10);
     QCOMPARE(editor().executingLine(), 0);
 }
 

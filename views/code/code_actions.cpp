@@ -22,8 +22,8 @@ CodeActions::CodeActions(QWidget *pane)
         return action;
     };
     run = make(Qt::CTRL | Qt::SHIFT | Qt::Key_Return);
-    stepLine = make(Qt::Key_F11);
-    finishStep = make(Qt::SHIFT | Qt::Key_F11);
+    stepLine = make(Qt::Key_F10);
+    finishStep = make(Qt::CTRL | Qt::Key_F10);
     afresh = make({});
     solution = make({});
     help = make(Qt::Key_F1);

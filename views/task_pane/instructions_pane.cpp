@@ -9,7 +9,9 @@
 #include "views/task_pane/prediction_card.h"
 #include "views/theme.h"
 
+#include <QAbstractButton>
 #include <QAbstractTextDocumentLayout>
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -98,6 +100,11 @@ void InstructionsPane::makeLayout()
     footer->setContentsMargins(8, 2, 8, 2);
     footer->addWidget(m_nextHint, 0, Qt::AlignLeft);
     outer->addLayout(footer);
+    // Also when the focus comes from another pane.
+    connect(qApp, &QApplication::focusChanged, this, [this, content](QWidget *, QWidget *now) {
+        if (qobject_cast<QAbstractButton *>(now) && content->isAncestorOf(now))
+            m_scroll->ensureWidgetVisible(now, 0, 8);
+    });
     connect(m_prediction, &PredictionCard::answered, this, &InstructionsPane::predicted);
     connect(m_prediction, &PredictionCard::outcomeRequested, this,
             &InstructionsPane::outcomeRequested);

@@ -30,6 +30,12 @@ void drawTick(QPainter &painter, const QRectF &dot, const QColor &colour)
         QPolygonF{c + QPointF(-2.8, 0.2), c + QPointF(-0.8, 2.2), c + QPointF(2.8, -2.0)});
 }
 
+bool usesKey(int key)
+{
+    return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End
+           || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space;
+}
+
 } // namespace
 
 StepDots::StepDots(QWidget *parent)
@@ -140,6 +146,14 @@ bool StepDots::event(QEvent *event)
     }
     if (event->type() == QEvent::LanguageChange)
         describe();
+    // Its keys are those of the run elsewhere.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->modifiers() == Qt::NoModifier && usesKey(key->key())) {
+            event->accept();
+            return true;
+        }
+    }
     return QWidget::event(event);
 }
 

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The keyboard's ways through the window.
+#include "app/main_window.h"
+
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+#include "views/inspector/inspector.h"
+#include "views/scene/scene_view.h"
+#include "views/task_pane/task_pane.h"
+#include "views/timeline.h"
+#include "views/transport_bar.h"
+#include "views/values_table.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QTabBar>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cradle {
+
+namespace {
+
+/// Whether some of it is within all that it lies in. (What its own children cover counts.)
+bool isInSight(const QWidget &widget)
+{
+    QRect rect = widget.rect();
+    for (const QWidget *w = &widget; !w->isWindow() && w->parentWidget(); w = w->parentWidget())
+        rect = rect.translated(w->pos()).intersected(w->parentWidget()->rect());
+    return widget.isVisible() && !rect.isEmpty();
+}
+
+bool takesFocus(const QWidget &widget)
+{
+    return widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0 && isInSight(widget);
+}
+
+/// The first control in \p pane, from the top and from the left; nullptr if there is none.
+QWidget *firstIn(QWidget *pane)
+{
+    if (takesFocus(*pane))
+        return pane;
+    QWidget *first = nullptr;
+    const auto place = [pane](const QWidget *widget) {
+        const QPoint corner = widget->mapTo(pane, QPoint());
+        return std::tuple(corner.y() / 16, corner.x());
+    };
+    for (QWidget *each : pane->findChildren<QWidget *>()) {
+        if (takesFocus(*each) && (!first || place(each) < place(first)))
+            first = each;
+    }
+    return first;
+}
+
+using KeyRow = std::pair<QString, QString>;
+
+void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
+{
+    for (const QAction *action : actions) {
+        if (action->menu())
+            addKeys(action->menu()->actions(), rows);
+        else if (!action->shortcut().isEmpty() && !action->text().isEmpty())
+            rows.emplace_back(action->text().remove(QLatin1Char('&')),
+                              action->shortcut().toString(QKeySequence::NativeText));
+    }
+}
+
+QString tableOf(const QString &title, const std::vector<KeyRow> &rows)
+{
+    QString text;
+    for (const auto &[what, how] : rows)
+        text += QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;</td>"
+                               "<td style='white-space: nowrap'><b>%2</b></td></tr>")
+                    .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
+    return QStringLiteral("<p><b>%1</b></p><table>%2</table>").arg(title.toHtmlEscaped(), text);
+}
+
+} // namespace
+
+/// What F6 goes round, as the eye does: from the left to the right.
+std::vector<QWidget *> MainWindow::focusRound() const
+{
+    std::vector<QWidget *> round{m_taskPane};
+    std::vector<QWidget *> panes;
+    for (const QDockWidget *pane : m_docks) {
+        if (pane->widget() != m_taskPane)
+            panes.push_back(pane->widget());
+    }
+    panes.push_back(m_scene);
+    std::erase_if(panes, [](QWidget *pane) { return !isInSight(*pane); });
+    std::sort(panes.begin(), panes.end(), [this](QWidget *a, QWidget *b) {
+        const QPoint p = a->mapTo(this, QPoint());
+        const QPoint q = b->mapTo(this, QPoint());
+        return std::tuple(p.x() / 32, p.y()) < std::tuple(q.x() / 32, q.y());
+    });
+    round.insert(round.end(), panes.begin(), panes.end());
+    round.push_back(m_timeline);
+    round.push_back(m_transport);
+    return round;
+}
+
+void MainWindow::focusNextPane(int direction)
+{
+    const std::vector<QWidget *> round = focusRound();
+    const auto count = static_cast<int>(round.size());
+    const QWidget *focused = QApplication::focusWidget();
+    const auto here = std::find_if(round.begin(), round.end(), [focused](const QWidget *pane) {
+        return focused && (pane == focused || pane->isAncestorOf(focused));
+    });
+    int at =
+        here == round.end() ? (direction > 0 ? -1 : count) : static_cast<int>(here - round.begin());
+    for (int tried = 0; tried < count; ++tried) {
+        at = (at + direction + count) % count;
+        QWidget *pane = round[static_cast<std::size_t>(at)];
+        QWidget *first = pane == m_code ? m_code->editor().focusProxy() : firstIn(pane);
+        if (!first && pane == m_code)
+            first = &m_code->editor();
+        if (first)
+            return first->setFocus(Qt::ShortcutFocusReason);
+    }
+}
+
+void MainWindow::focusCode()
+{
+    if (!m_workbench.task())
+        return;
+    if (m_workbench.mode() != Mode::Code)
+        chooseMode(1);
+    dock("code")->show();
+    dock("code")->raise();
+    m_code->editor().setFocus(Qt::ShortcutFocusReason);
+}
+
+void MainWindow::showFullScreen(bool full)
+{
+    setWindowState(windowState().setFlag(Qt::WindowFullScreen, full));
+}
+
+void MainWindow::showShortcuts()
+{
+    std::vector<KeyRow> menus;
+    addKeys(menuBar()->actions(), menus);
+    std::vector<KeyRow> program;
+    addKeys(m_code->findChildren<QAction *>(), program);
+    std::sort(program.begin(), program.end());
+    program.erase(std::unique(program.begin(), program.end()), program.end());
+    const std::vector<KeyRow> scene{
+        {tr("Select several circles"), tr("Ctrl+click, Shift+drag, Shift+arrows")},
+        {tr("Move what is selected"), tr("drag; Ctrl+arrows, finer with Shift")},
+        {tr("Drag free of the grid"), tr("Alt")},
+        {tr("Take a drag back"), tr("Esc")},
+        {tr("Move the view"), tr("drag on empty space, or the middle button")},
+        {tr("Zoom at the pointer"), tr("wheel")}};
+    const std::vector<KeyRow> time{
+        {tr("A step back or on"), tr("Left, Right")},
+        {tr("The hit before or after"), tr("PgUp, PgDown")},
+        {tr("Start and end of the run"), tr("Home, End")},
+        {tr("Along the dots of the steps, and open"), tr("Left, Right, Return")}};
+    const auto half = static_cast<std::ptrdiff_t>((menus.size() + 1) / 2);
+    const QString cell = QStringLiteral("<td>%1</td><td>&nbsp;&nbsp;</td>");
+    QMessageBox box(
+        QMessageBox::NoIcon, tr("Keyboard shortcuts"),
+        QStringLiteral("<table><tr>%1%2%3</tr></table>")
+            .arg(cell.arg(tableOf(tr("Anywhere"), {menus.begin(), menus.begin() + half})),
+                 cell.arg(tableOf(QString(QChar::Nbsp), {menus.begin() + half, menus.end()})
+                          + tableOf(tr("On the timeline and the steps"), time)),
+                 cell.arg(tableOf(tr("In the program"), program)
+                          + tableOf(tr("In the scene"), scene))),
+        QMessageBox::Close, this);
+    box.exec();
+}
+
+} // namespace cradle

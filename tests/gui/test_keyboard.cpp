@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+#include "tests/gui/open_window.h"
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+#include "views/timeline.h"
+
+#include <QSet>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// The whole window by keys alone: nothing keeps the focus, and nothing has it that is not seen.
+class TestKeyboard final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(m_folder.isValid()); }
+    void init();
+    void tabGoesRoundAndOn_data();
+    void tabGoesRoundAndOn();
+    void f6GoesRoundThePanes_data() { tabGoesRoundAndOn_data(); }
+    void f6GoesRoundThePanes();
+    void controlLGoesIntoTheProgram();
+    void hiddenInspectorChangesNothing();
+    void f11IsFullScreen();
+
+private:
+    [[nodiscard]] static bool isSeen(const QWidget *widget)
+    {
+        if (!widget || !widget->isEnabled() || !widget->isVisible())
+            return false;
+        QRect rect = widget->rect();
+        for (const QWidget *w = widget; !w->isWindow(); w = w->parentWidget())
+            rect = rect.translated(w->pos()).intersected(w->parentWidget()->rect());
+        return !rect.isEmpty();
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<OpenWindow> m_open;
+};
+
+void TestKeyboard::init()
+{
+    m_open.reset();
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    m_open->bench.openTask(QStringLiteral("L42T11"));
+    m_open->window.resize(1440, 900);
+    m_open->window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
+}
+
+void TestKeyboard::tabGoesRoundAndOn_data()
+{
+    QTest::addColumn<Mode>("mode");
+    QTest::newRow("explore") << Mode::Explore;
+    QTest::newRow("code") << Mode::Code;
+}
+
+/// But in the program, where Tab indents: F6 goes on from there.
+void TestKeyboard::tabGoesRoundAndOn()
+{
+    QFETCH(Mode, mode);
+    m_open->bench.setMode(mode);
+    QTest::qWait(50);
+    m_open->window.scene().setFocus();
+    const CodeEditor &editor = m_open->window.codePane().editor();
+    QSet<const QWidget *> met;
+    bool back = false;
+    for (int i = 0; i < 150 && !back; ++i) {
+        QWidget *focused = QApplication::focusWidget();
+        QVERIFY2(isSeen(focused),
+                 qPrintable(QStringLiteral("%1 %2 after %3")
+                                .arg(QLatin1String(focused->metaObject()->className()),
+                                     focused->accessibleName())
+                                .arg(met.size())));
+        met.insert(focused);
+        if (editor.isAncestorOf(focused))
+            m_open->window.focusNextPane(1);
+        else
+            QTest::keyClick(focused, Qt::Key_Tab);
+        // In the scene, Tab goes from circle to circle first.
+        QVERIFY2(QApplication::focusWidget() != focused || focused == &m_open->window.scene(),
+                 focused->metaObject()->className());
+        back = met.size() > 1 && QApplication::focusWidget() == &m_open->window.scene();
+    }
+    QVERIFY2(back, qPrintable(QString::number(met.size())));
+    QVERIFY(met.size() >= 12);
+}
+
+void TestKeyboard::f6GoesRoundThePanes()
+{
+    QFETCH(Mode, mode);
+    m_open->bench.setMode(mode);
+    QTest::qWait(50);
+    m_open->window.scene().setFocus();
+    QList<const QWidget *> met;
+    do {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+        met.append(QApplication::focusWidget());
+        QVERIFY(isSeen(met.last()));
+    } while (met.last() != &m_open->window.scene() && met.size() < 20);
+    QVERIFY(met.size() >= 6 && met.size() < 20);
+    QVERIFY(met.contains(m_open->window.findChild<Timeline *>()));
+    const CodeEditor &editor = m_open->window.codePane().editor();
+    const bool hasCode = std::any_of(met.begin(), met.end(), [&](const QWidget *each) {
+        return each == &editor || editor.isAncestorOf(each);
+    });
+    QCOMPARE(hasCode, mode == Mode::Code);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+    QCOMPARE(QApplication::focusWidget(), met.at(met.size() - 2));
+}
+
+void TestKeyboard::controlLGoesIntoTheProgram()
+{
+    m_open->bench.setMode(Mode::Explore);
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_L, Qt::ControlModifier);
+    QVERIFY(m_open->bench.mode() == Mode::Code);
+    const CodeEditor &editor = m_open->window.codePane().editor();
+    QVERIFY(&editor == QApplication::focusWidget()
+            || editor.isAncestorOf(QApplication::focusWidget()));
+}
+
+void TestKeyboard::hiddenInspectorChangesNothing()
+{
+    m_open->bench.setMode(Mode::Code);
+    QTest::qWait(50);
+    const Preset before = m_open->preset();
+    auto *table = m_open->window.inspector().findChild<QTableView *>();
+    QVERIFY(!isSeen(table));
+    table->setFocus();
+    QVERIFY(!table->hasFocus());
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("9"));
+    QVERIFY(m_open->preset() == before);
+}
+
+void TestKeyboard::f11IsFullScreen()
+{
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_F11);
+    QVERIFY(m_open->window.isFullScreen());
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_F11);
+    QVERIFY(!m_open->window.isFullScreen());
+}
+
+QTEST_MAIN(TestKeyboard)
+
+#include "test_keyboard.moc"
