@@ -26,12 +26,12 @@ constexpr int middlingBody = 880; ///< beside the scene alone, a lower one has i
 constexpr double taskPart = 0.203;
 constexpr int leastTask = 268;
 constexpr int mostTask = 380;
-constexpr double scenePart = 0.345;      ///< of the width, beside a program
-constexpr int leastScene = 440;          ///< beside a program: for the values under it
-constexpr int leastSceneHeight = 386;    ///< its square is 300 px
-constexpr int leastBeside = 434;         ///< right of the scene alone: inspector, charts and values
+constexpr double scenePart = 0.345;   ///< of the width, beside a program
+constexpr int leastScene = 440;       ///< beside a program: for the values under it
+constexpr int leastSceneHeight = 386; ///< its square is 300 px
+constexpr int leastBeside = 434;      ///< right of the scene alone: inspector, charts and values
 constexpr double sceneHeightPart = 0.655; ///< above the charts
-constexpr int valuesHeight = 140;        ///< two circles and their sum
+constexpr int valuesHeight = 140;         ///< two circles and their sum
 
 QString keyOf(Mode mode)
 {
