@@ -4664,6 +4664,22 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Grade a &amp;class…</source>
         <translation>Einen &amp;Kurs bewerten…</translation>
     </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt pane</source>
+        <translation>&amp;Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious pane</source>
+        <translation>V&amp;origer Bereich</translation>
+    </message>
+    <message>
+        <source>Into the &amp;program</source>
+        <translation>Ins &amp;Programm</translation>
+    </message>
 </context>
 <context>
     <name>MessageText</name>
@@ -8468,6 +8484,54 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>This is a scene of the check.</source>
         <translation>Das ist eine Szene der Prüfung.</translation>
+    </message>
+    <message>
+        <source>Back to the newest version</source>
+        <translation>Zurück zur neuesten Fassung</translation>
+    </message>
+    <message>
+        <source>A step back or on</source>
+        <translation>Einen Schritt zurück oder weiter</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>The hit before or after</source>
+        <translation>Der Stoß davor oder danach</translation>
+    </message>
+    <message>
+        <source>PgUp, PgDown</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>Start and end of the run</source>
+        <translation>Anfang und Ende des Laufs</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>Along the dots of the steps, and open</source>
+        <translation>Die Punkte der Schritte entlang, und öffnen</translation>
+    </message>
+    <message>
+        <source>Left, Right, Return</source>
+        <translation>Links, Rechts, Eingabe</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>On the timeline and the steps</source>
+        <translation>Auf der Zeitleiste und den Schritten</translation>
+    </message>
+    <message>
+        <source>In the program</source>
+        <translation>Im Programm</translation>
     </message>
 </context>
 <context>

@@ -25,17 +25,17 @@ struct LockdownText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-// A sanitizer's shadow takes terabytes of addresses.
+// A sanitizer's shadow takes terabytes of addresses, and a sanitizer calls what judging does not.
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool limitsMemory = false;
+constexpr bool isSanitized = true;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
-constexpr bool limitsMemory = false;
+constexpr bool isSanitized = true;
 #else
-constexpr bool limitsMemory = true;
+constexpr bool isSanitized = false;
 #endif
 #else
-constexpr bool limitsMemory = true;
+constexpr bool isSanitized = false;
 #endif
 
 /// What computing, allocating, throwing and ending need; what these ask of is not told by names.
@@ -156,7 +156,7 @@ Lockdown::Lockdown(qint64 moreBytes)
     : m_moreBytes(moreBytes)
     , m_filter(std::make_unique<Filter>())
 {
-    if (!m_filter->context || !addRules(m_filter->context))
+    if (isSanitized || !m_filter->context || !addRules(m_filter->context))
         m_filter.reset();
 }
 
@@ -168,7 +168,7 @@ Isolation Lockdown::enter(qint64 seconds) const
     const qint64 mapped = mappedBytes();
     bool limited = setLimit(RLIMIT_CORE, 0, 0) && setLimit(RLIMIT_FSIZE, 0, 0)
                    && setLimit(RLIMIT_NPROC, 0, 0) && setLimit(RLIMIT_NOFILE, 0, 0);
-    if (limitsMemory) {
+    if (!isSanitized) {
         const auto most = static_cast<rlim_t>(mapped + m_moreBytes);
         limited = mapped > 0 && setLimit(RLIMIT_AS, most, most) && limited;
     }
