@@ -76,6 +76,11 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
 MainWindow::~MainWindow()
 {
     delete m_author; // its changes were asked about when this was closed
+    // Panes go after this has: what they tell then concerns nobody.
+    for (QDockWidget *pane : findChildren<QDockWidget *>()) {
+        pane->disconnect(this);
+        pane->toggleViewAction()->disconnect(this);
+    }
 }
 
 void MainWindow::makePanes()

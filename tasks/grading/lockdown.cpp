@@ -25,7 +25,8 @@ struct LockdownText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-// A sanitizer's shadow takes terabytes of addresses, and a sanitizer calls what judging does not.
+// A sanitizer's shadow takes terabytes of addresses, it looks through a pipe whether memory is
+// there, and calls what judging does not.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool isSanitized = true;
 #elif defined(__has_feature)
@@ -167,10 +168,11 @@ Isolation Lockdown::enter(qint64 seconds) const
     Isolation isolation;
     const qint64 mapped = mappedBytes();
     bool limited = setLimit(RLIMIT_CORE, 0, 0) && setLimit(RLIMIT_FSIZE, 0, 0)
-                   && setLimit(RLIMIT_NPROC, 0, 0) && setLimit(RLIMIT_NOFILE, 0, 0);
+                   && setLimit(RLIMIT_NPROC, 0, 0);
     if (!isSanitized) {
         const auto most = static_cast<rlim_t>(mapped + m_moreBytes);
-        limited = mapped > 0 && setLimit(RLIMIT_AS, most, most) && limited;
+        limited = mapped > 0 && setLimit(RLIMIT_AS, most, most) && setLimit(RLIMIT_NOFILE, 0, 0)
+                  && limited;
     }
     const auto time = static_cast<rlim_t>(processorSeconds() + 1.0) + static_cast<rlim_t>(seconds);
     isolation.limits = setLimit(RLIMIT_CPU, time, time + 1) && limited;

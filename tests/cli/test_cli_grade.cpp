@@ -286,8 +286,16 @@ void TestCliGrade::requiredIsolationIsThereOrRefused()
     bare.insert(text("PATH"), made.at(text("")));
     const Outcome without = run(cradle::cliProgram(), made.arguments(text("bare")), {}, bare);
     VERIFY_CODE(without, 1);
-    QCOMPARE(made.json(text("bare/manifest.json")).value(text("isolation")).toString(),
-             text("rlimits, seccomp; no namespaces"));
+    const QStringList parts = made.json(text("bare/manifest.json"))
+                                  .value(text("isolation"))
+                                  .toString()
+                                  .split(text("; no "));
+    QCOMPARE(parts.size(), 2);
+    QVERIFY(parts[0].startsWith(text("rlimits")));
+    QVERIFY(parts[1].endsWith(text("namespaces")));
+    // Under sanitizers there is no filter of system calls, with namespaces or without.
+    QCOMPARE(parts[0].contains(text("seccomp")),
+             isolation.section(text("; no "), 0, 0).contains(text("seccomp")));
     const Outcome refused =
         run(cradle::cliProgram(), made.arguments(text("none"), {text("--require-isolation")}), {},
             bare);
