@@ -167,8 +167,8 @@ Isolation Lockdown::enter(qint64 seconds) const
 {
     Isolation isolation;
     const qint64 mapped = mappedBytes();
-    bool limited = setLimit(RLIMIT_CORE, 0, 0) && setLimit(RLIMIT_FSIZE, 0, 0)
-                   && setLimit(RLIMIT_NPROC, 0, 0);
+    bool limited =
+        setLimit(RLIMIT_CORE, 0, 0) && setLimit(RLIMIT_FSIZE, 0, 0) && setLimit(RLIMIT_NPROC, 0, 0);
     if (!isSanitized) {
         const auto most = static_cast<rlim_t>(mapped + m_moreBytes);
         limited = mapped > 0 && setLimit(RLIMIT_AS, most, most) && setLimit(RLIMIT_NOFILE, 0, 0)
