@@ -187,7 +187,7 @@ void TestRecording::hitsOfOneStepAreDroppedTogether()
     Recording recording(smallBytes);
     for (qint64 i = 0; i < 3000; ++i) {
         const Hit hits[] = {hitAt(i, 0), hitAt(i, 1), hitAt(i, 2)};
-        recording.append(frame(i), hits);
+        recording.append(frame(i, 3), hits);
     }
     QVERIFY(recording.hasDropped());
     QCOMPARE(recording.droppedHits(), 3 * recording.first());

@@ -62,6 +62,7 @@ void TestPhaseChart::init()
     auto *tabs = qobject_cast<QTabWidget *>(m_phase->parentWidget()->parentWidget());
     QVERIFY(tabs);
     tabs->setCurrentWidget(m_phase);
+    m_open->window.findChild<QDockWidget *>(QStringLiteral("values"))->raise();
     m_phase->setAxes({Quantity::VelocityY, 1}, {Quantity::X, 1});
     settle();
 }
