@@ -12,6 +12,8 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <map>
 
@@ -65,6 +67,9 @@ public:
         , m_lockdown(mostWorkerMemory)
         , m_inNamespaces(inNamespaces)
     {
+        // Who unpacks an archive asks for the time zone: without a file, and everywhere the same.
+        setenv("TZ", "UTC0", 1);
+        tzset();
         sigset_t children;
         sigemptyset(&children);
         sigaddset(&children, SIGCHLD);

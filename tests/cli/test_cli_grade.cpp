@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
 
+#include "tasks/hand_in/student_work.h"
+#include "tasks/hand_in/work_archive.h"
+
 #include <sys/stat.h>
 
 using namespace cradle::programs;
@@ -12,6 +15,7 @@ class TestCliGrade : public QObject
     Q_OBJECT
 private slots:
     void classIsGraded();
+    void workFileIsJudgedWithItsHistory();
     void exitZeroHidesOnlyTheVerdicts();
     void jobsAndOrderChangeNothing();
     void zipOfTheClassIsTheClass();
@@ -60,6 +64,35 @@ void TestCliGrade::classIsGraded()
     for (const char *file : {"out/class.html", "out/gradebook.csv", "out/students/ada.html"})
         QVERIFY2(QFile::exists(made.at(text(file))), file);
     QVERIFY(!QFile::exists(made.at(text("out/manifest.journal"))));
+}
+
+/// What Cradle hands in has dates: a worker that may open no file must not need one to read them.
+void TestCliGrade::workFileIsJudgedWithItsHistory()
+{
+    const GradedClass made;
+    const auto kept = [](const char *when, bool passed) {
+        return cradle::KeptProgram{
+            .version = {.id = QString(40, u'0'),
+                        .taskId = text("BALL1"),
+                        .when = QDateTime::fromString(text(when), Qt::ISODate),
+                        .note = {.reason = cradle::VersionReason::Checked, .passed = passed}},
+            .text = text("-- as it was\n")};
+    };
+    const cradle::WorkFiles files{
+        {text("steps/BALL1.lua"), GradedClass::solution("BALL1")},
+        {text("history.json"), cradle::historyText({kept("2026-05-01T10:30:00Z", true),
+                                                    kept("2026-05-01T10:04:00Z", false),
+                                                    kept("2026-05-01T10:00:00Z", false)})}};
+    const auto packed = cradle::packWork(files, {});
+    QVERIFY(packed.ok());
+    made.put(text("class/ada.cradle-work"), *packed);
+    VERIFY_CODE(made.grade(text("out")), 1);
+    QCOMPARE(made.verdicts(text("out"), text("ada")),
+             (QStringList{text("passed"), text("missing"), text("missing")}));
+    const QJsonObject step =
+        made.json(text("out/students/ada.json")).value(text("steps")).toArray().at(0).toObject();
+    QCOMPARE(step.value(text("attempts")).toInt(), 3);
+    QCOMPARE(step.value(text("minutes")).toDouble(), 4.0); // a pause of 26 minutes is none of work
 }
 
 void TestCliGrade::exitZeroHidesOnlyTheVerdicts()
