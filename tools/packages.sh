@@ -7,7 +7,7 @@ build_packages=(
     qt6-base-dev qt6-base-dev-tools libqt6opengl6-dev libgl-dev libopengl-dev
     qt6-charts-dev qt6-svg-dev qt6-declarative-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools linguist-qt6 qt6-translations-l10n
-    libvalijson-dev pkg-config liblua5.4-dev libzip-dev libgit2-dev libseccomp-dev libqscintilla2-qt6-dev
+    libvalijson-dev pkg-config liblua5.4-dev libzip-dev zlib1g-dev libgit2-dev libseccomp-dev libqscintilla2-qt6-dev
     librapidcheck-dev) # the tests are configured with the rest
 run_packages=(libgl1-mesa-dri qt6-qpa-plugins fonts-inter fonts-jetbrains-mono bubblewrap)
 test_packages=(clang libclang-rt-14-dev clang-format xvfb libxml2-utils perl python3

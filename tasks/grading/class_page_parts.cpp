@@ -294,12 +294,15 @@ void writeChecks(QString &html, const ClassSummary &summary)
 void writeEffort(QString &html, const ClassSummary &summary)
 {
     const bool any = std::any_of(summary.steps().begin(), summary.steps().end(),
-                                 [](const auto &step) { return !step.attempts.empty(); });
+                                 [](const auto &step) { return !step.minutes.empty(); });
     if (!any)
         return;
     html += heading(ClassText::tr("Checks and time on the way"));
-    html += paragraph(ClassText::tr("Of those who handed in a history. Minutes are those in which "
-                                    "the program changed; who thinks on paper shows none."));
+    html +=
+        paragraph(ClassText::tr("Of those who handed in a history, as it says itself. Minutes are "
+                                "those in which the program changed, without pauses of more "
+                                "than ten; who thinks on paper shows none. A history of commits "
+                                "alone tells no checks."));
     html +=
         QStringLiteral("<div class=\"wide\"><table>\n<thead><tr><th>%1</th>"
                        "<th class=\"number\">%2</th><th class=\"number\">%3</th>"
@@ -309,15 +312,17 @@ void writeEffort(QString &html, const ClassSummary &summary)
                  escaped(ClassText::tr("Checks, median")), escaped(ClassText::tr("Checks, most")),
                  escaped(ClassText::tr("Minutes, median")));
     for (const ClassSummary::Step &step : summary.steps()) {
-        if (step.attempts.empty())
+        if (step.minutes.empty())
             continue;
+        const QString none = QStringLiteral("–");
+        const auto most = std::max_element(step.attempts.begin(), step.attempts.end());
         html +=
             QStringLiteral("<tr><td>%1 · %2</td><td class=\"number\">%3</td>"
                            "<td class=\"number\">%4</td><td class=\"number\">%5</td>"
                            "<td class=\"number\">%6</td></tr>\n")
-                .arg(escaped(step.id), escaped(step.title), QString::number(step.attempts.size()),
-                     escaped(medianText(step.attempts)),
-                     QString::number(*std::max_element(step.attempts.begin(), step.attempts.end())),
+                .arg(escaped(step.id), escaped(step.title), QString::number(step.minutes.size()),
+                     most == step.attempts.end() ? none : escaped(medianText(step.attempts)),
+                     most == step.attempts.end() ? none : QString::number(*most),
                      escaped(medianText(step.minutes)));
     }
     html += QStringLiteral("</tbody>\n</table></div>\n");

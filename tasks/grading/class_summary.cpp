@@ -128,10 +128,10 @@ void ClassSummary::addStep(Step &sum, const StudentResult &student, const StepRe
         && m_notGraded.size() < mostNotGraded)
         m_notGraded.push_back(
             {student.name.isEmpty() ? student.id : student.name, sum.id, step.reason});
-    if (step.attempts > 0) {
+    if (step.attempts > 0)
         sum.attempts.push_back(step.attempts);
+    if (step.attempts > 0 || step.minutes > 0.0)
         sum.minutes.push_back(step.minutes);
-    }
     if (step.status == StepResult::Status::NotGraded || !step.report)
         return;
     sum.stopped += step.report->error.has_value();

@@ -49,7 +49,7 @@ public:
         std::map<QString, Misunderstanding> misunderstandings{}; ///< by the mistake's name
         std::vector<Check> checks{};                             ///< in the lab's order
         std::vector<int> attempts{};   ///< of those whose history tells them
-        std::vector<double> minutes{}; ///< the same
+        std::vector<double> minutes{}; ///< the same, and of those whose history tells no checks
     };
     struct Alike {
         QString first{}; ///< names

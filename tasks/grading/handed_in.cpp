@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/handed_in.h"
 
+#include "tasks/grading/handed_repository.h"
 #include "tasks/grading/raw_folder.h"
 #include "tasks/hand_in/work_archive.h"
 #include "tasks/script/script_limits.h"
@@ -168,7 +169,25 @@ private:
                     take(QStringLiteral("presets/%1.json").arg(task->id), file);
             }
         }
+        takeHistory(*folder);
         return true;
+    }
+
+    /// The repository that the workspace is, or is in.
+    void takeHistory(const QString &folder)
+    {
+        if (m_student.folder.isEmpty())
+            return;
+        for (const QByteArray &place :
+             {m_student.folder + '/' + folder.toUtf8(), m_student.folder + '/'}) {
+            auto repository = readRepository(m_root, place + ".git");
+            if (!repository)
+                m_remarks.append(repository.error().message);
+            else if (!repository->isEmpty())
+                m_read.request.repository = std::move(*repository);
+            if (!repository || !m_read.request.repository.isEmpty())
+                return;
+        }
     }
 
     [[nodiscard]] const Task *taskCalled(const QString &name) const

@@ -7,6 +7,7 @@
 #include "tasks/hand_in/work_archive.h"
 #include "tasks/judgement.h"
 #include "tasks/program_text.h"
+#include "tasks/workspace/kept_history.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
@@ -127,6 +128,20 @@ void spreadProgram(WorkFiles &files, const Lab &lab)
         files.insert(QStringLiteral("steps/%1.lua").arg(task.id), program);
 }
 
+/// Adds the versions that a repository tells of.
+void addHistory(StudentWork &work, const RepositoryFiles &repository)
+{
+    if (repository.isEmpty())
+        return;
+    QStringList ids;
+    for (const auto &[id, step] : work.steps)
+        ids.append(id);
+    for (const auto &[id, versions] : keptHistory(repository, ids)) {
+        for (const Version &version : versions)
+            work.steps[id].versions.push_back({version, {}});
+    }
+}
+
 } // namespace
 
 QByteArray bytesOf(const JudgingRequest &request)
@@ -134,7 +149,8 @@ QByteArray bytesOf(const JudgingRequest &request)
     QByteArray bytes;
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out.setVersion(stream);
-    out << request.seed << request.steps << request.files << request.archive << request.moments;
+    out << request.seed << request.steps << request.files << request.archive << request.repository
+        << request.moments;
     return bytes;
 }
 
@@ -143,7 +159,8 @@ std::optional<JudgingRequest> requestFrom(const QByteArray &bytes)
     JudgingRequest request;
     QDataStream in(bytes);
     in.setVersion(stream);
-    in >> request.seed >> request.steps >> request.files >> request.archive >> request.moments;
+    in >> request.seed >> request.steps >> request.files >> request.archive >> request.repository
+        >> request.moments;
     return in.status() == QDataStream::Ok ? std::optional(request) : std::nullopt;
 }
 
@@ -176,7 +193,8 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
             fault = unpacked.error().message;
     }
     spreadProgram(files, lab);
-    const StudentWork work = workFrom(files, lab);
+    StudentWork work = workFrom(files, lab);
+    addHistory(work, request.repository);
     for (const QString &id : request.steps) {
         begin();
         const int index = lab.indexOf(id);

@@ -4,6 +4,7 @@
 
 #include "tasks/grading/student_result.h"
 #include "tasks/hand_in/student_work.h"
+#include "tasks/workspace/git_objects.h"
 
 #include <functional>
 #include <optional>
@@ -17,7 +18,8 @@ struct JudgingRequest {
     QStringList steps{};  ///< ids, in the order in which they are judged
     WorkFiles files{};    ///< of a workspace, by their paths in it
     QByteArray archive{}; ///< a .cradle-work file in the place of files; empty if there is none
-    bool moments = true;  ///< whether StepResult::moments are wanted
+    RepositoryFiles repository{}; ///< that came with files; empty if there is none
+    bool moments = true;          ///< whether StepResult::moments are wanted
 
     friend bool operator==(const JudgingRequest &, const JudgingRequest &) = default;
 };

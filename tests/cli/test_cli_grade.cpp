@@ -16,6 +16,7 @@ class TestCliGrade : public QObject
 private slots:
     void classIsGraded();
     void workFileIsJudgedWithItsHistory();
+    void clonesTellTheirTime();
     void exitZeroHidesOnlyTheVerdicts();
     void jobsAndOrderChangeNothing();
     void zipOfTheClassIsTheClass();
@@ -93,6 +94,34 @@ void TestCliGrade::workFileIsJudgedWithItsHistory()
         made.json(text("out/students/ada.json")).value(text("steps")).toArray().at(0).toObject();
     QCOMPARE(step.value(text("attempts")).toInt(), 3);
     QCOMPARE(step.value(text("minutes")).toDouble(), 4.0); // a pause of 26 minutes is none of work
+}
+
+/// A clone, as GitHub Classroom makes them: commits alone, which tell no checks.
+void TestCliGrade::clonesTellTheirTime()
+{
+    const GradedClass made;
+    made.putStudent(text("ada"));
+    const Outcome git = run(text("bash"), {text("-ec"), text(R"(
+cd "$1"
+git init -q
+for minute in 10 14 18 55; do
+    echo "-- $minute" >> steps/BALL1.lua
+    git add .
+    GIT_AUTHOR_DATE="2026-05-01T10:$minute:00Z" GIT_COMMITTER_DATE="2026-05-01T10:$minute:00Z" \
+        git -c user.name=Ada -c user.email=ada@example.org commit -qm work
+done
+git config core.fsmonitor 'touch fsmonitor-ran'
+git gc -q)"),
+                                           text("bash"), made.at(text("class/ada"))});
+    VERIFY_CODE(git, 0);
+    const auto before = made.files(text("class"));
+    VERIFY_CODE(made.grade(text("out")), 1);
+    const QJsonArray steps =
+        made.json(text("out/students/ada.json")).value(text("steps")).toArray();
+    QCOMPARE(steps[0].toObject().value(text("minutes")).toDouble(), 8.0);
+    QCOMPARE(steps[0].toObject().value(text("attempts")).toInt(), 0);
+    QVERIFY(contentOf(made.at(text("out/class.html"))).contains("Checks and time on the way"));
+    QCOMPARE(made.files(text("class")), before);
 }
 
 void TestCliGrade::exitZeroHidesOnlyTheVerdicts()
