@@ -4,6 +4,7 @@
 
 #include "app/cli/grade_progress.h"
 #include "app/cli/grade_results.h"
+#include "app/cli/stop_signal.h"
 
 #include "model/file_io.h"
 #include "tasks/authoring/lab_archive.h"
@@ -12,8 +13,6 @@
 
 #include <QCoreApplication>
 #include <QFile>
-
-#include <csignal>
 
 #include <sys/stat.h>
 
@@ -24,19 +23,6 @@ namespace {
 struct GradeText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
-
-volatile std::sig_atomic_t stopAsked = 0;
-
-/// A first Ctrl+C is noticed by who looks; a second ends the process.
-void watchForStop()
-{
-    struct sigaction action {
-    };
-    action.sa_handler = [](int) { stopAsked = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND); // who waits is woken
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
 
 /// The class's secret: that of the option, or the one that is kept with the results.
 Result<QByteArray> secretFor(const GradeRequest &request, GradeProgress &progress)
@@ -181,10 +167,10 @@ private:
             {.done = [this](const ClassProgress &progress,
                             const StudentResult &student) { m_progress.tell(progress, student); },
              .idle = [this](const ClassProgress &progress) { m_progress.show(progress); },
-             .stopped = [] { return stopAsked != 0; },
+             .stopped = stopAsked,
              .startWorkers = [this] { return startWorkers(); }});
         const auto fault = grader.run(students, m_request.jobs, std::move(workers));
-        if (fault || stopAsked) {
+        if (fault || stopAsked()) {
             m_progress.end(grader.progress(), "stopped");
             if (fault)
                 return complainUnwritten(*fault);

@@ -38,6 +38,10 @@ struct SimulateOptions {
     QCommandLineOption totals =
         option("totals", SimulateText::tr("table of momentum and energy"), "F.csv");
     QCommandLineOption events = option("events", SimulateText::tr("table of the hits"), "F.csv");
+    QCommandLineOption format = option(
+        "format",
+        SimulateText::tr("of the summary: text, or json, which is written beside tables, too"),
+        "NAME");
 
     static QCommandLineOption option(const char *name, const QString &what, const char *value)
     {
@@ -64,13 +68,31 @@ Result<double> numberOf(const QCommandLineParser &parser, const QCommandLineOpti
                  SimulateText::tr("a number above 0 and at most %1").arg(shortestNumber(most)));
 }
 
+/// Reads of the summary whether it is wanted as JSON.
+std::optional<Error> readFormat(const QCommandLineParser &parser, const SimulateOptions &options,
+                                SimulateRequest &request)
+{
+    const QString format = parser.value(options.format);
+    request.asJson = format == QLatin1String("json");
+    if (parser.isSet(options.format) && !request.asJson && format != QLatin1String("text"))
+        return wrong(options.format, format, QStringLiteral("text, json"));
+    const bool tableThere =
+        QStringList{request.states, request.totals, request.events}.contains(QLatin1String("-"));
+    if (request.asJson && tableThere)
+        return Error{.message = SimulateText::tr(
+                         "a table and the summary cannot both go to standard output; a file for "
+                         "the table is right")};
+    return std::nullopt;
+}
+
 } // namespace
 
 void addSimulateOptions(QCommandLineParser &parser)
 {
     const SimulateOptions options;
     parser.addOptions({options.duration, options.timestep, options.timing, options.script,
-                       options.every, options.states, options.totals, options.events});
+                       options.every, options.states, options.totals, options.events,
+                       options.format});
 }
 
 Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
@@ -122,6 +144,8 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
     request.states = parser.value(options.states);
     request.totals = parser.value(options.totals);
     request.events = parser.value(options.events);
+    if (const auto error = readFormat(parser, options, request))
+        return *error;
     return request;
 }
 

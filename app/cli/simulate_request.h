@@ -21,10 +21,11 @@ struct SimulateRequest {
     QString states{};                 ///< files; empty if not wanted, "-" for standard output
     QString totals{};
     QString events{};
+    bool asJson = false; ///< the summary, which is then wanted beside tables, too
 
-    [[nodiscard]] bool wantsTables() const
+    [[nodiscard]] bool wantsSummary() const
     {
-        return !states.isEmpty() || !totals.isEmpty() || !events.isEmpty();
+        return asJson || (states.isEmpty() && totals.isEmpty() && events.isEmpty());
     }
 };
 

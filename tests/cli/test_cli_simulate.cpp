@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/simulate_run.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <csignal>
+
 using namespace cradle::programs;
 
 /// cradle-cli simulate: its tables and its usage.
@@ -16,6 +22,9 @@ private slots:
     void timingOfTheLineCounts();
     void numbersAreShortest();
     void summaryIsPrintedWithoutTables();
+    void summaryCanBeJson();
+    void mergedContactsAreSaid();
+    void stoppedRunWritesWhatItHas();
     void wrongUsageIsSaid_data();
     void wrongUsageIsSaid();
     void unreadableInputNamesItsPlace_data();
@@ -142,6 +151,69 @@ void TestCliSimulate::summaryIsPrintedWithoutTables()
     QVERIFY(outcome.out.contains(text("2 circles")) && outcome.out.contains(text("60 steps")));
 }
 
+void TestCliSimulate::summaryCanBeJson()
+{
+    // Beside a table, too; the first circle is of steel and moves at 2 m/s.
+    const Outcome outcome = m_run.simulate(m_run.preset(glancing, R"({"circles": "none"})"),
+                                           text("--duration 1 --format json --totals TOTALS"));
+    VERIFY_CODE(outcome, 0);
+    const QJsonObject json = QJsonDocument::fromJson(outcome.out.toUtf8()).object();
+    const double mass = 7800.0 * 4.0 / 3.0 * cradle::scenes::pi * 0.2 * 0.2 * 0.2; // kg
+    QCOMPARE(json.value(text("circles")).toInt(), 2);
+    QCOMPARE(json.value(text("steps")).toInt(), 60);
+    QCOMPARE(json.value(text("time")).toDouble(), 1.0);
+    QCOMPARE(json.value(text("hits")).toInt(-1), 0);
+    COMPARE_NEAR(json.value(text("momentum"))[0].toDouble(), 2.0 * mass, 1e-9);
+    COMPARE_NEAR(json.value(text("kinetic")).toDouble(), 2.0 * mass, 1e-9);
+    QVERIFY(json.value(text("merged_from")).isNull());
+    QVERIFY(json.value(text("complete")).toBool());
+    QCOMPARE(m_run.table("TOTALS").rows.size(), std::size_t{61});
+}
+
+void TestCliSimulate::mergedContactsAreSaid()
+{
+    const QString heap =
+        m_run.preset(R"({"fill": {"count": 250, "radius": 0.05, "rms_speed": 0.5, "seed": 1}})",
+                     R"({"walls": "reflect", "circles": "impulse", "timing": "exact"})",
+                     R"(, "gravity": [0, -9.81], "restitution": 0.5, "square": {"half_width": 1})");
+    const auto run = [&](const char *options) { return m_run.simulate(heap, text(options)); };
+    const QString said = text("contacts merged from ");
+
+    QVERIFY(!run("--duration 0.1").out.contains(said));
+    const Outcome summary = run("--duration 2");
+    VERIFY_CODE(summary, 0);
+    const double from = summary.out.section(said, 1).section(QLatin1Char(' '), 0, 0).toDouble();
+    QVERIFY2(from > 0.1 && from < 2.0, qPrintable(summary.out));
+    const Outcome json = run("--duration 2 --format json");
+    QCOMPARE(QJsonDocument::fromJson(json.out.toUtf8())[text("merged_from")].toDouble(), from);
+    const Outcome tables = run("--duration 2 --totals TOTALS");
+    VERIFY_CODE(tables, 0);
+    QVERIFY2(tables.error.startsWith(said), qPrintable(tables.error));
+}
+
+void TestCliSimulate::stoppedRunWritesWhatItHas()
+{
+    const QString program =
+        written(m_run.folder(), "endless.lua",
+                "function on_update(timestep) if step == 3 then print('three') end end");
+    const QString states = m_run.folder().filePath(text("stopped.csv"));
+    QProcess process;
+    process.setReadChannel(QProcess::StandardError);
+    process.start(cradle::cliProgram(),
+                  {text("simulate"), m_run.preset(glancing), text("--duration"), text("1e6"),
+                   text("--every"), text("10000000"), text("--script"), program, text("--states"),
+                   states});
+    QByteArray said;
+    while (!said.contains("three") && process.waitForReadyRead(patience))
+        said += process.readAll();
+    kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(patience));
+    said += process.readAll();
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY2(said.contains("stopped at "), said.constData());
+    QCOMPARE(readTable(states).rows.size(), std::size_t{2}); // of the start
+}
+
 void TestCliSimulate::wrongUsageIsSaid_data()
 {
     QTest::addColumn<QString>("options");
@@ -150,7 +222,9 @@ void TestCliSimulate::wrongUsageIsSaid_data()
           "--duration soon", "--duration 1e9", "--duration 1 --timestep 0",
           "--duration 1 --timestep 1", "--duration 1 --timestep fast",
           "--duration 1 --timing later", "--duration 1 --every 0", "--duration 1 --every 1.5",
-          "--duration 1 --every -3", "--duration 1 --colour", "--duration 1 second.json"})
+          "--duration 1 --every -3", "--duration 1 --format xml",
+          "--duration 1 --format json --states -", "--duration 1 --colour",
+          "--duration 1 second.json"})
         QTest::newRow(*options ? options : "no duration") << text(options);
 }
 
