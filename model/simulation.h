@@ -48,6 +48,8 @@ public:
     [[nodiscard]] std::optional<double> mergedFrom() const { return m_stepper.mergedFrom(); }
     /// Whether seekNextHit() still looks.
     [[nodiscard]] bool isSearching() const { return m_search.has_value(); }
+    /// How much of the minute that seekNextHit() may look through it has seen, 0 to 1.
+    [[nodiscard]] double searchedShare() const;
     /// The exact motion beside the run; null if it is not wanted.
     [[nodiscard]] const ShadowRun *shadow() const { return m_shadow ? &*m_shadow : nullptr; }
 
@@ -94,8 +96,9 @@ signals:
 private:
     /// A search for the next hit.
     struct Search {
-        qint64 begin = 0; ///< the moment that was shown
-        double end = 0.0; ///< s
+        qint64 begin = 0;       ///< the moment that was shown
+        double beginTime = 0.0; ///< s
+        double end = 0.0;       ///< s
     };
 
     void advance(double dt);

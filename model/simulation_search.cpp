@@ -25,7 +25,7 @@ constexpr qint64 partOfSearch = 25; ///< ms
 void Simulation::seekNextHit()
 {
     pause();
-    m_search = Search{m_current, time() + longestSearch};
+    m_search = Search{m_current, time(), time() + longestSearch};
     const double weight =
         static_cast<double>(m_world.circles.size()) * (isProgrammed() ? weightOfProgram : 1.0);
     for (double work = 0.0; work < stepsAtOnce; work += weight) {
@@ -69,6 +69,14 @@ bool Simulation::searchStep()
         emit noHitFound();
     emit frameReady();
     return false;
+}
+
+double Simulation::searchedShare() const
+{
+    if (!m_search)
+        return 0.0;
+    const double share = (time() - m_search->beginTime) / (m_search->end - m_search->beginTime);
+    return std::clamp(share, 0.0, 1.0);
 }
 
 void Simulation::endSearch()

@@ -36,17 +36,23 @@ void ActionButton::setTexts(const QStringList &texts)
     updateGeometry();
 }
 
+/// As QPushButton measures it, so that the button is as wide with one text as with another, px.
+int ActionButton::widthOf(const QString &text) const
+{
+    return fontMetrics().size(Qt::TextShowMnemonic, text).width();
+}
+
 int ActionButton::textWidth() const
 {
-    int widest = fontMetrics().horizontalAdvance(text());
+    int widest = widthOf(text());
     for (const QString &other : m_texts)
-        widest = std::max(widest, fontMetrics().horizontalAdvance(other));
+        widest = std::max(widest, widthOf(other));
     return m_collapsed ? 0 : widest;
 }
 
 QSize ActionButton::sizeHint() const
 {
-    const int spare = textWidth() - fontMetrics().horizontalAdvance(text());
+    const int spare = textWidth() - widthOf(text());
     return QPushButton::sizeHint() + QSize(spare, 0);
 }
 

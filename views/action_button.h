@@ -31,6 +31,7 @@ public:
 
 private:
     void followAction();
+    [[nodiscard]] int widthOf(const QString &text) const;
 
     QAction *m_action;
     bool m_collapsed = false;

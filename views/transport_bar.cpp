@@ -51,6 +51,7 @@ TransportBar::TransportBar(Simulation &simulation, QWidget *parent)
     showMoment();
     connect(&m_simulation, &Simulation::frameReady, this, &TransportBar::showMoment);
     connect(&m_simulation, &Simulation::runningChanged, this, &TransportBar::showRunning);
+    connect(&m_simulation, &Simulation::searchingChanged, this, &TransportBar::showSearch);
 }
 
 void TransportBar::makeActions()
@@ -77,7 +78,12 @@ void TransportBar::makeActions()
             [this] { m_simulation.setRunning(!m_simulation.isRunning()); });
     connect(m_step, &QAction::triggered, &m_simulation, &Simulation::stepForward);
     connect(m_previousHit, &QAction::triggered, &m_simulation, &Simulation::seekPreviousHit);
-    connect(m_nextHit, &QAction::triggered, &m_simulation, &Simulation::seekNextHit);
+    connect(m_nextHit, &QAction::triggered, &m_simulation, [this] {
+        if (m_simulation.isSearching())
+            m_simulation.pause();
+        else
+            m_simulation.seekNextHit();
+    });
     connect(m_slower, &QAction::triggered, this,
             [this] { m_speed->setValue(m_speed->value() - 1); });
     connect(m_faster, &QAction::triggered, this,
@@ -127,7 +133,8 @@ void TransportBar::setChecking(bool checking)
 
 void TransportBar::setCheckProgress(double share)
 {
-    m_progress->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 1000.0)));
+    m_progress->setValue(
+        static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * progressRange)));
 }
 
 void TransportBar::showRunning()
@@ -155,8 +162,24 @@ void TransportBar::showCheck()
     collapse();
 }
 
+/// While it looks for the next hit the button ends that; so does all else that moves the run.
+void TransportBar::showSearch()
+{
+    const bool searching = m_simulation.isSearching();
+    const QString name = searching ? QStringLiteral("stop") : QStringLiteral("next-hit");
+    m_nextHit->setIcon(icon(name));
+    m_nextHit->setText(searching ? tr("Stop", "search") : tr("Next hit"));
+    m_nextHit->setToolTip(searching ? tr("End the search and go back to where it began")
+                                    : tr("Run on to the next collision"));
+    m_nextHitButton->setIconName(name, IconTint::Text);
+    m_searchProgress->setVisible(searching);
+    collapse();
+}
+
 void TransportBar::showMoment()
 {
+    m_searchProgress->setValue(
+        static_cast<int>(std::lround(m_simulation.searchedShare() * progressRange)));
     const qint64 step = m_simulation.recording().step(m_simulation.current());
     m_time->setText(tr("t = %1 s").arg(m_simulation.time(), 0, 'f', 3));
     m_stepCount->setText(tr("step %1").arg(step));
@@ -203,8 +226,6 @@ void TransportBar::retranslate()
     m_run->setToolTip(tr("Run or pause"));
     m_previousHit->setText(tr("Previous hit"));
     m_previousHit->setToolTip(tr("Back to the collision before, or to the start"));
-    m_nextHit->setText(tr("Next hit"));
-    m_nextHit->setToolTip(tr("Run on to the next collision"));
     m_slower->setText(tr("Slower"));
     m_faster->setText(tr("Faster"));
     m_speedCaption->setText(tr("Speed"));
@@ -213,10 +234,13 @@ void TransportBar::retranslate()
     m_time->setAccessibleName(tr("Time"));
     m_stepCount->setAccessibleName(tr("Steps since the start"));
     m_progress->setAccessibleName(tr("Progress of the check"));
+    m_searchProgress->setAccessibleName(tr("Progress of the search for a hit"));
     m_runButton->setTexts({tr("Run"), tr("Pause")});
+    m_nextHitButton->setTexts({tr("Next hit"), tr("Stop", "search")});
     showRunning();
     showMoment();
     measureReadout();
+    showSearch();
     showCheck();
 }
 

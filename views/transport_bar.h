@@ -35,7 +35,7 @@ public:
     [[nodiscard]] QAction *runAction() const { return m_run; } ///< Run or Pause
     [[nodiscard]] QAction *stepAction() const { return m_step; }
     [[nodiscard]] QAction *previousHitAction() const { return m_previousHit; }
-    [[nodiscard]] QAction *nextHitAction() const { return m_nextHit; }
+    [[nodiscard]] QAction *nextHitAction() const { return m_nextHit; } ///< Next hit or Stop
     [[nodiscard]] QAction *slowerAction() const { return m_slower; }
     [[nodiscard]] QAction *fasterAction() const { return m_faster; }
     [[nodiscard]] QAction *checkAction() const { return m_check; } ///< Check or Stop
@@ -63,14 +63,18 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    static constexpr int progressRange = 1000;
+
     void makeActions();
     void makeLayout();
     void addReadout(QHBoxLayout *row);
+    [[nodiscard]] QProgressBar *addProgress();
     void retranslate();
     void showRunning();
     void showMoment();
     void showSpeed();
     void showCheck();
+    void showSearch();
     void collapse();
     void measureReadout();
 
@@ -87,6 +91,7 @@ private:
     std::vector<ActionButton *> m_buttons; ///< in the order in which they lose their text
     ActionButton *m_runButton = nullptr;
     ActionButton *m_checkButton = nullptr;
+    ActionButton *m_nextHitButton = nullptr;
     QLabel *m_speedCaption = nullptr;
     QSlider *m_speed = nullptr;
     QLabel *m_speedValue = nullptr;
@@ -94,7 +99,8 @@ private:
     QLabel *m_stepCount = nullptr;
     QWidget *m_modes = nullptr;
     QButtonGroup *m_modeGroup = nullptr;
-    QProgressBar *m_progress = nullptr;
+    QProgressBar *m_progress = nullptr;       ///< of the check
+    QProgressBar *m_searchProgress = nullptr; ///< of the search for the next hit
     bool m_checking = false;
 };
 

@@ -32,7 +32,7 @@ void TransportBar::makeLayout()
     setKind(m_runButton, "primary");
     auto *step = add(m_step, QStringLiteral("step"), IconTint::Text);
     auto *previousHit = add(m_previousHit, QStringLiteral("previous-hit"), IconTint::Text);
-    auto *nextHit = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
+    m_nextHitButton = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
     row->addSpacing(8);
     addReadout(row);
     row->addStretch(1);
@@ -45,11 +45,19 @@ void TransportBar::makeLayout()
 
     m_checkButton = add(m_check, QStringLiteral("check"), IconTint::OnAccent);
     setKind(m_checkButton, "success");
-    m_progress = new QProgressBar(this); // placed by hand beneath the Check button
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    m_buttons = {previousHit, restart, stepBack, step, nextHit, m_runButton, m_checkButton};
+    m_progress = addProgress();
+    m_searchProgress = addProgress();
+    m_buttons = {previousHit, restart, stepBack, step, m_nextHitButton, m_runButton, m_checkButton};
+}
+
+/// A thin line, placed by hand beneath the button whose work it tells of.
+QProgressBar *TransportBar::addProgress()
+{
+    auto *progress = new QProgressBar(this);
+    progress->setRange(0, progressRange);
+    progress->setTextVisible(false);
+    progress->hide();
+    return progress;
 }
 
 void TransportBar::setModes(const QStringList &titles, int current)
@@ -105,8 +113,12 @@ void TransportBar::collapse()
         layout()->invalidate();
     }
     layout()->activate();
-    const QRect check = m_checkButton->geometry();
-    m_progress->setGeometry(check.left(), check.bottom() + 3, check.width(), 3);
+    const auto placeBeneath = [](QProgressBar *progress, const ActionButton *button) {
+        const QRect place = button->geometry();
+        progress->setGeometry(place.left(), place.bottom() + 3, place.width(), 3);
+    };
+    placeBeneath(m_progress, m_checkButton);
+    placeBeneath(m_searchProgress, m_nextHitButton);
 }
 
 QSize TransportBar::minimumSizeHint() const

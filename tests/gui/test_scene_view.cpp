@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/image_difference.h"
 #include "tests/gui/scene_fixture.h"
+#include "tests/scenes.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/gl_painter.h"
 #include "views/scene/raster_canvas.h"
@@ -44,6 +45,7 @@ private slots:
     void emptySceneTellsWhatToDo();
     void pictureHasTheSizeAskedFor();
     void descriptionTellsPositions();
+    void mergedContactsAreSaid();
 };
 
 void TestSceneView::paintersLookAlike()
@@ -233,6 +235,24 @@ void TestSceneView::descriptionTellsPositions()
         scene.simulation.stepForward();
     QVERIFY(
         scene.view.accessibleDescription().contains(QStringLiteral("circle 1 at (−1.90, 2.30) m")));
+}
+
+void TestSceneView::mergedContactsAreSaid()
+{
+    Scene scene;
+    scene.document.open(scenes::fallingHeap(200, 0.5));
+    scene.simulation.goTo(10);
+    QVERIFY(scene.chips().isEmpty());
+    while (!scene.simulation.mergedFrom() && scene.simulation.time() < 3.0)
+        scene.simulation.stepForward();
+    const auto from = scene.simulation.mergedFrom();
+    QVERIFY(from.has_value());
+    const QString said =
+        QStringLiteral("contacts merged from %1 s on").arg(QString::number(*from, 'f', 2));
+    QCOMPARE(scene.chips(), QStringList{said});
+    QVERIFY(scene.view.accessibleDescription().contains(said));
+    scene.simulation.stepBack(); // up to there every hit is exact
+    QVERIFY(scene.chips().isEmpty());
 }
 
 QTEST_MAIN(TestSceneView)

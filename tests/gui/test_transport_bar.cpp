@@ -58,6 +58,7 @@ private slots:
     void runsAndPauses();
     void nothingMovesWhenTheRunBegins();
     void goesToTheNextHitAndBack();
+    void searchForAHitCanBeStopped();
     void speedGoesInPowersOfTwo();
     void readoutDoesNotJump();
     void checkBecomesStop();
@@ -150,6 +151,35 @@ void TestTransportBar::goesToTheNextHitAndBack()
     bar.previousHitAction()->trigger();
     QVERIFY(simulation.atStart());
     QVERIFY(!bar.previousHitAction()->isEnabled());
+}
+
+void TestTransportBar::searchForAHitCanBeStopped()
+{
+    Preset many; // nothing moves, so the search looks on for a minute of the scene
+    many.fill = CircleFill{.count = 300, .radius = 0.1};
+    many.circles = *makeCircles(*many.fill, many.halfWidth);
+    Simulation simulation(many);
+    TransportBar bar(simulation);
+    bar.resize(1280, bar.sizeHint().height());
+    bar.show();
+    const auto *progress = bar.findChildren<QProgressBar *>().last();
+    const QAbstractButton *nextHit = buttonOf(bar, QStringLiteral("Next hit"));
+    const QRect place = nextHit->geometry();
+    QVERIFY(!progress->isVisible());
+
+    bar.nextHitAction()->trigger();
+    QVERIFY(simulation.isSearching());
+    QCOMPARE(nextHit->accessibleName(), QStringLiteral("Stop"));
+    QCOMPARE(nextHit->geometry(), place);
+    QVERIFY(progress->isVisible());
+    QCOMPARE(progress->value(), static_cast<int>(std::lround(simulation.time() / 60.0 * 1000.0)));
+    QTRY_VERIFY(progress->value() > 100 || !simulation.isSearching());
+
+    bar.nextHitAction()->trigger();
+    QVERIFY(!simulation.isSearching());
+    QVERIFY(simulation.atStart());
+    QCOMPARE(nextHit->accessibleName(), QStringLiteral("Next hit"));
+    QVERIFY(!progress->isVisible());
 }
 
 void TestTransportBar::speedGoesInPowersOfTwo()

@@ -118,6 +118,7 @@ private:
     [[nodiscard]] SceneMoment moment() const; ///< that is shown, with its ghost
     [[nodiscard]] QString ghostText(const SceneMoment &moment) const;
     [[nodiscard]] QString exactText(const SceneMoment &moment) const;
+    [[nodiscard]] QString mergedText(const SceneMoment &moment) const;
     [[nodiscard]] std::vector<Chip> chips(const SceneMoment &moment) const;
     [[nodiscard]] Handle handleUnder(QPointF pixel) const;
     void setHovered(Handle handle);

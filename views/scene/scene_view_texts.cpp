@@ -20,6 +20,11 @@ QString metres(double length)
     return QString::number(length, length < 1000.0 ? 'f' : 'g', 3);
 }
 
+QString seconds(double time)
+{
+    return QString::number(time, 'f', 2);
+}
+
 } // namespace
 
 QString SceneView::ghostText(const SceneMoment &moment) const
@@ -45,11 +50,20 @@ QString SceneView::exactText(const SceneMoment &moment) const
         .arg(metres(greatestDistance(circles, moment.exact)));
 }
 
+/// That the run is not exact any longer, though its timing says so.
+QString SceneView::mergedText(const SceneMoment &moment) const
+{
+    const auto from = m_document.simulation().mergedFrom();
+    return from && moment.recording.time(moment.current) >= *from
+               ? tr("contacts merged from %1 s on").arg(seconds(*from))
+               : QString();
+}
+
 std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
 {
     std::vector<Chip> chips;
     const Recording &recording = moment.recording;
-    for (const QString &text : {exactText(moment), ghostText(moment)}) {
+    for (const QString &text : {mergedText(moment), exactText(moment), ghostText(moment)}) {
         if (!text.isEmpty())
             chips.push_back({.text = text, .row = static_cast<int>(chips.size())});
     }
@@ -94,15 +108,15 @@ void SceneView::describe()
     else if (m_editor.selected() >= 0)
         parts << tr("selected: %1").arg(circleName(m_document.preset(), m_editor.selected()));
     const SceneMoment seen = moment();
-    for (const QString &ghost : {exactText(seen), ghostText(seen)}) {
-        if (!ghost.isEmpty())
-            parts << ghost;
+    for (const QString &text : {mergedText(seen), exactText(seen), ghostText(seen)}) {
+        if (!text.isEmpty())
+            parts << text;
     }
     if (!m_notice.isEmpty())
         parts << m_notice;
-    const QString text = circles.empty() ? tr("No circles") : parts.join(QStringLiteral("; "));
-    if (text != accessibleDescription())
-        setAccessibleDescription(text);
+    const QString all = circles.empty() ? tr("No circles") : parts.join(QStringLiteral("; "));
+    if (all != accessibleDescription())
+        setAccessibleDescription(all);
 }
 
 } // namespace cradle
