@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gas in Cradle's engine, in Box2D, in Chipmunk and in the textbook's event-driven simulation:
-// what a simulated second costs, what it is worth, and what memory it takes. The engines take
-// turns at random, so that a busy machine is busy for all. bench/compare makes a table of it.
-//     bench_engines [--quick] [--benchmark_...]     --quick: no gas beyond 1,000 circles
+// what a simulated second costs, what it is worth, and what memory it takes; and a heap, from where
+// it falls to where it lies. The engines take turns at random, so that a busy machine is busy for
+// all. bench/compare makes a table of it.
+//     bench_engines [--quick] [--benchmark_...]     --quick: no more than 1,000 circles
 #include "bench/gas.h"
 #include "bench/gas_engine.h"
 #include "bench/heap_meter.h"
@@ -11,6 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstring>
+#include <ctime>
 #include <string>
 
 using namespace cradle;
@@ -106,6 +108,59 @@ void memory(benchmark::State &state, const Contestant &contestant, int count)
     state.counters["megabytes"] = static_cast<double>(most) / 1e6;
 }
 
+/// Six seconds of a heap, from where its circles are strewn to where they lie: the mean and the
+/// worst step of 1/60 s (ms of CPU), the deepest overlap (radii), and by what share of the energy
+/// at the start a step gained most.
+void heapFall(benchmark::State &state, MakeEngine make, int count)
+{
+    constexpr int frames = 360;
+    const Gas start = heap(count);
+    std::vector<Motion> motions;
+    double sum = 0.0;
+    double worst = 0.0;
+    double overlap = 0.0;
+    double gain = 0.0;
+    for (auto _ : state) {
+        const std::unique_ptr<GasEngine> engine = make(start);
+        engine->read(motions);
+        const double whole = specificEnergy(start, motions);
+        double before = whole;
+        for (int i = 0; i < frames; ++i) {
+            const std::clock_t begin = std::clock();
+            advanceFrame(*engine);
+            const double took = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+            sum += took;
+            worst = std::max(worst, took);
+            engine->read(motions);
+            overlap = std::max(overlap, worstOverlap(start, motions));
+            const double energy = specificEnergy(start, motions);
+            gain = std::max(gain, (energy - before) / whole);
+            before = energy;
+        }
+    }
+    state.counters["mean"] = sum / frames;
+    state.counters["worst"] = worst;
+    state.counters["overlap"] = overlap;
+    state.counters["gain"] = gain;
+}
+
+void registerHeaps(bool quick)
+{
+    std::vector<int> sizes{300, 1000};
+    if (!quick)
+        sizes.push_back(10'000);
+    const std::pair<const char *, MakeEngine> engines[] = {
+        {"continuous", makePiled}, {"box2d", makeBox2d}, {"chipmunk", makeChipmunk}};
+    for (const auto &[name, make] : engines) {
+        for (const int count : sizes)
+            benchmark::RegisterBenchmark(
+                (std::string("heap/") + name + '/' + std::to_string(count)).c_str(), heapFall, make,
+                count)
+                ->Iterations(1)
+                ->Unit(benchmark::kMillisecond);
+    }
+}
+
 void registerTruth(const Contestant &contestant, int count, double gravity)
 {
     double seconds = count > 10'000 ? 10.0 : 60.0;
@@ -172,6 +227,7 @@ int main(int argc, char **argv)
         return 1;
     std::vector<std::unique_ptr<GasEngine>> engines;
     registerAll(quick, engines);
+    registerHeaps(quick);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

@@ -9,9 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <string>
 
@@ -73,24 +71,6 @@ Preset heapOf(int count, Timing timing)
     return preset;
 }
 
-/// The largest overlap of two circles, in radii; all have the same.
-double deepestOverlap(std::vector<Circle> circles)
-{
-    std::sort(circles.begin(), circles.end(),
-              [](const Circle &a, const Circle &b) { return a.position.x < b.position.x; });
-    double deepest = 0.0;
-    for (std::size_t i = 0; i < circles.size(); ++i) {
-        const Circle &a = circles[i];
-        for (std::size_t j = i + 1; j < circles.size(); ++j) {
-            const Vec2 d = circles[j].position - a.position;
-            if (d.x > 2.0 * a.radius)
-                break;
-            deepest = std::max(deepest, 2.0 - length(d) / a.radius);
-        }
-    }
-    return deepest;
-}
-
 /// A step of circles that have fallen for 3 s. Target: no longer than what it steps over, 16.7 ms.
 void heap(benchmark::State &state, Timing timing, int count)
 {
@@ -105,37 +85,6 @@ void heap(benchmark::State &state, Timing timing, int count)
         hits.clear();
         stepper.advance(world, hits);
     }
-}
-
-/// Six seconds of \p count circles, 40 % of the square, from where they are strewn to where they
-/// lie: what the mean and the worst step take, and by how much two overlap at most.
-void fall(benchmark::State &state, int count)
-{
-    const Preset preset = heapOf(count, Timing::Continuous);
-    double worst = 0.0;
-    double sum = 0.0;
-    double overlap = 0.0;
-    double steps = 0.0;
-    for (auto _ : state) {
-        World world = initialWorld(preset);
-        Stepper stepper(preset);
-        std::vector<Hit> hits;
-        while (world.step < 360) {
-            const std::clock_t begin = std::clock();
-            hits.clear();
-            stepper.advance(world, hits);
-            const double took = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-            worst = std::max(worst, took);
-            sum += took;
-            ++steps;
-            state.PauseTiming();
-            overlap = std::max(overlap, deepestOverlap(world.circles));
-            state.ResumeTiming();
-        }
-    }
-    state.counters["mean_ms"] = sum / steps;
-    state.counters["worst_ms"] = worst;
-    state.counters["overlap_r"] = overlap;
 }
 
 void verdict(benchmark::State &state, const QString &id)
@@ -162,10 +111,6 @@ int main(int argc, char **argv)
                                          count)
                 ->Unit(benchmark::kMillisecond);
     }
-    for (const int count : {100, 300, 1000})
-        benchmark::RegisterBenchmark(("fall/" + std::to_string(count)).c_str(), fall, count)
-            ->Unit(benchmark::kMillisecond)
-            ->Iterations(1);
     const Result<Lab> lab = readLab(QLatin1String(shippedLab));
     for (const Task &task : lab->tasks)
         benchmark::RegisterBenchmark(("verdict/" + task.id.toStdString()).c_str(), verdict, task.id)

@@ -18,8 +18,9 @@ class Box2dEngine final : public GasEngine
 public:
     explicit Box2dEngine(const Preset &gas)
         : m_world(toBox2d(gas.gravity))
+        , m_restitution(static_cast<float>(gas.restitution))
     {
-        m_world.SetAllowSleeping(false);
+        m_world.SetAllowSleeping(gas.restitution < 1.0);
         addWalls(static_cast<float>(gas.halfWidth));
         m_bodies.reserve(gas.circles.size());
         for (const PresetCircle &circle : gas.circles)
@@ -46,8 +47,9 @@ private:
         fixture.shape = &shape;
         fixture.density = 1.0F;
         fixture.friction = 0.0F;
-        fixture.restitution = 1.0F;
-        fixture.restitutionThreshold = 0.0F;
+        fixture.restitution = m_restitution;
+        if (m_restitution == 1.0F)
+            fixture.restitutionThreshold = 0.0F;
         body.CreateFixture(&fixture);
     }
 
@@ -77,6 +79,7 @@ private:
     }
 
     b2World m_world;
+    float m_restitution;            ///< Box2D takes the larger of the two that meet
     std::vector<b2Body *> m_bodies; ///< the world owns them
 };
 

@@ -4,6 +4,7 @@
 
 #include <chipmunk/chipmunk.h>
 
+#include <cmath>
 #include <limits>
 
 namespace cradle {
@@ -15,7 +16,8 @@ class ChipmunkEngine final : public GasEngine
 {
 public:
     explicit ChipmunkEngine(const Preset &gas)
-        : m_space(cpSpaceNew())
+        : m_elasticity(std::sqrt(gas.restitution))
+        , m_space(cpSpaceNew())
     {
         cpSpaceSetGravity(m_space, cpv(gas.gravity.x, gas.gravity.y));
         const double h = gas.halfWidth;
@@ -59,9 +61,10 @@ public:
     }
 
 private:
+    /// Of a circle or a wall: Chipmunk multiplies the two that meet.
     void add(cpShape *shape)
     {
-        cpShapeSetElasticity(shape, 1.0);
+        cpShapeSetElasticity(shape, m_elasticity);
         cpShapeSetFriction(shape, 0.0);
         m_shapes.push_back(cpSpaceAddShape(m_space, shape));
     }
@@ -75,6 +78,7 @@ private:
         add(cpCircleShapeNew(body, circle.radius, cpvzero));
     }
 
+    double m_elasticity;
     cpSpace *m_space;
     std::vector<cpBody *> m_bodies;
     std::vector<cpShape *> m_shapes;

@@ -63,6 +63,11 @@ std::unique_ptr<GasEngine> makeContinuous(const Gas &gas)
     return std::make_unique<CradleEngine<ContinuousSolver>>(gas, Integrator::Verlet, 4);
 }
 
+std::unique_ptr<GasEngine> makePiled(const Gas &gas)
+{
+    return std::make_unique<CradleEngine<ContinuousSolver>>(gas, Integrator::Verlet, 1);
+}
+
 std::unique_ptr<GasEngine> makeStepped(const Gas &gas)
 {
     return std::make_unique<CradleEngine<ContinuousSolver>>(gas, Integrator::SymplecticEuler, 4);

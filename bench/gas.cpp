@@ -9,18 +9,36 @@
 
 namespace cradle {
 
-Gas gas(int count, double gravity)
+namespace {
+
+Gas strewn(int count, double areaFraction, double rmsSpeed)
 {
     Gas preset;
     preset.halfWidth =
-        0.5 * std::sqrt(count * std::numbers::pi * gasRadius * gasRadius / gasAreaFraction);
-    preset.gravity = Vec2{0.0, -gravity};
-    preset.restitution = 1.0;
+        0.5 * std::sqrt(count * std::numbers::pi * gasRadius * gasRadius / areaFraction);
     preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Exact};
     preset.fill = CircleFill{
-        .count = count, .radius = gasRadius, .rmsSpeed = gasRmsSpeed, .density = 1.0, .seed = 1};
+        .count = count, .radius = gasRadius, .rmsSpeed = rmsSpeed, .density = 1.0, .seed = 1};
     preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
     preset.bodies = initialWorld(preset).circles;
+    return preset;
+}
+
+} // namespace
+
+Gas gas(int count, double gravity)
+{
+    Gas preset = strewn(count, gasAreaFraction, gasRmsSpeed);
+    preset.gravity = Vec2{0.0, -gravity};
+    preset.restitution = 1.0;
+    return preset;
+}
+
+Gas heap(int count)
+{
+    Gas preset = strewn(count, heapAreaFraction, heapRmsSpeed);
+    preset.gravity = Vec2{0.0, -9.81};
+    preset.restitution = 0.5;
     return preset;
 }
 

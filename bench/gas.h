@@ -12,6 +12,8 @@ namespace cradle {
 inline constexpr double gasRadius = 0.2;       ///< m
 inline constexpr double gasAreaFraction = 0.2; ///< Σ π r² / area of the square
 inline constexpr double gasRmsSpeed = 2.0;     ///< m/s
+inline constexpr double heapAreaFraction = 0.4;
+inline constexpr double heapRmsSpeed = 1.0; ///< m/s, at the start
 
 /// The preset, and its circles as Cradle's solvers are handed them.
 struct Gas : Preset {
@@ -21,6 +23,9 @@ struct Gas : Preset {
 /// \p count equal elastic circles in a reflecting square of half width ½ √(N π r² / φ) m.
 /// \param gravity  downwards, m/s²
 [[nodiscard]] Gas gas(int count, double gravity);
+
+/// \p count equal circles that fall into a heap: 40 % of the square, e = ½, 9.81 m/s² downwards.
+[[nodiscard]] Gas heap(int count);
 
 /// Energy per mass, J/kg: Σ ½ v² + g (y + half width), g pointing down.
 [[nodiscard]] double specificEnergy(const Preset &gas, const std::vector<Motion> &motions);

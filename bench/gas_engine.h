@@ -25,7 +25,8 @@ public:
     [[nodiscard]] virtual qint64 hitCount() const { return 0; }
 };
 
-/// Every engine takes half width, gravity and circles from a gas() and starts from the same state.
+/// Every engine takes half width, gravity, restitution and circles from a gas() or a heap() and
+/// starts from the same state.
 using MakeEngine = std::unique_ptr<GasEngine> (*)(const Gas &gas);
 
 /// Cradle from event to event, read once a frame.
@@ -37,8 +38,11 @@ std::unique_ptr<GasEngine> makeContinuous(const Gas &gas);
 /// The same with symplectic Euler, which is moved step by step.
 std::unique_ptr<GasEngine> makeStepped(const Gas &gas);
 
+/// Cradle's steps of 1/60 s that miss no hit: what a heap is moved by.
+std::unique_ptr<GasEngine> makePiled(const Gas &gas);
+
 /// Box2D 2.4 with steps of 1/60 s, 8 velocity and 3 position iterations, in single precision.
-/// Every contact is elastic: the restitution threshold (1 m/s by default) is set to 0.
+/// Every contact of a gas is elastic: its restitution threshold (1 m/s by default) is set to 0.
 std::unique_ptr<GasEngine> makeBox2d(const Gas &gas);
 
 /// Chipmunk 7 with steps of 1/240 s, its 10 iterations and its slop of 0.1 m: a finer slop costs

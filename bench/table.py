@@ -12,6 +12,8 @@ ENGINES = ["exact", "continuous", "stepped", "baseline", "box2d", "chipmunk"]
 TITLES = {"exact": "Cradle exact", "continuous": "Cradle continuous 1/240",
           "stepped": "the same, symplectic Euler", "baseline": "textbook event-driven", "box2d": "Box2D 2.4.1, 1/60",
           "chipmunk": "Chipmunk 7.0.3, 1/240"}
+HEAP_TITLES = {"continuous": "Cradle continuous 1/60", "box2d": "Box2D 2.4.1, 1/60",
+               "chipmunk": "Chipmunk 7.0.3, 1/240"}
 PEERS = ["box2d", "chipmunk"]
 
 # What is aimed at; sizes are numbers of circles.
@@ -21,6 +23,10 @@ DRIFT_AIM = 1e-12                                       # share of the energy, a
 OVERLAP_AIM = {"exact": 1e-9, "continuous": 0.1, "stepped": 0.1}        # radii, at most
 MEMORY_AIM = 10.0                                       # MB at 50,000, at most
 EXPONENT_AIM = 1.15                                     # of cost against size, about 1
+HEAP_MEAN_AIM = {300: 1.0, 1000: 4.0}                   # ms a step of 1/60 s, at most
+HEAP_WORST_AIM = {1000: 12.0}                           # ms, at most
+HEAP_OVERLAP_AIM = 1e-4                                 # radii, at most
+HEAP_GAIN_AIM = 1e-12                                   # share of the energy, at most
 STEP_AIM = 0.5                                          # µs for two circles, at most
 
 CHIPMUNK_NOTE = (
@@ -156,6 +162,27 @@ def truth_table(numbers):
            ""], rows)
 
 
+def heap_table(numbers):
+    rows = []
+    for (kind, engine, *rest), found in sorted(
+            numbers.items(), key=lambda item: int(item[0][2]) if item[0][0] == "heap" else 0):
+        if kind != "heap":
+            continue
+        count = int(rest[0])
+        ours = engine == "continuous"
+
+        def cell(quantity, aim):
+            value = found[quantity]
+            return judged(value, aim) if ours and aim else f"{significant(value)} | – | "
+
+        rows.append([HEAP_TITLES[engine], f"{count:,}", cell("mean", HEAP_MEAN_AIM.get(count)),
+                     cell("worst", HEAP_WORST_AIM.get(count)), cell("overlap", HEAP_OVERLAP_AIM),
+                     cell("gain", HEAP_GAIN_AIM)])
+    table("A heap: 6 s of its fall, a step of 1/60 s",
+          ["engine", "circles", "mean ms", "aim", "", "worst ms", "aim", "", "overlap, radii", "aim", "",
+           "energy gained in a step, share", "aim", ""], rows)
+
+
 def small_tables(numbers):
     rows = [[TITLES[engine], judged(numbers[key]["megabytes"], MEMORY_AIM)
              if engine in OVERLAP_AIM else f"{significant(numbers[key]['megabytes'])} | – | "]
@@ -174,6 +201,7 @@ def main():
     print("## The gas: circles at area fraction 0.2, rms 2 m/s, elastic, one thread")
     cost_tables(numbers)
     truth_table(numbers)
+    heap_table(numbers)
     small_tables(numbers)
 
 
