@@ -45,7 +45,7 @@ struct Laws {
 struct PresetCircle {
     QString name;
     Circle body{};
-    QString colour = QStringLiteral("#1e90ff"); ///< #rrggbb
+    QString colour = QStringLiteral("#1e90ff"); ///< \#rrggbb
     Integrator integrator = Integrator::Euler;
 
     friend bool operator==(const PresetCircle &, const PresetCircle &) = default;

@@ -14,7 +14,7 @@ namespace cradle {
 /// so that it can be drawn where nothing may run. A plain value, of numbers with five digits.
 struct DrawnMoment {
     struct Body {
-        QString colour{}; ///< #rrggbb
+        QString colour{}; ///< \#rrggbb
         double radius = 0.2;
         Vec2 position{};
         Vec2 velocity{};
