@@ -139,7 +139,8 @@ inline std::vector<AwkwardScene> awkwardScenes()
         {"a heap, e = 0.9", heap(0.9), 10.0, 200'000},
         {"collapse of three, e = 0.05", threeInLine(0.05), 2.0, 5'000},
         {"collapse of three, e = 0", threeInLine(0.0), 2.0, 100},
-        {"a crowd", crowd(crowdSize), 0.05, 500'000},
+        // One step: at 2 m/s that is five radii, some two free ways of a circle.
+        {"a crowd", crowd(crowdSize), dt, 200'000},
     };
 }
 

@@ -3,8 +3,6 @@
 #include "model/measurements.h"
 #include "tests/awkward_scenes.h"
 
-#include <QDeadlineTimer>
-
 #include <algorithm>
 #include <numeric>
 
@@ -16,8 +14,6 @@ Q_DECLARE_METATYPE(cradle::Timing)
 
 namespace {
 
-/// s of wall time for a row, sanitizers and a busy machine allowed for: only to end what hangs.
-constexpr int patience = 120;
 /// m beyond a wall, and of the sum of the radii two may overlap: roundings of a position.
 constexpr double position = 1e-9;
 /// Of the smaller radius, by which continuous timing may let two overlap.
@@ -45,7 +41,9 @@ double deepestOverlap(const std::vector<Circle> &circles, Timing timing)
             const double sum = a.radius + b.radius;
             const double allowed =
                 timing == Timing::Exact ? position * sum : squeeze * std::min(a.radius, b.radius);
-            deepest = std::max(deepest, (sum - length(b.position - a.position)) / allowed);
+            const double apart = lengthSquared(b.position - a.position);
+            if (apart < sum * sum)
+                deepest = std::max(deepest, (sum - std::sqrt(apart)) / allowed);
         }
     }
     return deepest;
@@ -143,7 +141,6 @@ void TestAwkwardStarts::nothingGoesWrong()
     QFETCH(double, seconds);
     QFETCH(std::size_t, mostHits);
     QVERIFY(!findFault(preset).has_value());
-    const QDeadlineTimer deadline(patience * 1000);
     const double rounding = energyRounding * sizeOfEnergy(preset);
     const double hops = energyOfHops(preset);
 
@@ -152,7 +149,6 @@ void TestAwkwardStarts::nothingGoesWrong()
     const int steps = static_cast<int>(std::lround(seconds / preset.timestep));
     for (int step = 1; step <= steps; ++step) {
         run.steps(1);
-        QVERIFY(!deadline.hasExpired());
         QVERIFY(run.hits.size() <= mostHits);
         COMPARE_NEAR(std::max(0.0, farthestOutside(run.world.circles)), 0.0, position);
         COMPARE_NEAR(deepestOverlap(run.world.circles, preset.laws.timing), 0.0, 1.0);
