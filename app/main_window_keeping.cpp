@@ -80,9 +80,9 @@ void MainWindow::showTaskNotice()
     } else if (bench->isFirstStart() && bench->current() == 0) {
         m_notice->showNotice(
             bench->mode() == Mode::Code
-                ? tr("Read the step on the left, write your program below the scene, press Run to "
+                ? tr("Read the step on the left, write your program in the middle, press Run to "
                      "watch, and Check when you are done.")
-                : tr("Read the step on the left, set the values below the scene, press Run to "
+                : tr("Read the step on the left, set the values beside the scene, press Run to "
                      "watch, and Check when you are done."));
     }
 }

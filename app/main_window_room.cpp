@@ -213,7 +213,8 @@ void MainWindow::watchPane(QDockWidget *pane)
     const auto keep = [this] { m_keepsSizes = m_keepsSizes || !m_arranging; };
     connect(pane, &QDockWidget::dockLocationChanged, this, keep);
     connect(pane, &QDockWidget::topLevelChanged, this, keep);
-    connect(pane->toggleViewAction(), &QAction::toggled, this, keep);
+    // Not toggled(): the first time that the window is shown every pane is, too.
+    connect(pane->toggleViewAction(), &QAction::triggered, this, keep);
     connect(pane, &QDockWidget::visibilityChanged, this, [pane](bool seen) {
         if (pane->widget())
             pane->widget()->setEnabled(seen || pane->isHidden());

@@ -32,6 +32,7 @@ namespace {
 
 constexpr int titleInterval = 250; ///< ms from one count of hits to the next, while it runs
 constexpr int cellPad = 8;         ///< px left and right of a number together
+constexpr int mostSpare = 16;      ///< px between two columns where there is room
 constexpr int massPlaces = 7;      ///< characters of a mass
 constexpr int fittedRows = 64;     ///< the columns of the hits fit these many of them
 
@@ -209,12 +210,19 @@ void ValuesPane::fitValues()
     // Room for the usual numbers, so that widths rest while numbers change.
     const QFontMetrics figures(columnFont());
     const int figure = figures.horizontalAdvance(u'0');
-    for (int column = 0; column < m_valuesModel->columnCount(); ++column) {
-        const int places = column <= ValuesModel::Speed  ? ValuesModel::narrowPlaces
-                           : column == ValuesModel::Mass ? massPlaces
-                                                         : ValuesModel::widePlaces;
-        m_values->setColumnWidth(column, places * figure + cellPad);
-    }
+    const auto places = [](int column) {
+        return column <= ValuesModel::Speed  ? ValuesModel::narrowPlaces
+               : column == ValuesModel::Mass ? massPlaces
+                                             : ValuesModel::widePlaces;
+    };
+    const int columns = m_valuesModel->columnCount();
+    int needed = m_values->verticalHeader()->sizeHint().width() + cellPad;
+    for (int column = 0; column < columns; ++column)
+        needed += places(column) * figure + cellPad;
+    // What is left over keeps them apart.
+    const int spare = std::clamp((width() - needed) / columns, 0, mostSpare);
+    for (int column = 0; column < columns; ++column)
+        m_values->setColumnWidth(column, places(column) * figure + cellPad + spare);
     fitHeights();
 }
 
@@ -282,7 +290,7 @@ void ValuesPane::changeEvent(QEvent *event)
 bool ValuesPane::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize && watched == m_sentence->parentWidget())
-        fitHeights();
+        fitValues();
     return QWidget::eventFilter(watched, event);
 }
 

@@ -80,9 +80,11 @@ QString hardSteps(const LabReport &report)
 LabReportPage endingPage(const LabReport &report, bool finished)
 {
     LabReportPage page;
+    // Who goes to the last step at once has written a part of it.
+    const bool all = finished && report.passedCount() == static_cast<int>(report.steps.size());
     page.html =
         QStringLiteral("<h2>%1</h2>\n")
-            .arg((finished ? EndingText::tr("You have written a physics engine") : report.labTitle)
+            .arg((all ? EndingText::tr("You have written a physics engine") : report.labTitle)
                      .toHtmlEscaped());
     page.html += paragraph(EndingText::tr("%1 of %2 steps pass, judged anew a moment ago.")
                                .arg(report.passedCount())

@@ -7,6 +7,7 @@
 #include "views/code/code_pane.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/instructions_pane.h"
+#include "views/task_pane/result_pane.h"
 #include "views/task_pane/step_dots.h"
 #include "views/values_table.h"
 
@@ -50,6 +51,8 @@ private slots:
     void instructionsHaveRoomAfterTheCheck();
     void valuesNeedNoScrolling_data() { addSizes(); }
     void valuesNeedNoScrolling();
+    void untouchedPanesFollowTheWindow();
+    void nothingOfAPassIsCutOff();
     void eachModeKeepsItsArrangement();
     void dotsOpenStepsAndTheList();
 
@@ -145,6 +148,37 @@ void TestRoom::valuesNeedNoScrolling()
                      qPrintable(QString::number(column)));
         QCOMPARE(table->verticalScrollBar()->maximum(), 0);
     }
+}
+
+/// That the panes came into sight is nothing that the student did.
+void TestRoom::untouchedPanesFollowTheWindow()
+{
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    m_open->bench.setMode(Mode::Code);
+    m_open->window.resize(1280, 720);
+    QTest::qWait(100);
+    const int narrow = dock("task")->width();
+    m_open->window.resize(1920, 1080);
+    QTest::qWait(100);
+    QVERIFY2(dock("task")->width() > narrow + 60, qPrintable(QString::number(narrow)));
+    QVERIFY(dock("code")->width() > 700);
+    m_open->window.close();
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    QVERIFY(!m_open->settings.contains(QStringLiteral("layout/code")));
+}
+
+void TestRoom::nothingOfAPassIsCutOff()
+{
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    m_open->bench.openTask(QStringLiteral("L42T11"));
+    m_open->bench.setMode(Mode::Explore);
+    m_open->window.resize(1280, 720);
+    QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
+    m_open->check();
+    QVERIFY(m_open->bench.report()->passed);
+    QTest::qWait(50);
+    const auto *scroll = m_open->window.findChild<ResultPane *>()->findChild<QScrollArea *>();
+    QVERIFY(scroll->widget()->width() <= scroll->viewport()->width());
 }
 
 void TestRoom::eachModeKeepsItsArrangement()

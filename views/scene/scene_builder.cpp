@@ -32,7 +32,8 @@ struct SceneText {
 constexpr double wallWidth = 2.0;            ///< px
 constexpr double closestGridLines = 14;      ///< px; closer ones are thinned out
 constexpr double onePlace = 5.0;             ///< px that two centres are apart at most
-constexpr double smallestNumberedDisc = 8.0; ///< px of radius that a number fits into
+constexpr double smallestNumberedDisc = 8.0; ///< px of radius that two figures fit into
+constexpr double smallestFigureDisc = 6.5;   ///< px of radius that one figure fits into
 
 bool isCrowd(const SceneMoment &moment)
 {
@@ -100,7 +101,8 @@ void addName(SceneDraft &draft, const SceneMoment &moment, const Circle &circle,
 {
     const QString text = shortName(moment.preset, index);
     const double radius = circle.radius * scale;
-    const bool inside = text.size() <= 2 && radius >= smallestNumberedDisc;
+    const bool inside = text.size() == 1 ? radius >= smallestFigureDisc
+                                         : text.size() == 2 && radius >= smallestNumberedDisc;
     draft.wishes.push_back({.label = {.anchor = circle.position,
                                       .text = text,
                                       .colour = inside ? textOn(colour) : theme().text,

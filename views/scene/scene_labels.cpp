@@ -95,7 +95,10 @@ SceneLabels::SceneLabels(DrawList &list, const Camera &camera, const QFont &base
 
 bool SceneLabels::placeThere(const DrawList::Label &label)
 {
-    const QRectF rect = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics);
+    // Figures have no descenders: discs that touch may both show their number.
+    const double spare = label.plate ? 0.0 : 0.15 * m_metrics.height();
+    const QRectF rect = labelRect(label, m_camera, label.strong ? m_strongMetrics : m_metrics)
+                            .adjusted(0.0, spare, 0.0, -spare);
     if (coversText(rect))
         return false;
     m_taken.push_back(rect);

@@ -13,7 +13,6 @@
 #include <QAbstractTextDocumentLayout>
 #include <QApplication>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -46,6 +45,16 @@ qsizetype firstSection(const QString &markdown)
     return markdown.size();
 }
 
+/// The title of a step stands above, with its number, and is not said twice.
+QString withoutTitle(const Task &task)
+{
+    const QString title = QStringLiteral("# ") + task.title;
+    const qsizetype end = task.instructions.indexOf(QLatin1Char('\n'));
+    const bool repeats = !task.id.isEmpty() && task.instructions.left(end).trimmed() == title;
+    return repeats ? task.instructions.mid(end < 0 ? task.instructions.size() : end + 1)
+                   : task.instructions;
+}
+
 } // namespace
 
 InstructionsPane::InstructionsPane(QWidget *parent)
@@ -63,13 +72,9 @@ InstructionsPane::~InstructionsPane()
 
 void InstructionsPane::makeLayout()
 {
-    m_heading = new QLabel(this);
-    m_heading->setFont(headingFont());
-    m_heading->setContentsMargins(12, 8, 12, 6);
-    setKind(m_heading, "heading");
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(8, 0, 8, 8);
+    column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(0);
     m_instructions = new MarkdownView(content, m_renderer);
     m_prediction = new PredictionCard(m_renderer, content);
@@ -79,7 +84,10 @@ void InstructionsPane::makeLayout()
     setKind(m_nextHint, "link");
     m_nextHint->setIcon(icon(u"hint", IconTint::Accent));
     column->addWidget(m_instructions);
-    column->addWidget(m_prediction);
+    auto *card = new QHBoxLayout; // its frame stands where the texts begin
+    card->setContentsMargins(12, 0, 12, 0);
+    card->addWidget(m_prediction);
+    column->addLayout(card);
     column->addWidget(m_rest);
     column->addWidget(m_hints);
     column->addStretch(1);
@@ -93,7 +101,6 @@ void InstructionsPane::makeLayout()
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->setSpacing(0);
-    outer->addWidget(m_heading);
     outer->addWidget(m_scroll, 1);
     // Below what scrolls, so that it is in sight however long the text is.
     auto *footer = new QHBoxLayout;
@@ -126,9 +133,10 @@ void InstructionsPane::showTask(const Task &task, int hintsOpened)
 {
     m_task = task;
     const QUrl folder = QUrl::fromLocalFile(task.folder);
-    const qsizetype start = task.prediction ? firstSection(task.instructions) : -1;
-    m_instructions->setMarkdown(task.instructions.left(start), folder);
-    m_rest->setMarkdown(start < 0 ? QString() : task.instructions.mid(start), folder);
+    const QString text = withoutTitle(task);
+    const qsizetype start = task.prediction ? firstSection(text) : -1;
+    m_instructions->setMarkdown(text.left(start), folder);
+    m_rest->setMarkdown(start < 0 ? QString() : text.mid(start), folder);
     m_rest->setVisible(start >= 0);
     m_prediction->setPrediction(task.prediction);
     m_revealed = true; // only what is revealed before the student's eyes comes in sight
@@ -179,7 +187,6 @@ void InstructionsPane::revealHints()
 
 void InstructionsPane::retranslate()
 {
-    m_heading->setText(tr("Instructions"));
     m_instructions->setAccessibleName(tr("Instructions"));
     m_rest->setAccessibleName(tr("Instructions"));
     m_hints->setAccessibleName(tr("Hints"));

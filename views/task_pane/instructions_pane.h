@@ -6,7 +6,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QPushButton;
 class QScrollArea;
 class QTextBrowser;
@@ -52,7 +51,6 @@ private:
     void revealPrediction();
 
     FormulaRenderer *m_renderer = nullptr;
-    QLabel *m_heading = nullptr;
     QScrollArea *m_scroll = nullptr;
     MarkdownView *m_instructions = nullptr; ///< all, or what stands before the prediction
     PredictionCard *m_prediction = nullptr;

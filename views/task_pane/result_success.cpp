@@ -57,22 +57,20 @@ void ResultPane::addWayOn(QVBoxLayout *column)
                     "plain");
         return;
     }
-    auto *ways = new QHBoxLayout;
-    ways->setSpacing(8);
-    column->addLayout(ways);
     auto *next = new QPushButton(tr("Next step ▸"));
     next->setAccessibleName(tr("Next step"));
     next->setAutoDefault(true); // Return presses it when it has the focus
     setKind(next, "primary");
     next->setToolTip(tr("Next step (Ctrl+Page Down)"));
-    ways->addWidget(next);
+    column->addWidget(next, 0, Qt::AlignLeft);
     if (m_offersSolution) {
-        auto *solution = new QPushButton(tr("Compare with the reference"));
+        auto *solution = new QPushButton(tr("Compare with the reference ▸"));
+        solution->setAccessibleName(tr("Compare with the reference"));
+        setKind(solution, "link");
         solution->setToolTip(tr("Shows the reference solution beside your program"));
-        ways->addWidget(solution);
+        column->addWidget(solution, 0, Qt::AlignLeft);
         connect(solution, &QPushButton::clicked, this, &ResultPane::solutionRequested);
     }
-    ways->addStretch(1);
     connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
 }
 
@@ -93,7 +91,7 @@ void ResultPane::addCommit(QVBoxLayout *column, const QString &commit)
     message->setTextFormat(Qt::PlainText);
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     message->setAccessibleName(tr("Commit message"));
-    auto *copy = new QPushButton(icon(u"copy"), tr("Copy"));
+    auto *copy = new QPushButton(icon(u"copy"), QString());
     copy->setToolTip(tr("Copy the commit message"));
     copy->setAccessibleName(tr("Copy the commit message"));
     setKind(copy, "small");

@@ -28,8 +28,8 @@ StepsList::StepsList(QWidget *parent)
 void StepsList::makeLayout()
 {
     m_heading = new QLabel(this);
-    m_heading->setFont(headingFont());
     m_heading->setContentsMargins(12, 8, 4, 4);
+    setKind(m_heading, "cardTitle");
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_heading->setTextFormat(Qt::PlainText);
     m_all = new QPushButton(this);
