@@ -43,11 +43,12 @@ inline QStringList texts(const DrawList &list)
     return found;
 }
 
-/// The arrow of \p colour; there must be one.
+/// The arrow of \p colour, none if there is none; thin ones tell what was before a hit.
 inline DrawList::Arrow arrowOf(const DrawList &list, const QColor &colour)
 {
-    const auto found = std::find_if(list.arrows.begin(), list.arrows.end(),
-                                    [&](const auto &arrow) { return arrow.colour == colour; });
+    const auto found = std::find_if(list.arrows.begin(), list.arrows.end(), [&](const auto &arrow) {
+        return arrow.colour == colour && arrow.width > 1.25;
+    });
     return found == list.arrows.end() ? DrawList::Arrow{} : *found;
 }
 

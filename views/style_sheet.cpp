@@ -61,6 +61,8 @@ QToolButton[autoRaise="true"] { border-color: transparent; background: transpare
 QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed, QPushButton:checked, QToolButton:checked {
     background: @accentSoft; color: @accent; }
+QPushButton:checked, QToolButton:checked { border-color: @accent; }
+QToolButton[kind="tiny"]:checked { border-color: transparent; }
 QPushButton:disabled, QToolButton:disabled { color: @disabled; border-color: @border; }
 QToolButton[autoRaise="true"]:disabled { border-color: transparent; }
 QPushButton:focus, QToolButton:focus { border: 2px solid @accent; min-height: 28px; }

@@ -7,6 +7,7 @@
 #include "views/style_sheet.h"
 
 #include <QApplication>
+#include <QPointer>
 #include <QStyle>
 #include <QWidget>
 
@@ -15,17 +16,18 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace cradle {
 
 namespace {
 
-constexpr double textContrast = 4.5;  ///< WCAG 2.1, 1.4.3
-constexpr double shapeContrast = 3.0; ///< WCAG 2.1, 1.4.11
 constexpr double textPoints = 10.0;
 constexpr int headingPixels = 11;
 
 const Theme *current = nullptr;
+double scaleOfText = 1.0;
 
 /// Whether the desktop is dark: asked before we set a palette of our own.
 bool systemIsDark()
@@ -89,7 +91,7 @@ QFont textFont()
     QFont font;
     font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans"),
                       QStringLiteral("DejaVu Sans"), QStringLiteral("sans-serif")});
-    font.setPointSizeF(textPoints);
+    font.setPointSizeF(textPoints * scaleOfText);
     return font;
 }
 
@@ -108,8 +110,8 @@ const Theme &Theme::lightTheme()
         .scene = QColor(0xf0f8ff),
         .grid = QColor(0xdde7f0),
         .square = QColor(0x1e90ff),
-        .along = QColor(0xf08c00),
-        .across = QColor(0x0ca678),
+        .along = QColor(0xd47400),
+        .across = QColor(0x0b9e72),
         .kinetic = QColor(0x1971c2),
         .potential = QColor(0x7048e8),
         .dissipated = QColor(0x868e96),
@@ -118,7 +120,7 @@ const Theme &Theme::lightTheme()
         .warningSoft = QColor(0xfff8ea),
         .warningBorder = QColor(0xf0d5a0),
         .onAccent = QColor(0xffffff),
-        .controlBorder = QColor(0xc6cfd9),
+        .controlBorder = QColor(0x848f9d),
         .hover = QColor(0xeef2f6),
         .dark = false,
     };
@@ -141,18 +143,50 @@ const Theme &Theme::darkTheme()
         .along = QColor(0xffa94d),
         .across = QColor(0x38d9a9),
         .kinetic = QColor(0x74c0fc),
-        .potential = QColor(0xb197fc),
+        .potential = QColor(0x9775fa),
         .dissipated = QColor(0xa3adb8),
         .success = QColor(0x45cf9c),
         .warning = QColor(0xffc078),
         .warningSoft = QColor(0x2b2416),
         .warningBorder = QColor(0x5e4a22),
         .onAccent = QColor(0x08121d),
-        .controlBorder = QColor(0x414d5c),
+        .controlBorder = QColor(0x5f6c7e),
         .hover = QColor(0x212a36),
         .dark = true,
     };
     return dark;
+}
+
+const Theme &Theme::highContrastTheme()
+{
+    static const Theme strong{
+        .window = QColor(0xffffff),
+        .panel = QColor(0xffffff),
+        .border = QColor(0x595959),
+        .text = QColor(Qt::black),
+        .mutedText = QColor(0x2b2b2b),
+        .accent = QColor(0x003e9c),
+        .accentSoft = QColor(0xd9e8ff),
+        .scene = QColor(0xffffff),
+        .grid = QColor(0xc4c4c4),
+        .square = QColor(0x0047b3),
+        .along = QColor(0x804a00),
+        .across = QColor(0x00624a),
+        .kinetic = QColor(0x00468c),
+        .potential = QColor(0x5b21d0),
+        .dissipated = QColor(0x6b6b6b),
+        .success = QColor(0x00522f),
+        .warning = QColor(0x6b3300),
+        .warningSoft = QColor(0xfff3d6),
+        .warningBorder = QColor(0x6b3300),
+        .onAccent = QColor(0xffffff),
+        .controlBorder = QColor(Qt::black),
+        .hover = QColor(0xe6e6e6),
+        .dark = false,
+        .textContrast = 7.0,
+        .shapeContrast = 4.5,
+    };
+    return strong;
 }
 
 ThemeOverride::ThemeOverride(const Theme &other)
@@ -208,7 +242,9 @@ void applyTheme(ThemeChoice choice)
     const bool system = systemIsDark(); // asked always: before the first palette is set
     const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && system);
     const Theme *previous = current;
-    current = dark ? &Theme::darkTheme() : &Theme::lightTheme();
+    current = choice == ThemeChoice::HighContrast ? &Theme::highContrastTheme()
+              : dark                              ? &Theme::darkTheme()
+                                                  : &Theme::lightTheme();
     if (previous == current)
         return;
     if (!previous) {
@@ -217,6 +253,44 @@ void applyTheme(ThemeChoice choice)
     }
     QApplication::setPalette(paletteOf(*current));
     qApp->setStyleSheet(styleSheetOf(*current));
+}
+
+void setTextScale(double scale)
+{
+    const double ratio = std::clamp(scale, 1.0, 2.0) / scaleOfText;
+    if (ratio == 1.0)
+        return;
+    scaleOfText *= ratio;
+    // Fonts of their own do not follow that of the application.
+    std::vector<std::pair<QPointer<QWidget>, QFont>> own;
+    for (QWidget *widget : QApplication::allWidgets()) {
+        if (!widget->testAttribute(Qt::WA_SetFont))
+            continue;
+        QFont font = widget->font();
+        if (font.pixelSize() > 0)
+            font.setPixelSize(static_cast<int>(std::lround(ratio * font.pixelSize())));
+        else
+            font.setPointSizeF(ratio * font.pointSizeF());
+        own.emplace_back(widget, font);
+    }
+    if (current) {
+        QApplication::setFont(textFont());
+        qApp->setStyleSheet(styleSheetOf(*current)); // else it keeps the fonts that it has resolved
+    }
+    for (const auto &[widget, font] : own) {
+        if (widget)
+            widget->setFont(font);
+    }
+}
+
+double textScale()
+{
+    return scaleOfText;
+}
+
+int scaledByText(int pixels)
+{
+    return static_cast<int>(std::lround(scaleOfText * pixels));
 }
 
 QFont numericFont()
@@ -232,7 +306,7 @@ QFont numericFont()
 QFont headingFont()
 {
     QFont font = QApplication::font();
-    font.setPixelSize(headingPixels);
+    font.setPixelSize(scaledByText(headingPixels));
     font.setWeight(QFont::DemiBold);
     font.setCapitalization(QFont::AllUppercase);
     font.setLetterSpacing(QFont::PercentageSpacing, 106.0);
@@ -258,14 +332,18 @@ double contrast(const QColor &a, const QColor &b)
 
 QColor readableOn(const QColor &colour, const QColor &background)
 {
-    return withContrast(colour, background, textContrast);
+    return withContrast(colour, background, theme().textContrast);
+}
+
+QColor visibleOn(const QColor &colour, const QColor &background)
+{
+    return withContrast(colour, background, theme().shapeContrast);
 }
 
 QColor circleColour(const QString &presetColour)
 {
     const QColor colour(presetColour);
-    return withContrast(colour.isValid() ? colour : theme().square, theme().scene,
-                        theme().dark ? shapeContrast : 2.0);
+    return visibleOn(colour.isValid() ? colour : theme().square, theme().scene);
 }
 
 Qt::PenStyle circleDash(int index)

@@ -35,16 +35,20 @@ struct Theme {
     QColor warningSoft;   ///< failed: background
     QColor warningBorder; ///< failed: frame
     QColor onAccent;      ///< text on accent or success
-    QColor controlBorder; ///< frames of buttons and fields
+    QColor controlBorder; ///< frames of buttons and fields: 3 : 1, as square, along and the like
     QColor hover;         ///< behind what the pointer is on
     bool dark = false;
+    double textContrast = 4.5;  ///< at least, of text: WCAG 2.1, 1.4.3
+    double shapeContrast = 3.0; ///< at least, of what carries meaning: WCAG 2.1, 1.4.11
 
     static const Theme &lightTheme();
     static const Theme &darkTheme();
+    /// Black on white, text 7 : 1 and shapes 4.5 : 1; for low vision and for projectors.
+    static const Theme &highContrastTheme();
 };
 
 /// The user's choice in View.
-enum class ThemeChoice { System, Light, Dark };
+enum class ThemeChoice { System, Light, Dark, HighContrast };
 
 /// The theme in force; widgets read it anew at QEvent::PaletteChange.
 const Theme &theme();
@@ -52,6 +56,12 @@ const Theme &theme();
 /// Sets style, palette, fonts and style sheet of the application. System means dark if the
 /// palette that the desktop gave at the start is dark.
 void applyTheme(ThemeChoice choice);
+
+/// How large texts are, as a part of their usual size: 1 to 2.
+void setTextScale(double scale);
+double textScale();
+/// \p pixels, a length that goes with the size of texts (a row, a small font), at that size.
+int scaledByText(int pixels);
 
 /// The palette of \p theme for QApplication.
 QPalette paletteOf(const Theme &theme);
@@ -72,6 +82,9 @@ double contrast(const QColor &a, const QColor &b);
 
 /// \p colour, darkened or lightened just so far that text in it can be read on \p background.
 QColor readableOn(const QColor &colour, const QColor &background);
+
+/// The same for a line or a shape that carries meaning.
+QColor visibleOn(const QColor &colour, const QColor &background);
 
 /// The colour of circle \p index where its preset names none that can be told apart, and the
 /// dash that goes with it: lines differ by dash as well as by colour.

@@ -45,7 +45,7 @@ void drawCross(QPainter &painter, QPointF middle)
 
 QSize Timeline::sizeHint() const
 {
-    return {640, totalHeight};
+    return {640, static_cast<int>(std::lround(labelTop + (totalHeight - labelTop) * textScale()))};
 }
 
 QSize Timeline::minimumSizeHint() const
@@ -61,7 +61,7 @@ QRectF Timeline::bar() const
 QFont Timeline::smallFont() const
 {
     QFont small = numericFont();
-    small.setPixelSize(textPixels);
+    small.setPixelSize(scaledByText(textPixels));
     return small;
 }
 

@@ -236,7 +236,8 @@ void ValuesPane::fitHeights()
     const int rows = m_values->verticalHeader()->length();
     const int header = m_values->horizontalHeader()->sizeHint().height();
     m_values->setMaximumHeight(header + rows + (scrolls ? bar : 0));
-    m_values->setMinimumHeight(std::min(m_values->maximumHeight(), header + numberRowHeight));
+    m_values->setMinimumHeight(
+        std::min(m_values->maximumHeight(), header + scaledByText(numberRowHeight)));
     fitSentences();
 }
 
@@ -277,6 +278,10 @@ void ValuesPane::changeEvent(QEvent *event)
         retranslate();
         break;
     case QEvent::FontChange:
+        setNumberRows(m_values);
+        setNumberRows(m_hits);
+        fitValues();
+        [[fallthrough]];
     case QEvent::PaletteChange:
         m_valuesModel->reload();
         m_hitsModel->reload();

@@ -18,8 +18,10 @@ QColor pale(const QColor &colour)
     const auto mix = [](float a, float b) {
         return static_cast<float>((1.0 - paleness) * a + paleness * b);
     };
-    return QColor::fromRgbF(mix(colour.redF(), panel.redF()), mix(colour.greenF(), panel.greenF()),
-                            mix(colour.blueF(), panel.blueF()));
+    const QColor mixed =
+        QColor::fromRgbF(mix(colour.redF(), panel.redF()), mix(colour.greenF(), panel.greenF()),
+                         mix(colour.blueF(), panel.blueF()));
+    return visibleOn(mixed, panel);
 }
 
 } // namespace

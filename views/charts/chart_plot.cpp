@@ -124,18 +124,18 @@ void ChartPlot::setCurves(const std::vector<ChartCurve> &curves)
 void ChartPlot::layOut()
 {
     const QSizeF size = viewport()->size();
-    const double height = size.height() - topRoom - axisRoom;
-    const int ticks = std::max(leastTicks, static_cast<int>(height / tickHeight));
+    const double height = size.height() - topRoom * textScale() - axisRoom * textScale();
+    const int ticks = std::max(leastTicks, static_cast<int>(height / tickHeight * textScale()));
     m_scale = m_moment.range.scale(ticks, margin);
     if (const auto &zoom = m_moment.zoom)
         m_scale = {zoom->low, zoom->high, niceStep((zoom->high - zoom->low) / ticks)};
     const QFontMetricsF metrics(smallFont());
-    double gutter = leastGutter;
+    double gutter = leastGutter * textScale();
     for (const double tick : m_scale.ticks()) {
         const double text = metrics.horizontalAdvance(tickNumber(tick, m_scale.step));
         gutter = std::max(gutter, std::ceil(text) + 18.0);
     }
-    const QRectF area(gutter, topRoom, size.width() - gutter - rightRoom, height);
+    const QRectF area(gutter, topRoom * textScale(), size.width() - gutter - rightRoom, height);
     if (area != m_area) {
         m_area = area;
         chart()->setPlotArea(area);
@@ -289,7 +289,7 @@ double ChartPlot::yOf(double value) const
 QFont ChartPlot::smallFont() const
 {
     QFont small = font();
-    small.setPixelSize(textPixels);
+    small.setPixelSize(scaledByText(textPixels));
     return small;
 }
 

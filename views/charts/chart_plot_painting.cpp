@@ -142,7 +142,7 @@ void ChartPlot::drawTicks(QPainter &painter) const
     AxisScale times{m_moment.from, m_moment.to, 1.0};
     const double widest =
         metrics.horizontalAdvance(tickNumber(m_moment.to, 0.01 * (times.high - times.low)) + unit);
-    const double count = std::clamp(m_area.width() / (widest + timeGap), 1.0, 10.0);
+    const double count = std::clamp(m_area.width() / (widest + timeGap * textScale()), 1.0, 10.0);
     times.step = niceStep((times.high - times.low) / count);
     const std::vector<double> ticks = times.ticks();
     const double baseline = axis + 6.0 + std::ceil(metrics.ascent());

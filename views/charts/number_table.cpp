@@ -3,8 +3,15 @@
 #include "views/charts/number_table.h"
 
 #include "views/charts/symbol_header.h"
+#include "views/theme.h"
 
 namespace cradle {
+
+void setNumberRows(QTableView *table)
+{
+    table->verticalHeader()->setMinimumSectionSize(scaledByText(numberRowHeight));
+    table->verticalHeader()->setDefaultSectionSize(scaledByText(numberRowHeight));
+}
 
 QTableView *makeNumberTable(QAbstractItemModel *model, int unitRole)
 {
@@ -23,8 +30,7 @@ QTableView *makeNumberTable(QAbstractItemModel *model, int unitRole)
     table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     table->horizontalHeader()->setMinimumSectionSize(32);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table->verticalHeader()->setMinimumSectionSize(numberRowHeight);
-    table->verticalHeader()->setDefaultSectionSize(numberRowHeight);
+    setNumberRows(table);
     return table;
 }
 

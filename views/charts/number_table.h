@@ -12,4 +12,7 @@ inline constexpr int numberRowHeight = 22; ///< px
 /// \param unitRole  of the model's header data
 [[nodiscard]] QTableView *makeNumberTable(QAbstractItemModel *model, int unitRole);
 
+/// Makes its rows as high as the size of texts asks for.
+void setNumberRows(QTableView *table);
+
 } // namespace cradle

@@ -70,7 +70,7 @@ void PinLegend::paintEvent(QPaintEvent *)
 void PinLegend::paint(QPainter &painter, const QRectF &rect) const
 {
     QFont small = font();
-    small.setPixelSize(textPixels);
+    small.setPixelSize(scaledByText(textPixels));
     painter.setFont(small);
     const QFontMetricsF metrics(small);
     const double left = rect.left() + indent + swatch + textGap;

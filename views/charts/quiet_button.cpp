@@ -22,7 +22,7 @@ constexpr int textPixels = 11;
 QFont smallFont(const QWidget &widget)
 {
     QFont font = widget.font();
-    font.setPixelSize(textPixels);
+    font.setPixelSize(scaledByText(textPixels));
     font.setWeight(QFont::Medium);
     return font;
 }
@@ -50,7 +50,8 @@ void QuietButton::setMenu(QMenu *menu, bool arrow)
 QSize QuietButton::sizeHint() const
 {
     const double text = std::ceil(subscriptWidth(smallFont(*this), this->text()));
-    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrowWidth : 0), buttonHeight};
+    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrowWidth : 0),
+            scaledByText(buttonHeight)};
 }
 
 void QuietButton::paintEvent(QPaintEvent *)

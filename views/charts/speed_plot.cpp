@@ -75,11 +75,12 @@ double SpeedPlot::yOf(double share) const
 
 void SpeedPlot::layOut()
 {
-    m_area =
-        QRectF(leftRoom, topRoom, width() - leftRoom - rightRoom, height() - topRoom - axisRoom);
+    m_area = QRectF(leftRoom * textScale(), topRoom * textScale(),
+                    width() - leftRoom * textScale() - rightRoom,
+                    height() - topRoom * textScale() - axisRoom * textScale());
     const double top = maxwellDensity(m_picture.spread, m_picture.spread) * m_picture.binWidth;
     m_highest = headroom * top;
-    m_tickStep = niceStep(m_highest / std::max(1.0, m_area.height() / tickHeight));
+    m_tickStep = niceStep(m_highest / std::max(1.0, m_area.height() / tickHeight * textScale()));
 }
 
 void SpeedPlot::paintEvent(QPaintEvent *)
@@ -93,7 +94,7 @@ void SpeedPlot::paintEvent(QPaintEvent *)
         return;
     }
     QFont small = font();
-    small.setPixelSize(textPixels);
+    small.setPixelSize(scaledByText(textPixels));
     painter.setFont(small);
     layOut();
     drawAxes(painter);
@@ -117,7 +118,8 @@ void SpeedPlot::drawAxes(QPainter &painter) const
     }
     const double axis = sharp(m_area.bottom());
     const double baseline = axis + 6.0 + std::ceil(metrics.ascent());
-    const double step = niceStep(lastSpeed() * tickWidth / std::max(tickWidth, m_area.width()));
+    const double step = niceStep(lastSpeed() * tickWidth * textScale()
+                                 / std::max(tickWidth * textScale(), m_area.width()));
     const std::vector<double> speeds = AxisScale{0.0, lastSpeed(), step}.ticks();
     for (const double speed : speeds) {
         QString text = tickNumber(speed, step);

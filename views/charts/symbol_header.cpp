@@ -31,13 +31,13 @@ SymbolHeader::SymbolHeader(int unitRole, QWidget *parent)
 
 QSize SymbolHeader::sizeHint() const
 {
-    return {QHeaderView::sizeHint().width(), headerHeight};
+    return {QHeaderView::sizeHint().width(), scaledByText(headerHeight)};
 }
 
 QFont SymbolHeader::unitFont() const
 {
     QFont small = font();
-    small.setPixelSize(unitPixels);
+    small.setPixelSize(scaledByText(unitPixels));
     return small;
 }
 
@@ -55,7 +55,7 @@ QSize SymbolHeader::sectionSizeFromContents(int section) const
 {
     const double text = std::max(subscriptWidth(font(), symbol(section)),
                                  QFontMetricsF(unitFont()).horizontalAdvance(unit(section)));
-    return {static_cast<int>(std::ceil(text + 2.0 * pad)), headerHeight};
+    return {static_cast<int>(std::ceil(text + 2.0 * pad)), scaledByText(headerHeight)};
 }
 
 void SymbolHeader::paintSection(QPainter *painter, const QRect &rect, int section) const

@@ -59,7 +59,7 @@ void CompletionPopup::showWords(const std::vector<ApiWord> &words, const QRect &
     const QFontMetrics doc(m_doc->font());
     for (const ApiWord &word : words) {
         auto *item = new QListWidgetItem(word.name, m_list);
-        item->setSizeHint({0, rowHeight});
+        item->setSizeHint({0, scaledByText(rowHeight)});
         widest = std::max(widest, name.horizontalAdvance(word.name) + 40);
         if (!word.doc.isEmpty())
             widest = std::max(widest, std::min(docWidth, doc.horizontalAdvance(word.doc) + 20));
@@ -70,7 +70,7 @@ void CompletionPopup::showWords(const std::vector<ApiWord> &words, const QRect &
     m_doc->setVisible(documented);
     m_doc->setText(QStringLiteral(" ")); // for its height
     const int rows = std::min(mostRows, static_cast<int>(words.size()));
-    m_list->setFixedHeight(rows * rowHeight + 2);
+    m_list->setFixedHeight(rows * scaledByText(rowHeight) + 2);
     setGeometry(
         placeBeside(place, {widest, layout()->sizeHint().height()}, parentWidget()->rect(), false));
     showDoc();
@@ -97,7 +97,7 @@ void CompletionPopup::move(int rows)
 
 int CompletionPopup::rowsOnPage() const
 {
-    return std::max(2, m_list->viewport()->height() / rowHeight - 1);
+    return std::max(2, m_list->viewport()->height() / scaledByText(rowHeight) - 1);
 }
 
 QString CompletionPopup::chosen() const

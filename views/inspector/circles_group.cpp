@@ -77,7 +77,7 @@ void CirclesGroup::makeTable()
     m_table->setHorizontalHeader(m_header);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(scaledByText(rowHeight));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setTabKeyNavigation(false); // Tab leaves it
@@ -88,7 +88,8 @@ void CirclesGroup::makeTable()
     m_table->setWordWrap(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setMinimumHeight(m_header->sizeHint().height() + rowsAtLeast * rowHeight);
+    m_table->setMinimumHeight(m_header->sizeHint().height()
+                              + rowsAtLeast * scaledByText(rowHeight));
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
     layout()->addWidget(m_table);
@@ -256,6 +257,10 @@ void CirclesGroup::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::FontChange) {
+        m_table->verticalHeader()->setDefaultSectionSize(scaledByText(rowHeight));
+        layOutColumns();
+    }
 }
 
 } // namespace cradle

@@ -24,7 +24,7 @@ constexpr std::size_t mostShown = 6; ///< more would cover each other
 /// Slower parts would be dots; m/s in the usual square.
 constexpr double smallestPart = 0.005;
 
-constexpr double beforeOpacity = 0.4;
+constexpr double beforeWidth = 1.25; ///< px: what was is drawn thinner, not paler
 constexpr double normalReach = 0.15; ///< of the half width, beyond the disc or the wall
 constexpr double normalHead = 8.0;   ///< px
 /// What a place costs that lies on two other arrows: there the label of one that leaves the picture
@@ -93,8 +93,7 @@ public:
 
     void addBefore(const HitCircle &circle)
     {
-        const QColor pale = faded(circle.colour, beforeOpacity);
-        addArrow(circle, circle.before, pale, circle.colour, beforeRank,
+        addArrow(circle, circle.before, circle.colour, circle.colour, beforeRank,
                  HitText::tr("before %1").arg(speedText(length(circle.before))));
     }
 
@@ -130,8 +129,8 @@ private:
                          {.from = place.from,
                           .to = place.to,
                           .colour = faded(colour, m_opacity),
-                          .width = 2.5,
-                          .head = 12.0},
+                          .width = rank == beforeRank ? beforeWidth : 2.5,
+                          .head = rank == beforeRank ? 9.0 : 12.0},
                          m_camera);
         const Stretch seen = visiblePart(place, m_camera);
         m_draft.wishes.push_back({.label = {.anchor = seen.to,

@@ -122,7 +122,7 @@ double scaleFor(const std::vector<Link> &chain, Vec2 aside, double gap, QSizeF r
 QSizeF frameSize(const QFont &font)
 {
     const double row = QFontMetricsF(labelFont(font)).height();
-    return drawingSize
+    return drawingSize * textScale()
            + QSizeF(2.0 * MomentumInset::padding, 2.0 * MomentumInset::padding + 2.0 * row);
 }
 
@@ -165,10 +165,11 @@ void placeLabels(MomentumInset &inset, const std::vector<Link> &chain, Vec2 asid
         const QLineF line(arrow.from, arrow.to);
         if (arrow.isSum && line.length() < MomentumInset::shortest) {
             arrow.label = QStringLiteral("Σ = 0");
-            arrow.labelAt = arrow.from - QPointF(0.0, labelAside);
+            arrow.labelAt = arrow.from - QPointF(0.0, labelAside * textScale());
             continue;
         }
-        if (line.length() < shortestLabelled || (aside != Vec2{} && gap < labelledGap))
+        if (line.length() < shortestLabelled
+            || (aside != Vec2{} && gap < labelledGap * textScale()))
             continue;
         arrow.label = arrow.isSum ? QStringLiteral("Σ") : QString::number(chain[i].circle + 1);
         QPointF away(aside.x, -aside.y);
@@ -177,7 +178,7 @@ void placeLabels(MomentumInset &inset, const std::vector<Link> &chain, Vec2 asid
             if (QPointF::dotProduct(away, line.center() - inside) < 0.0)
                 away = -away;
         }
-        arrow.labelAt = line.center() + labelAside * away;
+        arrow.labelAt = line.center() + labelAside * textScale() * away;
     }
 }
 
@@ -197,9 +198,10 @@ std::optional<MomentumInset> momentumInset(const SceneMoment &moment, const Came
     if (chain.empty())
         return std::nullopt;
     const Vec2 aside = layLanes(chain);
-    const QSizeF room = drawingSize - QSizeF(2.0 * labelRoom, 2.0 * labelRoom);
-    const double gap =
-        std::min(laneGap, lanesShare * room.height() / std::max(1, chain.back().lane));
+    const QSizeF room = drawingSize * textScale()
+                        - QSizeF(2.0 * labelRoom * textScale(), 2.0 * labelRoom * textScale());
+    const double gap = std::min(laneGap * textScale(),
+                                lanesShare * room.height() / std::max(1, chain.back().lane));
     const double scale = scaleFor(chain, aside, gap, room);
 
     MomentumInset inset;
@@ -220,9 +222,10 @@ std::optional<MomentumInset> momentumInset(const SceneMoment &moment, const Came
         joints << pixel(link.from) << pixel(link.to);
     }
     const double row = QFontMetricsF(labelFont(font)).height();
-    const QPointF middle = inset.frame.topLeft()
-                           + QPointF(MomentumInset::padding + drawingSize.width() / 2,
-                                     MomentumInset::padding + row + drawingSize.height() / 2);
+    const QPointF middle =
+        inset.frame.topLeft()
+        + QPointF(MomentumInset::padding + drawingSize.width() * textScale() / 2,
+                  MomentumInset::padding + row + drawingSize.height() * textScale() / 2);
     const QPointF move = middle - joints.boundingRect().center();
     QPointF inside; // the mean of the ends lies within the chain, however narrow that is
     for (MomentumInset::Arrow &arrow : inset.arrows) {

@@ -29,11 +29,12 @@ struct SceneText {
     Q_DECLARE_TR_FUNCTIONS(Scene)
 };
 
-constexpr double wallWidth = 2.0;            ///< px
-constexpr double closestGridLines = 14;      ///< px; closer ones are thinned out
-constexpr double onePlace = 5.0;             ///< px that two centres are apart at most
-constexpr double smallestNumberedDisc = 8.0; ///< px of radius that two figures fit into
-constexpr double smallestFigureDisc = 6.5;   ///< px of radius that one figure fits into
+constexpr double wallWidth = 2.0;       ///< px
+constexpr double closestGridLines = 14; ///< px; closer ones are thinned out
+constexpr double onePlace = 5.0;        ///< px that two centres are apart at most
+// The radius of a disc that figures fit into, as a part of the height of their font.
+constexpr double numberedDisc = 0.66; ///< two figures
+constexpr double figureDisc = 0.54;   ///< one
 
 bool isCrowd(const SceneMoment &moment)
 {
@@ -97,12 +98,13 @@ QString shortName(const Preset &preset, int index)
 }
 
 void addName(SceneDraft &draft, const SceneMoment &moment, const Circle &circle, int index,
-             const QColor &colour, double scale)
+             const QColor &colour, const SceneLook &look)
 {
     const QString text = shortName(moment.preset, index);
-    const double radius = circle.radius * scale;
-    const bool inside = text.size() == 1 ? radius >= smallestFigureDisc
-                                         : text.size() == 2 && radius >= smallestNumberedDisc;
+    const double radius = circle.radius * look.camera.pixelsPerMetre();
+    const int figure = labelFont(look.font, true).pixelSize();
+    const bool inside =
+        text.size() <= 2 && radius >= figure * (text.size() == 1 ? figureDisc : numberedDisc);
     draft.wishes.push_back({.label = {.anchor = circle.position,
                                       .text = text,
                                       .colour = inside ? textOn(colour) : theme().text,
@@ -270,7 +272,7 @@ DrawList buildScene(const SceneMoment &moment, const SceneOptions &options, cons
             continue;
         }
         if (options.names && told)
-            addName(draft, moment, circles[at], i, colours[at], look.camera.pixelsPerMetre());
+            addName(draft, moment, circles[at], i, colours[at], look);
         if (options.velocities && told && !standsInHit(i))
             addVelocity(draft, moment, circles[at], colours[at], marked, look.camera);
     }
