@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/markdown_view.h"
 
+#include "views/spoken_formula.h"
+
 #include "views/bound_units.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_style.h"
@@ -77,6 +79,20 @@ void MarkdownView::rebuild()
         document()->setDocumentMargin(0);
     placeObjects();
     verticalScrollBar()->setValue(scrolled);
+}
+
+QString MarkdownView::spokenText() const
+{
+    const FormulaText text = findFormulas(m_markdown);
+    QTextDocument plain;
+    plain.setMarkdown(text.markdown, QTextDocument::MarkdownNoHTML);
+    QString said = plain.toPlainText();
+    for (std::size_t i = 0; i < text.formulas.size(); ++i) {
+        const FormulaSource &formula = text.formulas[i];
+        said.replace(QStringLiteral("\uE000%1\uE001").arg(i),
+                     formula.before + spokenFormula(formula.tex) + formula.after);
+    }
+    return said.replace(QChar::ObjectReplacementCharacter, tr("(a picture)"));
 }
 
 void MarkdownView::placeObjects()

@@ -33,6 +33,8 @@ public:
     void setEmbedded(bool embedded);
     /// Whether every formula is set, or has said why it cannot be.
     [[nodiscard]] bool isComplete() const;
+    /// What it shows as it is read aloud: formulas in words, pictures by what they are said to be.
+    [[nodiscard]] QString spokenText() const;
 
 signals:
     void stepRequested(const QString &id); ///< the student followed a link `step:ID`

@@ -98,9 +98,10 @@ void SceneView::describe()
     const auto circles = simulation.recording().circles(simulation.current());
     QStringList parts;
     for (std::size_t i = 0; i < std::min(circles.size(), mostDescribed); ++i)
-        parts << tr("%1 at %2 m")
+        parts << tr("%1 at %2 m with %3 m/s, radius %4 m")
                      .arg(circleName(m_document.preset(), static_cast<int>(i)),
-                          pairText(circles[i].position));
+                          pairText(circles[i].position), pairText(circles[i].velocity))
+                     .arg(circles[i].radius);
     if (circles.size() > mostDescribed)
         parts << tr("and %n more", nullptr, static_cast<int>(circles.size() - mostDescribed));
     if (m_editor.selection().size() > 1)

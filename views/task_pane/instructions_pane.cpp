@@ -188,6 +188,7 @@ void InstructionsPane::revealHints()
 void InstructionsPane::retranslate()
 {
     m_instructions->setAccessibleName(tr("Instructions"));
+    m_scroll->setAccessibleName(tr("Instructions"));
     m_rest->setAccessibleName(tr("Instructions"));
     m_hints->setAccessibleName(tr("Hints"));
     showHints();

@@ -123,6 +123,7 @@ void ResultPane::showChecking()
 void ResultPane::rebuild()
 {
     m_heading->setText(tr("Result"));
+    m_scroll->setAccessibleName(tr("Result"));
     showChecking();
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
