@@ -3,8 +3,10 @@
 #include "app/language.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QStandardPaths>
 #include <QTranslator>
 
 #include <memory>
@@ -17,23 +19,51 @@ namespace {
 QString inForce = QStringLiteral("en");
 std::vector<std::unique_ptr<QTranslator>> installed;
 
+const QString sourceLanguage = QStringLiteral("en");
+
+/// Where languages are found: those that are shipped, and those that somebody has added.
+QStringList folders()
+{
+    return QStringList(QStringLiteral(":/translations"))
+           + QStandardPaths::locateAll(QStandardPaths::AppDataLocation,
+                                       QStringLiteral("translations"),
+                                       QStandardPaths::LocateDirectory);
+}
+
 void install(const QString &name, const QString &folder)
 {
     auto translator = std::make_unique<QTranslator>();
-    if (translator->load(name, folder) && QCoreApplication::installTranslator(translator.get()))
-        installed.push_back(std::move(translator));
+    if (!translator->load(name, folder) || !QCoreApplication::installTranslator(translator.get()))
+        return;
+    installed.push_back(std::move(translator));
 }
 
 } // namespace
 
 QStringList languages()
 {
-    return {QStringLiteral("en"), QStringLiteral("de")};
+    QStringList codes;
+    const QString prefix = QStringLiteral("cradle_");
+    for (const QString &folder : folders()) {
+        for (const QString &file : QDir(folder).entryList({prefix + QStringLiteral("*.qm")}))
+            codes.append(file.mid(prefix.size()).chopped(3));
+    }
+    codes.removeDuplicates();
+    codes.removeAll(sourceLanguage);
+    codes.sort();
+    codes.prepend(sourceLanguage);
+    return codes;
 }
 
 QString languageName(const QString &code)
 {
-    return code == QLatin1String("de") ? QStringLiteral("Deutsch") : QStringLiteral("English");
+    const QLocale locale(code);
+    // Not "American English": there is one English.
+    QString name = code == sourceLanguage ? QStringLiteral("English") : locale.nativeLanguageName();
+    if (name.isEmpty())
+        return code;
+    name[0] = name[0].toUpper();
+    return name;
 }
 
 QString currentLanguage()
@@ -44,13 +74,15 @@ QString currentLanguage()
 void setLanguage(const QString &code)
 {
     QString wanted = code;
-    if (!languages().contains(wanted))
+    const QStringList known = languages();
+    if (!known.contains(wanted))
         wanted = QLocale::system().name().left(2);
-    if (!languages().contains(wanted))
-        wanted = QStringLiteral("en");
+    if (!known.contains(wanted))
+        wanted = sourceLanguage;
     installed.clear(); // A translator that is destroyed removes itself from the application.
     inForce = wanted;
-    install(QStringLiteral("cradle_") + wanted, QStringLiteral(":/translations"));
+    for (const QString &folder : folders())
+        install(QStringLiteral("cradle_") + wanted, folder);
     install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 

@@ -7,7 +7,8 @@
 
 namespace cradle {
 
-/// The languages that the application speaks, by code ("en", "de").
+/// The languages that the application speaks, by code ("en", "de"): English first. Found as
+/// cradle_CODE.qm among the resources and in the folder "translations" of the user's data.
 QStringList languages();
 
 /// The name of a language in itself ("Deutsch").
