@@ -26,11 +26,15 @@ struct Options {
                             QStringLiteral("L42T5")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        QCoreApplication::translate("Main", "speak this language: en or de"),
+        QCoreApplication::translate("Main", "speak this language, such as en or de"),
         QStringLiteral("CODE")};
-    QCommandLineOption theme{QStringLiteral("theme"),
-                             QCoreApplication::translate("Main", "system, light or dark"),
-                             QStringLiteral("NAME")};
+    QCommandLineOption theme{
+        QStringLiteral("theme"),
+        QCoreApplication::translate("Main", "system, light, dark or high-contrast"),
+        QStringLiteral("NAME")};
+    QCommandLineOption textSize{QStringLiteral("text-size"),
+                                QCoreApplication::translate("Main", "of texts, %: 100 to 200"),
+                                QStringLiteral("PERCENT")};
     QCommandLineOption example{
         QStringLiteral("example"),
         QCoreApplication::translate("Main", "open this scene of Lab → Example scenes"),
@@ -73,6 +77,8 @@ std::optional<ThemeChoice> themeFrom(const QString &name)
         return ThemeChoice::Light;
     if (name == QLatin1String("dark"))
         return ThemeChoice::Dark;
+    if (name == QLatin1String("high-contrast"))
+        return ThemeChoice::HighContrast;
     return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
 }
 
@@ -107,9 +113,9 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
     parser.addPositionalArgument(
         QStringLiteral("LAB-DIR, LAB.cradle or PRESET.json"),
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
-    parser.addOptions({options.step, options.example, options.language, options.theme, options.mode,
-                       options.script, options.author, options.tab, options.screenshot, options.at,
-                       options.size, options.printReport});
+    parser.addOptions({options.step, options.example, options.language, options.theme,
+                       options.textSize, options.mode, options.script, options.author, options.tab,
+                       options.screenshot, options.at, options.size, options.printReport});
     if (!parser.parse(arguments))
         return Error{.message = QStringLiteral("cradle: ") + parser.errorText()};
     if (parser.isSet(help))
@@ -130,6 +136,7 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
                        .example = value(options.example),
                        .language = value(options.language),
                        .theme = value(options.theme),
+                       .textSize = value(options.textSize),
                        .mode = value(options.mode),
                        .script = value(options.script),
                        .author = value(options.author),

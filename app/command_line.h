@@ -19,6 +19,7 @@ struct CommandLine {
     std::optional<QString> example{};     ///< name of an example
     std::optional<QString> language{};    ///< "en" or "de"
     std::optional<QString> theme{};       ///< see themeFrom()
+    std::optional<QString> textSize{};    ///< %
     std::optional<QString> mode{};        ///< see modeFrom()
     std::optional<QString> script{};      ///< a file to be the student's program
     std::optional<QString> author{};      ///< folder of a lab that is to be written

@@ -49,6 +49,7 @@ void nameApplication()
 /// How the window looks, and how steps are worked on: as asked, else as last time.
 struct Manner {
     ThemeChoice theme = ThemeChoice::System;
+    int textSize = 100; ///< %
     Mode mode = Mode::Code;
 };
 
@@ -56,9 +57,10 @@ struct Manner {
 Result<Manner> takeManner(const CommandLine &request, const QSettings &settings)
 {
     if (request.language && !languages().contains(*request.language))
-        return Error{.message = QCoreApplication::translate(
-                                    "Main", "cradle: --language %1: en or de is right")
-                                    .arg(*request.language)};
+        return Error{
+            .message =
+                QCoreApplication::translate("Main", "cradle: --language %1: one of %2 is right")
+                    .arg(*request.language, languages().join(QStringLiteral(", ")))};
     setLanguage(request.language.value_or(settings.value(QStringLiteral("language")).toString()));
     const auto theme =
         request.theme
@@ -66,7 +68,8 @@ Result<Manner> takeManner(const CommandLine &request, const QSettings &settings)
             : static_cast<ThemeChoice>(settings.value(QStringLiteral("theme"), 0).toInt());
     if (!theme)
         return Error{.message = QCoreApplication::translate(
-                                    "Main", "cradle: --theme %1: system, light or dark is right")
+                                    "Main", "cradle: --theme %1: system, light, dark or "
+                                            "high-contrast is right")
                                     .arg(*request.theme)};
     const auto mode = request.mode
                           ? modeFrom(*request.mode)
@@ -75,7 +78,15 @@ Result<Manner> takeManner(const CommandLine &request, const QSettings &settings)
         return Error{.message = QCoreApplication::translate(
                                     "Main", "cradle: --mode %1: explore or code is right")
                                     .arg(*request.mode)};
-    return Manner{.theme = *theme, .mode = *mode};
+    bool isNumber = true;
+    const int textSize = request.textSize ? request.textSize->toInt(&isNumber)
+                                          : settings.value(QStringLiteral("textSize"), 100).toInt();
+    if (!isNumber || (request.textSize && (textSize < 100 || textSize > 200)))
+        return Error{.message = QCoreApplication::translate(
+                                    "Main", "cradle: --text-size %1: a number from 100 to 200 "
+                                            "is right")
+                                    .arg(*request.textSize)};
+    return Manner{.theme = *theme, .textSize = textSize, .mode = *mode};
 }
 
 /// Prints the report that lies in \p folder as report.pdf there.
@@ -135,6 +146,7 @@ int main(int argc, char **argv)
     const Result<Manner> manner = takeManner(*request, settings);
     if (!manner)
         return complain(manner.error().message);
+    setTextScale(manner->textSize / 100.0);
     applyTheme(manner->theme);
     guardShortcuts();
 

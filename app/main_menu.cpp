@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_menu.h"
 
+#include "app/clipboard_actions.h"
 #include "app/code_desk.h"
 #include "app/export_menu.h"
 #include "app/lab_menu.h"
@@ -18,6 +19,8 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+
+#include <cmath>
 
 namespace cradle {
 
@@ -83,6 +86,16 @@ void addLab(MainWindow &window, QMenuBar &bar)
         ->setMenuRole(QAction::QuitRole);
 }
 
+bool isOfClipboard(const QAction &action)
+{
+    for (const auto key :
+         {QKeySequence::Cut, QKeySequence::Copy, QKeySequence::Paste, QKeySequence::SelectAll}) {
+        if (action.shortcut() == QKeySequence(key))
+            return true;
+    }
+    return false;
+}
+
 void addEdit(MainWindow &window, QMenuBar &bar)
 {
     QMenu *menu = bar.addMenu(MenuText::tr("&Edit"));
@@ -91,9 +104,15 @@ void addEdit(MainWindow &window, QMenuBar &bar)
     // The menu is filled anew with every language; they belong to it and go with it.
     new UndoActions(document->undoStack(), window.codePane().editor(), *menu);
     menu->addSeparator();
+    new ClipboardActions(window, *menu);
+    menu->addSeparator();
     add(menu, MenuText::tr("&Add circle"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), scene,
         [scene] { scene->addCircle(); });
-    menu->addActions(scene->circleActions());
+    // The rest of what can be done with circles is above, for whatever has the focus.
+    for (QAction *action : scene->circleActions()) {
+        if (!isOfClipboard(*action))
+            menu->addAction(action);
+    }
     menu->addSeparator();
     add(menu, MenuText::tr("Reset to the &step's scene"), {}, document,
         &PresetDocument::resetToOriginal);
@@ -232,6 +251,30 @@ void addView(MainWindow &window, QMenuBar &bar)
     full->setChecked(window.isFullScreen());
     full->setShortcut(Qt::Key_F11);
     QObject::connect(full, &QAction::toggled, &window, &MainWindow::showFullScreen);
+    const auto addShowing = [&window, menu](const QString &text, const QKeySequence &key,
+                                            auto slot) {
+        QAction *action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setShortcut(key);
+        QObject::connect(action, &QAction::toggled, &window, slot);
+        return action;
+    };
+    QAction *alone = addShowing(MenuText::tr("Scene &alone"), Qt::CTRL | Qt::Key_F11,
+                                &MainWindow::showSceneAlone);
+    QAction *presents =
+        addShowing(MenuText::tr("Presen&tation"), Qt::SHIFT | Qt::Key_F11, &MainWindow::present);
+    presents->setToolTip(
+        MenuText::tr("Large texts and high contrast; Page Up and Page Down go from "
+                     "hit to hit, B makes it black, Esc ends it"));
+    const auto showShowing = [w = &window, full, alone, presents] {
+        full->setChecked(w->isFullScreen());
+        alone->setChecked(w->isSceneAlone());
+        presents->setChecked(w->presentation() != nullptr);
+    };
+    QObject::connect(&window, &MainWindow::showingChanged, menu, showShowing);
+    showShowing();
+    add(menu, MenuText::tr("Scene in a &window of its own"), {}, &window,
+        &MainWindow::openSceneWindow);
     add(menu, MenuText::tr("Ne&xt pane"), QKeySequence(Qt::Key_F6), &window,
         [w = &window] { w->focusNextPane(1); });
     add(menu, MenuText::tr("Pre&vious pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), &window,
@@ -258,6 +301,15 @@ void addView(MainWindow &window, QMenuBar &bar)
     addChoice(themes, themeGroup, MenuText::tr("&Light"), ThemeChoice::Light, theme, w,
               chooseTheme);
     addChoice(themes, themeGroup, MenuText::tr("&Dark"), ThemeChoice::Dark, theme, w, chooseTheme);
+    addChoice(themes, themeGroup, MenuText::tr("&High contrast"), ThemeChoice::HighContrast, theme,
+              w, chooseTheme);
+
+    QMenu *sizes = menu->addMenu(MenuText::tr("Si&ze of texts"));
+    auto *sizeGroup = new QActionGroup(sizes);
+    const auto inForce = static_cast<int>(std::lround(100.0 * textScale()));
+    for (const int percent : {100, 125, 150, 175, 200})
+        addChoice(sizes, sizeGroup, MenuText::tr("%1 %").arg(percent), percent, inForce, w,
+                  [w](int chosen) { w->chooseTextSize(chosen); });
 
     QMenu *speech = menu->addMenu(MenuText::tr("Lan&guage"));
     auto *speechGroup = new QActionGroup(speech);
@@ -282,6 +334,8 @@ void addHelp(MainWindow &window, QMenuBar &bar)
     QMenu *menu = bar.addMenu(MenuText::tr("&Help"));
     add(menu, MenuText::tr("&Reference of the lab's Lua"), QKeySequence(Qt::Key_F1), &window,
         [w = &window] { w->codeDesk().showReference({}); });
+    add(menu, MenuText::tr("&Lua for C# people"), {}, &window, &MainWindow::showCSharpSheet);
+    add(menu, MenuText::tr("&Tour of the window"), {}, &window, &MainWindow::showTour);
     add(menu, MenuText::tr("&Keyboard shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_Slash), &window,
         &MainWindow::showShortcuts);
     menu->addSeparator();

@@ -8,6 +8,7 @@
 #include "app/language.h"
 #include "app/main_menu.h"
 #include "app/notice_bar.h"
+#include "views/accessible_roles.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
@@ -57,6 +58,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     , m_curves(workbench.simulation())
     , m_theme(theme)
 {
+    installAccessibleRoles();
     makePanes();
     wireWorkbench();
     wireViews();
@@ -76,6 +78,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
 MainWindow::~MainWindow()
 {
     delete m_author; // its changes were asked about when this was closed
+    delete m_secondScene;
     // Panes go after this has: what they tell then concerns nobody.
     for (QDockWidget *pane : findChildren<QDockWidget *>()) {
         pane->disconnect(this);
@@ -157,6 +160,14 @@ void MainWindow::chooseTheme(ThemeChoice choice)
     applyTheme(choice);
 }
 
+void MainWindow::chooseTextSize(int percent)
+{
+    m_settings.setValue(QStringLiteral("textSize"), percent);
+    setTextScale(percent / 100.0);
+    if (!m_keepsSizes)
+        arrangePanes();
+}
+
 void MainWindow::chooseLanguage(const QString &code)
 {
     m_settings.setValue(QStringLiteral("language"), code);
@@ -217,7 +228,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
-    keepArrangement();
+    if (!isSceneAlone())
+        keepArrangement();
     m_keeping->saveNote();
     m_workbench.save();
     event->accept();

@@ -22,9 +22,11 @@ class CodePane;
 class ConsoleView;
 class Inspector;
 class KeepingDesk;
+class MarkdownView;
 class NotesPane;
 class NoticeBar;
 class PhaseChart;
+class PresentationLayer;
 class SceneView;
 class TaskPane;
 class Timeline;
@@ -64,9 +66,13 @@ public:
     /// Opens that window with the lab in \p folder. \return what is wrong with it
     std::optional<Error> openAuthor(const QString &folder);
     [[nodiscard]] ThemeChoice themeChoice() const { return m_theme; }
+    [[nodiscard]] bool isSceneAlone() const { return m_beforeAlone.has_value(); }
+    [[nodiscard]] PresentationLayer *presentation() const { return m_layer; } ///< if it presents
+    [[nodiscard]] SceneView *secondScene() const;                             ///< if it is open
 
 public slots:
     void chooseTheme(cradle::ThemeChoice choice);
+    void chooseTextSize(int percent); ///< 100 to 200
     void chooseLanguage(const QString &code);
     void chooseRenderer(cradle::Renderer renderer);
     void showExactMotion(bool shown); ///< beside the run
@@ -97,6 +103,16 @@ public slots:
     void focusNextPane(int direction);
     void focusCode(); ///< in Code mode, the editor
     void showFullScreen(bool full);
+    void showSceneAlone(bool alone); ///< without panes, as for a projector
+    /// Larger texts, high contrast, the scene alone on the full screen, keys of presenters (Page Up
+    /// and Down from hit to hit, B for black, Esc ends it), and a trail behind the pointer.
+    void present(bool presents);
+    void showTour();        ///< of this window
+    void showCSharpSheet(); ///< what is different in Lua
+    void openSceneWindow(); ///< the same scene once more, on another screen if there is one
+
+signals:
+    void showingChanged(); ///< isSceneAlone() or isPresenting()
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -170,6 +186,15 @@ private:
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;
     QPointer<AuthorWindow> m_author;
+    QPointer<SceneView> m_secondScene;
+    QPointer<MarkdownView> m_sheet;
+    PresentationLayer *m_layer = nullptr;                    ///< while it presents
+    std::optional<std::vector<QDockWidget *>> m_beforeAlone; ///< the panes that were seen
+    struct {
+        ThemeChoice theme = ThemeChoice::System;
+        double textScale = 1.0;
+        bool fullScreen = false;
+    } m_beforePresenting;
     ThemeChoice m_theme = ThemeChoice::System;
     QString m_unsavedWarning;        ///< that the program could not be saved
     std::optional<bool> m_saidFault; ///< of a scene of a check, that this is the moment

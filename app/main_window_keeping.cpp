@@ -83,7 +83,8 @@ void MainWindow::showTaskNotice()
                 ? tr("Read the step on the left, write your program in the middle, press Run to "
                      "watch, and Check when you are done.")
                 : tr("Read the step on the left, set the values beside the scene, press Run to "
-                     "watch, and Check when you are done."));
+                     "watch, and Check when you are done."),
+            {{tr("Show me around"), [this] { showTour(); }}});
     }
 }
 

@@ -137,11 +137,6 @@ void MainWindow::focusCode()
     m_code->editor().setFocus(Qt::ShortcutFocusReason);
 }
 
-void MainWindow::showFullScreen(bool full)
-{
-    setWindowState(windowState().setFlag(Qt::WindowFullScreen, full));
-}
-
 void MainWindow::showShortcuts()
 {
     std::vector<KeyRow> menus;

@@ -26,10 +26,11 @@ constexpr int middlingBody = 880; ///< beside the scene alone, a lower one has i
 constexpr double taskPart = 0.203;
 constexpr int leastTask = 268;
 constexpr int mostTask = 380;
-constexpr double scenePart = 0.345;   ///< of the width, beside a program
-constexpr int leastScene = 440;       ///< beside a program: for the values under it
-constexpr int leastSceneHeight = 386; ///< its square is 300 px
-constexpr int leastBeside = 434;      ///< right of the scene alone: inspector, charts and values
+constexpr double scenePart = 0.345;    ///< of the width, beside a program
+constexpr int leastScene = 440;        ///< beside a program: for the values under it
+constexpr int leastSceneHeight = 386;  ///< its square is 300 px
+constexpr int leastBeside = 434;       ///< right of the scene alone: inspector, charts and values
+constexpr double mostBesidePart = 0.5; ///< of what the instructions leave, with large texts
 constexpr double sceneHeightPart = 0.655; ///< above the charts
 constexpr int valuesHeight = 140;         ///< two circles and their sum
 
@@ -42,7 +43,9 @@ QString keyOf(Mode mode)
 
 MainWindow::Height MainWindow::heightOf(int body)
 {
-    return body < lowBody ? Height::Low : body < middlingBody ? Height::Middling : Height::High;
+    // Large texts make a window low.
+    const double room = body / textScale();
+    return room < lowBody ? Height::Low : room < middlingBody ? Height::Middling : Height::High;
 }
 
 QDockWidget *MainWindow::dock(const char *name) const
@@ -118,7 +121,9 @@ void MainWindow::arrangeExplore()
 void MainWindow::shareRoom()
 {
     const QSize room = body();
-    const int task = std::clamp(static_cast<int>(taskPart * room.width()), leastTask, mostTask);
+    const int task = std::clamp(static_cast<int>(taskPart * room.width()), scaledByText(leastTask),
+                                scaledByText(mostTask));
+    const int values = scaledByText(valuesHeight);
     const bool isLow = m_height == Height::Low;
     if (m_arranged == Mode::Code) {
         const int scene = std::max(leastScene, static_cast<int>(scenePart * room.width()));
@@ -131,21 +136,23 @@ void MainWindow::shareRoom()
             resizeDocks({dock("momentum")}, {charts}, Qt::Vertical);
             return;
         }
-        resizeDocks({dock("code"), dock("values")}, {room.height() - valuesHeight, valuesHeight},
-                    Qt::Vertical);
+        resizeDocks({dock("code"), dock("values")}, {room.height() - values, values}, Qt::Vertical);
         resizeDocks({dock("momentum"), dock("energy")}, {charts / 2, charts / 2}, Qt::Vertical);
         return;
     }
-    const int beside = std::max(leastBeside, room.width() - task - room.height());
+    const int left = room.width() - task;
+    const int most = std::max(leastBeside, static_cast<int>(mostBesidePart * left));
+    const int beside =
+        std::clamp(left - room.height(), std::min(scaledByText(leastBeside), most), most);
     resizeDocks({dock("task"), dock("momentum")}, {task, beside}, Qt::Horizontal);
     if (m_height == Height::High) {
-        const int inspector = std::min(420, room.height() / 2);
-        const int charts = room.height() - valuesHeight - inspector;
+        const int inspector = std::min(scaledByText(420), room.height() / 2);
+        const int charts = room.height() - values - inspector;
         resizeDocks({dock("momentum"), dock("energy"), dock("inspector"), dock("values")},
-                    {charts / 2, charts / 2, inspector, valuesHeight}, Qt::Vertical);
+                    {charts / 2, charts / 2, inspector, values}, Qt::Vertical);
         return;
     }
-    const int chart = isLow ? 200 : 160;
+    const int chart = scaledByText(isLow ? 200 : 160);
     const int inspector = room.height() - (isLow ? 1 : 2) * chart;
     if (isLow)
         resizeDocks({dock("momentum"), dock("inspector")}, {chart, inspector}, Qt::Vertical);
@@ -160,6 +167,7 @@ void MainWindow::showArrangement()
     const Mode mode = m_workbench.mode();
     if (mode == m_arranged)
         return;
+    showSceneAlone(false);
     keepArrangement();
     m_arranged = mode;
     restoreArrangement();
@@ -189,7 +197,7 @@ void MainWindow::resetLayout()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    if (m_keepsSizes)
+    if (m_keepsSizes || isSceneAlone())
         return;
     if (m_height != heightOf(body().height()))
         arrangePanes();

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+#include "tests/gui/open_window.h"
+#include "views/markdown_view.h"
+#include "views/spoken_formula.h"
+
+#include <QAccessible>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+namespace {
+
+/// What a screen reader cannot tell apart without a name.
+bool needsName(const QAccessibleInterface &each)
+{
+    switch (each.role()) {
+    case QAccessible::PushButton:
+    case QAccessible::CheckBox:
+    case QAccessible::RadioButton:
+    case QAccessible::ComboBox:
+    case QAccessible::EditableText:
+    case QAccessible::Slider:
+    case QAccessible::SpinBox:
+    case QAccessible::Table:
+    case QAccessible::List:
+    case QAccessible::Tree:
+    case QAccessible::PageTab:
+    case QAccessible::ProgressBar:
+    case QAccessible::Canvas:
+    case QAccessible::Chart:
+    case QAccessible::StaticText:
+        return true;
+    default:
+        return each.state().focusable;
+    }
+}
+
+QString describe(const QAccessibleInterface &each)
+{
+    QStringList path;
+    for (const QObject *object = each.object(); object; object = object->parent())
+        path.prepend(QLatin1String(object->metaObject()->className()));
+    return QStringLiteral("role %1 at %2")
+        .arg(int(each.role()))
+        .arg(path.join(QLatin1String(" / ")));
+}
+
+/// Those that are seen and have no name.
+void findNameless(QAccessibleInterface *parent, QStringList &found, int &met)
+{
+    for (int i = 0; i < parent->childCount(); ++i) {
+        QAccessibleInterface *child = parent->child(i);
+        if (!child || child->state().invisible)
+            continue;
+        ++met;
+        const auto *widget = qobject_cast<QWidget *>(child->object());
+        const bool seen = !widget || (widget->isVisible() && !widget->visibleRegion().isEmpty());
+        if (seen && needsName(*child) && child->text(QAccessible::Name).trimmed().isEmpty()
+            && child->text(QAccessible::Value).trimmed().isEmpty())
+            found.append(describe(*child));
+        if (child->role() != QAccessible::Table) // cells are told by their texts
+            findNameless(child, found, met);
+    }
+}
+
+} // namespace
+
+/// The window as a screen reader finds it.
+class TestAccessibleTree final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(m_folder.isValid()); }
+    void nothingIsNameless_data();
+    void nothingIsNameless();
+    void sceneTellsItsCircles();
+    void chartsTellTheirCurves();
+    void formulasAreSpoken_data();
+    void formulasAreSpoken();
+    void textsHaveNoHoles();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestAccessibleTree::nothingIsNameless_data()
+{
+    QTest::addColumn<Mode>("mode");
+    QTest::addColumn<bool>("checked");
+    QTest::newRow("explore") << Mode::Explore << false;
+    QTest::newRow("code") << Mode::Code << false;
+    QTest::newRow("explore, checked") << Mode::Explore << true;
+    QTest::newRow("code, checked") << Mode::Code << true;
+}
+
+void TestAccessibleTree::nothingIsNameless()
+{
+    QFETCH(Mode, mode);
+    QFETCH(bool, checked);
+    OpenWindow open(m_folder);
+    open.bench.openTask(QStringLiteral("L42T11"));
+    open.bench.setMode(mode);
+    open.window.resize(1440, 900);
+    QTest::qWait(100);
+    if (checked)
+        open.check();
+    QTest::qWait(50);
+    QStringList found;
+    int met = 0;
+    findNameless(QAccessible::queryAccessibleInterface(&open.window), found, met);
+    found.removeDuplicates();
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    QVERIFY2(met > 120, qPrintable(QString::number(met)));
+}
+
+void TestAccessibleTree::sceneTellsItsCircles()
+{
+    OpenWindow open(m_folder);
+    open.bench.openTask(QStringLiteral("L42T11"));
+    open.bench.setMode(Mode::Explore);
+    QTest::qWait(50);
+    QAccessibleInterface *scene = QAccessible::queryAccessibleInterface(&open.window.scene());
+    QVERIFY(scene);
+    QCOMPARE(scene->role(), QAccessible::Canvas);
+    const QString told = scene->text(QAccessible::Value);
+    QVERIFY2(told.contains(QStringLiteral("circle 1 at (−2.00, 2.00) m with (2.00, 0.00) m/s, "
+                                          "radius 0.2 m")),
+             qPrintable(told));
+}
+
+void TestAccessibleTree::chartsTellTheirCurves()
+{
+    OpenWindow open(m_folder);
+    open.bench.openTask(QStringLiteral("L42T11"));
+    open.bench.setMode(Mode::Explore);
+    open.simulation().goTo(30);
+    QTest::qWait(200);
+    int charts = 0;
+    for (QWidget *widget : open.window.findChildren<QWidget *>()) {
+        if (!widget->isVisible() || !widget->inherits("cradle::ChartPlot"))
+            continue;
+        QAccessibleInterface *chart = QAccessible::queryAccessibleInterface(widget);
+        QCOMPARE(chart->role(), QAccessible::Chart);
+        ++charts;
+        QVERIFY2(chart->text(QAccessible::Value).contains(QStringLiteral("circle 1"))
+                     || chart->text(QAccessible::Value).contains(QStringLiteral("kinetic")),
+                 qPrintable(chart->text(QAccessible::Value)));
+    }
+    QVERIFY(charts >= 1);
+}
+
+void TestAccessibleTree::formulasAreSpoken_data()
+{
+    QTest::addColumn<QString>("tex");
+    QTest::addColumn<QString>("spoken");
+    const auto row = [](const char *tex, const char *spoken) {
+        QTest::newRow(tex) << QString::fromUtf8(tex) << QString::fromUtf8(spoken);
+    };
+    row("v_x = 2", "v sub x equals 2");
+    row("x=-2", "x equals minus 2");
+    row("E = \\frac{1}{2} m v^2", "E equals 1 over 2 m v squared");
+    row("\\sqrt{x^3}", "the square root of x cubed");
+    row("\\Delta t \\le 0.5", "Delta t is at most 0.5");
+    row("\\vec{v}_{1}\\cdot\\hat n", "vector v sub 1 times unit vector n");
+    row("e^{-kt}", "e to the power of minus k t");
+    row("5\\,\\text{m/s}", "5 m/s");
+    row("\\left(a + b\\right)", "( a plus b )");
+}
+
+void TestAccessibleTree::formulasAreSpoken()
+{
+    QFETCH(QString, tex);
+    QFETCH(QString, spoken);
+    QCOMPARE(spokenFormula(tex), spoken);
+}
+
+/// In none of the steps is there a formula that is told as U+FFFC, or as TeX.
+void TestAccessibleTree::textsHaveNoHoles()
+{
+    OpenWindow open(m_folder);
+    for (const Task &task : open.bench.lab().tasks) {
+        MarkdownView view;
+        view.setMarkdown(task.instructions, QUrl::fromLocalFile(task.folder));
+        const QAccessibleInterface *text = QAccessible::queryAccessibleInterface(&view);
+        const QString told = text->text(QAccessible::Name);
+        QVERIFY2(!told.contains(QChar::ObjectReplacementCharacter), qPrintable(task.id));
+        QVERIFY2(!told.contains(QChar(0xE000)), qPrintable(task.id));
+        QVERIFY2(!told.contains(QLatin1Char('\\')), qPrintable(task.id + told));
+    }
+}
+
+QTEST_MAIN(TestAccessibleTree)
+
+#include "test_accessible_tree.moc"

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+#include "app/presentation.h"
+#include "app/tour.h"
+#include "tests/gui/open_window.h"
+#include "views/code/code_editor.h"
+#include "views/code/code_pane.h"
+
+#include <QClipboard>
+#include <QMenu>
+#include <QMenuBar>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// The window as it is shown to many, its tour, and the Edit menu that follows the focus.
+class TestShowing final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase()
+    {
+        applyTheme(ThemeChoice::Light);
+        QVERIFY(m_folder.isValid());
+    }
+    void init();
+    void cleanup();
+    void sceneAloneAndBack();
+    void presentationAndBack();
+    void secondWindowShowsTheSameRun();
+    void tourGoesThroughSixParts();
+    void tourIsEndedByEscape();
+    void editMenuFollowsTheFocus();
+
+private:
+    [[nodiscard]] int panesSeen() const
+    {
+        const auto &panes = m_open->window.panes();
+        return static_cast<int>(std::count_if(panes.begin(), panes.end(),
+                                              [](const QDockWidget *p) { return !p->isHidden(); }));
+    }
+    [[nodiscard]] QAction *entry(const QString &begin) const
+    {
+        for (QMenu *menu : m_open->window.menuBar()->findChildren<QMenu *>(
+                 QString(), Qt::FindDirectChildrenOnly)) {
+            emit menu->aboutToShow(); // it is filled as it opens
+            for (QAction *action : menu->actions()) {
+                if (action->text().remove(QLatin1Char('&')).startsWith(begin))
+                    return action;
+            }
+        }
+        return nullptr;
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<OpenWindow> m_open;
+};
+
+void TestShowing::init()
+{
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    m_open->bench.openTask(QStringLiteral("L42T11"));
+    m_open->bench.setMode(Mode::Code);
+    m_open->window.resize(1440, 900);
+    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
+}
+
+void TestShowing::cleanup()
+{
+    m_open.reset();
+    setTextScale(1.0);
+}
+
+void TestShowing::sceneAloneAndBack()
+{
+    const int before = panesSeen();
+    QVERIFY(before >= 5);
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_F11, Qt::ControlModifier);
+    QVERIFY(m_open->window.isSceneAlone());
+    QCOMPARE(panesSeen(), 0);
+    QTRY_VERIFY(m_open->window.scene().width() > 1400);
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_F11, Qt::ControlModifier);
+    QVERIFY(!m_open->window.isSceneAlone());
+    QCOMPARE(panesSeen(), before);
+    QVERIFY(!m_open->settings.contains(QStringLiteral("layout/code")));
+}
+
+void TestShowing::presentationAndBack()
+{
+    const QFont before = QApplication::font();
+    m_open->window.present(true);
+    QVERIFY(m_open->window.isFullScreen());
+    QVERIFY(m_open->window.isSceneAlone());
+    QCOMPARE(QApplication::font().pointSizeF(), 1.5 * before.pointSizeF());
+    QCOMPARE(&theme(), &Theme::highContrastTheme());
+    PresentationLayer *layer = m_open->window.presentation();
+    QVERIFY(layer);
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_B);
+    QVERIFY(layer->isBlack());
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_B);
+    QVERIFY(!layer->isBlack());
+    QTest::mouseMove(&m_open->window.scene(), {100, 100});
+    QTest::mouseMove(&m_open->window.scene(), {160, 120});
+    QTRY_VERIFY(layer->trailLength() > 0);
+    QTRY_COMPARE(layer->trailLength(), std::size_t(0)); // it fades
+    QTest::keyClick(&m_open->window.scene(), Qt::Key_Escape);
+    QVERIFY(!m_open->window.presentation());
+    QVERIFY(!m_open->window.isFullScreen());
+    QVERIFY(!m_open->window.isSceneAlone());
+    QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF());
+    QCOMPARE(&theme(), &Theme::lightTheme());
+    QVERIFY(!m_open->settings.contains(QStringLiteral("textSize")));
+}
+
+void TestShowing::secondWindowShowsTheSameRun()
+{
+    m_open->window.openSceneWindow();
+    SceneView *second = m_open->window.secondScene();
+    QVERIFY(second && second->isVisible() && second->isWindow());
+    QVERIFY(!second->windowTitle().isEmpty());
+    m_open->window.openSceneWindow();
+    QCOMPARE(m_open->window.secondScene(), second);
+    second->close();
+    QTRY_VERIFY(!m_open->window.secondScene());
+}
+
+void TestShowing::tourGoesThroughSixParts()
+{
+    m_open->window.showTour();
+    auto *tour = m_open->window.findChild<Tour *>();
+    QVERIFY(tour);
+    std::vector<QRect> parts;
+    for (std::size_t i = 0; i < 6; ++i) {
+        QCOMPARE(tour->at(), i);
+        QVERIFY(m_open->window.rect().contains(tour->partRect()));
+        QVERIFY(m_open->says(QStringLiteral("%1 of 6 · ").arg(i + 1)));
+        const auto *card = tour->findChild<QFrame *>();
+        QVERIFY(tour->rect().contains(card->geometry()));
+        QVERIFY(std::find(parts.begin(), parts.end(), tour->partRect()) == parts.end());
+        parts.push_back(tour->partRect());
+        // The keyboard stays in the tour.
+        QVERIFY(tour->isAncestorOf(QApplication::focusWidget()));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY(tour->isAncestorOf(QApplication::focusWidget()));
+        tour->next();
+    }
+    QTRY_VERIFY(!m_open->window.findChild<Tour *>());
+}
+
+void TestShowing::tourIsEndedByEscape()
+{
+    m_open->window.showTour();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTRY_VERIFY(!m_open->window.findChild<Tour *>());
+}
+
+void TestShowing::editMenuFollowsTheFocus()
+{
+    m_open->bench.setMode(Mode::Code);
+    CodeEditor &editor = m_open->window.codePane().editor();
+    m_open->window.scene().setFocus();
+    m_open->window.scene().select(0);
+    QVERIFY(entry(QStringLiteral("Copy circles")));
+    QVERIFY(entry(QStringLiteral("Cut circles"))->isEnabled());
+    editor.setFocus();
+    QVERIFY(!entry(QStringLiteral("Copy circles")));
+    editor.selectAll();
+    QGuiApplication::clipboard()->clear();
+    entry(QStringLiteral("Copy"))->trigger();
+    QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("on_update")));
+}
+
+QTEST_MAIN(TestShowing)
+
+#include "test_showing.moc"
