@@ -79,6 +79,8 @@ signals:
     /// Another program changed the file. \p taken: its text is shown now; else what was typed here
     /// meanwhile is, and the other is among the versions.
     void changedOutside(bool taken);
+    /// Another program has made the file \p name one that is no program; it is kept as \p kept.
+    void setAside(const QString &name, const QString &kept);
     void versionsChanged();
     void edited();
     void stateChanged(); ///< saved, fault

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/code_session.h"
 
-#include <QFile>
+#include <QFileInfo>
 
 #include <chrono>
 #include <utility>
@@ -94,9 +94,14 @@ bool CodeSession::takeOutside()
     const bool taken = !m_unsaved && edits.back().text.has_value();
     if (taken)
         keepVersion(m_text, {.reason = VersionReason::Before});
+    bool isProgram = false;
     for (const OutsideEdit &edit : edits) {
-        if (const auto error = m_workspace.keepOutside(m_taskId, edit))
-            emit failed(*error);
+        isProgram = isProgram || edit.text.has_value();
+        const auto kept = m_workspace.keepOutside(m_taskId, edit);
+        if (!kept)
+            emit failed(kept.error());
+        else if (!kept->isEmpty())
+            emit setAside(QFileInfo(edit.path).fileName(), QFileInfo(*kept).fileName());
     }
     emit versionsChanged();
     m_unsaved = true; // the two files are to be alike again
@@ -106,7 +111,8 @@ bool CodeSession::takeOutside()
         emit edited();
         apply();
     }
-    emit changedOutside(taken);
+    if (isProgram)
+        emit changedOutside(taken);
     return true;
 }
 

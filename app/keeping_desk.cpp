@@ -11,8 +11,9 @@ namespace cradle {
 
 namespace {
 
-constexpr int saveDelay = 250;    ///< ms after the first key that is not saved
-constexpr int mostVersions = 300; ///< that are shown
+constexpr int saveDelay = 250;     ///< ms after the first key that is not saved
+constexpr int mostVersions = 300;  ///< that are shown
+constexpr int keepDelay = 600'000; ///< ms of changed notes, for a version of them
 
 } // namespace
 
@@ -25,6 +26,8 @@ KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane
 {
     m_saveSoon.setSingleShot(true);
     m_saveSoon.setInterval(saveDelay);
+    m_keepSoon.setSingleShot(true);
+    m_keepSoon.setInterval(keepDelay);
     CodeSession *code = &workbench.code();
     connect(code, &CodeSession::versionsChanged, this, &KeepingDesk::showVersions);
     connect(code, &CodeSession::edited, this, &KeepingDesk::showPresent);
@@ -32,13 +35,16 @@ KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane
     connect(code, &CodeSession::stateChanged, this, &KeepingDesk::showPresent);
     connect(&versions, &VersionsPane::goBackRequested, code, &CodeSession::replace);
     // Before the workspace, or the step, is another one.
-    connect(code, &CodeSession::opened, this, &KeepingDesk::saveNote);
+    connect(code, &CodeSession::opened, this, &KeepingDesk::keepNote);
     connect(&notes, &NotesPane::edited, this, [this] {
         m_noteEdited = true;
         if (!m_saveSoon.isActive())
             m_saveSoon.start();
+        if (!m_keepSoon.isActive())
+            m_keepSoon.start();
     });
     connect(&m_saveSoon, &QTimer::timeout, this, &KeepingDesk::saveNote);
+    connect(&m_keepSoon, &QTimer::timeout, this, &KeepingDesk::keepNote);
     connect(&workbench, &Workbench::taskChanged, this, &KeepingDesk::openNote);
     showVersions();
     openNote();
@@ -46,7 +52,7 @@ KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane
 
 KeepingDesk::~KeepingDesk()
 {
-    saveNote();
+    keepNote();
 }
 
 void KeepingDesk::showVersions()
@@ -71,7 +77,7 @@ void KeepingDesk::showPresent()
 
 void KeepingDesk::openNote()
 {
-    saveNote();
+    keepNote();
     const CodeSession &code = m_workbench.code();
     m_noteTask = code.taskId();
     m_notes.setText(code.isOpen() ? code.workspace().noteOf(m_noteTask) : QString(),
@@ -83,8 +89,22 @@ void KeepingDesk::saveNote()
     m_saveSoon.stop();
     if (!std::exchange(m_noteEdited, false) || m_noteTask.isEmpty())
         return;
-    if (m_workbench.code().workspace().saveNote(m_noteTask, m_notes.text()))
+    Workspace &workspace = m_workbench.code().workspace();
+    const auto error = workspace.saveNote(m_noteTask, m_notes.text());
+    if (workspace.hasUnsaved())
         m_workbench.code().save(); // says so, and tries again
+    else if (error)
+        emit m_workbench.failed(*error);
+}
+
+void KeepingDesk::keepNote()
+{
+    saveNote();
+    if (!m_keepSoon.isActive())
+        return;
+    m_keepSoon.stop();
+    if (const auto error = m_workbench.code().workspace().keepNote(m_noteTask))
+        emit m_workbench.failed(*error);
 }
 
 } // namespace cradle

@@ -22,6 +22,7 @@ public:
     ~KeepingDesk() override;
 
     void saveNote(); ///< now, if there is something to save
+    void keepNote(); ///< the same, and a version of it
 
 private:
     void showVersions();
@@ -34,6 +35,7 @@ private:
     QString m_noteTask; ///< whose note is shown
     bool m_noteEdited = false;
     QTimer m_saveSoon;
+    QTimer m_keepSoon; ///< a version of what was noted
 };
 
 } // namespace cradle

@@ -223,6 +223,7 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    m_keeping->keepNote();
     if ((m_author && !m_author->close()) || !mayClose()) {
         event->ignore();
         return;
@@ -230,7 +231,6 @@ void MainWindow::closeEvent(QCloseEvent *event)
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
     if (!isSceneAlone())
         keepArrangement();
-    m_keeping->saveNote();
     m_workbench.save();
     event->accept();
 }

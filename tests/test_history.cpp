@@ -27,6 +27,7 @@ private slots:
     void signsWithAnyName_data();
     void signsWithAnyName();
     void pushesToABareRepository();
+    void lastPushIsOfTheBranchThatIsOut();
     void saysWhatKeepsItFromPushing();
     void bundleCanBeCloned();
     void hostileMessagesAreText();
@@ -223,6 +224,22 @@ void TestHistory::pushesToABareRepository()
     QCOMPARE(there, QStringLiteral("refs/cradle/versions/L42T5\nrefs/heads/main"));
     QVERIFY(!history->setRemoteUrl({}));
     QVERIFY(history->remoteUrl().isEmpty());
+}
+
+void TestHistory::lastPushIsOfTheBranchThatIsOut()
+{
+    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
+                                             QStringLiteral("--bare"), QStringLiteral("bare")}),
+             QString());
+    QCOMPARE(git(QStringLiteral("init -q -b trunk .")), QString());
+    const auto history = opened();
+    QVERIFY(history);
+    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
+    QVERIFY(!history->setRemoteUrl(path("bare")));
+    QVERIFY(!history->lastPush().isValid());
+    const auto error = history->push();
+    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
+    QVERIFY(history->lastPush().isValid());
 }
 
 void TestHistory::saysWhatKeepsItFromPushing()

@@ -24,9 +24,12 @@ private slots:
     void passIsACommitOfTheLabsMessage();
     void theSecondMayNotWrite();
     void whoWasTakenOverWritesNoMore();
+    void aLockThatIsGoneIsTakenAgain();
     void aKilledHolderHoldsNothing();
+    void locksOfAKilledHolderHoldUpNothing();
     void foreignFilesAreNeverReplaced_data();
     void foreignFilesAreNeverReplaced();
+    void foreignLabFileIsKeptBeforeItIsReplaced();
     void foreignFileCanBeConverted();
     void foreignFileCanBeSetAside();
     void outsideEditsAreFound();
@@ -35,6 +38,9 @@ private slots:
     void olderLabFileIsNotTaken();
     void namesAreKept();
     void notesAreKept();
+    void notesHaveVersions();
+    void notesOfOtherProgramsAreNeverReplaced_data();
+    void notesOfOtherProgramsAreNeverReplaced();
     void aFolderThatCannotBeMadeIsSaid();
     void damagedRepositoryKeepsNobodyFromSaving();
 
@@ -219,6 +225,55 @@ void TestWorkspaceKeeping::aKilledHolderHoldsNothing()
     QCOMPARE(third.holder()->host, QStringLiteral("elsewhere.example"));
 }
 
+/// "git clean -fdx" takes the lock away, and no other window is there.
+void TestWorkspaceKeeping::aLockThatIsGoneIsTakenAgain()
+{
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    QVERIFY(QFile::remove(path("w/.cradle-lock")));
+    QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
+    QVERIFY(workspace.mayWrite());
+    QVERIFY(QFile::exists(path("w/.cradle-lock")));
+    Workspace other(path());
+    QVERIFY(!other.begin(lab()));
+    QVERIFY(!other.mayWrite());
+}
+
+/// Killed in the middle of a commit: git's own locks stay, and git refuses all that follows.
+void TestWorkspaceKeeping::locksOfAKilledHolderHoldUpNothing()
+{
+    {
+        Workspace workspace(path());
+        QVERIFY(!workspace.begin(lab()));
+        QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
+        QVERIFY(!workspace.keep(first, QStringLiteral("-- mine\n"), {}));
+    }
+    const QStringList locks{path("w/.git/index.lock"), path("w/.git/refs/heads/main.lock"),
+                            path("w/.git/refs/cradle/versions/A.lock")};
+    for (const QString &lock : locks)
+        QVERIFY(!writeFile(lock, {}));
+    QVERIFY(
+        !writeFile(path("w/.cradle-lock"),
+                   "{\"host\": \"" + QSysInfo::machineHostName().toUtf8()
+                       + "\", \"process\": 99999999, \"since\": \""
+                       + QDateTime::currentDateTimeUtc().addSecs(-60).toString(Qt::ISODate).toUtf8()
+                       + "\", \"token\": \"x\"}"));
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    CheckReport report;
+    report.taskId = first;
+    report.passed = true;
+    const auto error = workspace.commitPass(report, QStringLiteral("-- mine\n"), std::nullopt);
+    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
+    QVERIFY(!workspace.keep(first, QStringLiteral("-- better\n"), {}));
+    for (const QString &lock : locks)
+        QVERIFY(!QFile::exists(lock));
+    // What another program holds while no window was killed is its own.
+    QVERIFY(!writeFile(locks.first(), {}));
+    QVERIFY(workspace.commitPass(report, QStringLiteral("-- mine\n"), std::nullopt));
+    QVERIFY(QFile::exists(locks.first()));
+}
+
 void TestWorkspaceKeeping::foreignFilesAreNeverReplaced_data()
 {
     QTest::addColumn<QByteArray>("bytes");
@@ -243,6 +298,33 @@ void TestWorkspaceKeeping::foreignFilesAreNeverReplaced()
     // The step after it starts from the lab, not from that.
     QCOMPARE(*workspace.textOf(lab(), 1), QStringLiteral("-- starter of B\n"));
     QCOMPARE(content(path("w/steps/A.lua")), bytes);
+}
+
+/// Another editor has written lab.lua in UTF-16 while no window was open.
+void TestWorkspaceKeeping::foreignLabFileIsKeptBeforeItIsReplaced()
+{
+    {
+        Workspace workspace(path());
+        QVERIFY(!workspace.begin(lab()));
+        QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
+    }
+    const QByteArray bytes("\xff\xfex\0=\0"
+                           "1\0\n\0",
+                           10);
+    QVERIFY(!writeFile(path("w/lab.lua"), bytes));
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab(), first));
+    QCOMPARE(*workspace.textOf(lab(), 0), QStringLiteral("-- mine\n"));
+    const auto edits = workspace.outsideEdits(first);
+    QCOMPARE(edits.size(), std::size_t(1));
+    QVERIFY(!edits[0].text);
+    const auto kept = workspace.keepOutside(first, edits[0]);
+    QVERIFY(kept);
+    QCOMPARE(*kept, path("w/lab.lua.original"));
+    QVERIFY(!workspace.save(first, QStringLiteral("-- mine, and a key\n")));
+    QCOMPARE(content(path("w/lab.lua.original")), bytes);
+    const auto versions = workspace.history()->versions(first);
+    QCOMPARE(*workspace.history()->textOf(versions.front()), QByteArray("x=1\n"));
 }
 
 void TestWorkspaceKeeping::foreignFileCanBeConverted()
@@ -303,7 +385,7 @@ void TestWorkspaceKeeping::outsideEditsAreKept()
     QVERIFY(!workspace.begin(lab()));
     QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
     QVERIFY(!writeFile(path("w/steps/A.lua"), "-- theirs\n"));
-    QVERIFY(!workspace.keepOutside(first, workspace.outsideEdits(first).front()));
+    QVERIFY(workspace.keepOutside(first, workspace.outsideEdits(first).front()));
     QVERIFY(workspace.outsideEdits(first).empty());
     QVERIFY(!workspace.save(first, QStringLiteral("-- mine again\n")));
     const auto versions = workspace.history()->versions(first);
@@ -314,7 +396,7 @@ void TestWorkspaceKeeping::outsideEditsAreKept()
     const auto edits = workspace.outsideEdits(first);
     QCOMPARE(edits.size(), std::size_t(1));
     QVERIFY(!edits[0].text);
-    QVERIFY(!workspace.keepOutside(first, edits[0]));
+    QVERIFY(workspace.keepOutside(first, edits[0]));
     QCOMPARE(content(path("w/steps/A.lua.original")), QByteArray("a\0b", 3));
 }
 
@@ -385,11 +467,69 @@ void TestWorkspaceKeeping::notesAreKept()
     Workspace other(path());
     QVERIFY(!other.begin(lab()));
     other.takeOver();
+    QCOMPARE(other.noteOf(first), more);
     QVERIFY(!other.saveNote(first, QStringLiteral("Theirs")));
     QVERIFY(workspace.saveNote(first, QStringLiteral("Mine")));
     QVERIFY(!workspace.setStudent(QStringLiteral("Nobody"), {}));
     QCOMPARE(content(path("w/notes/A.md")), QByteArray("Theirs"));
     QVERIFY(!content(path("w/cradle.json")).contains("Nobody"));
+}
+
+void TestWorkspaceKeeping::notesHaveVersions()
+{
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    for (const char *note : {"It fell.", "It *fell*.", "It *fell*."}) {
+        QVERIFY(!workspace.saveNote(first, QLatin1String(note)));
+        QVERIFY(!workspace.keepNote(first));
+    }
+    QCOMPARE(git(QStringLiteral("log --format=%s refs/cradle/notes/A")),
+             QStringLiteral("A: notes\nA: notes"));
+    QCOMPARE(git(QStringLiteral("show refs/cradle/notes/A~1:notes/A.md")),
+             QStringLiteral("It fell."));
+    QVERIFY(!workspace.keepNote(second)); // nothing was noted
+    QVERIFY(git(QStringLiteral("fsck --strict")).isEmpty());
+    // They go wherever the versions of the programs go.
+    const auto bundle = workspace.history()->bundle();
+    QVERIFY(bundle && bundle->contains(" refs/cradle/notes/A\n"));
+}
+
+void TestWorkspaceKeeping::notesOfOtherProgramsAreNeverReplaced_data()
+{
+    QTest::addColumn<QByteArray>("theirs");
+    QTest::addColumn<bool>("isText");
+    QTest::newRow("text") << QByteArray("Theirs.") << true;
+    QTest::newRow("UTF-16") << QByteArray("\xff\xfeI\0t\0", 6) << false;
+    QTest::newRow("Latin-1") << QByteArray("Gr\xf6\xdf"
+                                           "e")
+                             << false;
+    QTest::newRow("long") << QByteArray(300 * 1024, 'x') << false;
+}
+
+void TestWorkspaceKeeping::notesOfOtherProgramsAreNeverReplaced()
+{
+    QFETCH(QByteArray, theirs);
+    QFETCH(bool, isText);
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    QVERIFY(!workspace.saveNote(first, QStringLiteral("Mine.")));
+    QVERIFY(!writeFile(path("w/notes/A.md"), theirs));
+    const auto said = workspace.saveNote(first, QStringLiteral("Mine, and more."));
+    QVERIFY(said);
+    QVERIFY2(said->message.contains(QLatin1String(isText ? "refs/cradle/notes/A" : ".original")),
+             qPrintable(said->message));
+    QVERIFY(!workspace.hasUnsaved());
+    QCOMPARE(content(path("w/notes/A.md")), QByteArray("Mine, and more."));
+    if (isText)
+        QCOMPARE(git(QStringLiteral("show refs/cradle/notes/A:notes/A.md")).toUtf8(), theirs);
+    else
+        QCOMPARE(content(path("w/notes/A.md.original")), theirs);
+    // Nor what was there before the window was opened.
+    QVERIFY(!writeFile(path("w/notes/B.md"), theirs));
+    (void)workspace.noteOf(second);
+    QCOMPARE(workspace.saveNote(second, QStringLiteral("Mine.")).has_value(), !isText);
+    if (!isText)
+        QCOMPARE(content(path("w/notes/B.md.original")), theirs);
 }
 
 void TestWorkspaceKeeping::aFolderThatCannotBeMadeIsSaid()

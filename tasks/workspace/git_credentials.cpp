@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/git_credentials.h"
 
+#include <QDir>
 #include <QMap>
 #include <QProcess>
 #include <QStandardPaths>
@@ -25,9 +26,13 @@ QMap<QByteArray, QByteArray> fill(const QUrl &url)
     // Nobody looks at a terminal.
     environment.insert(QStringLiteral("GIT_TERMINAL_PROMPT"), QStringLiteral("0"));
     process.setProcessEnvironment(environment);
+    // Not where somebody else's repository could name a helper of its own.
+    process.setWorkingDirectory(QDir::rootPath());
     process.start(git, {QStringLiteral("credential"), QStringLiteral("fill")});
-    process.write("protocol=" + url.scheme().toUtf8() + "\nhost=" + url.authority().toUtf8()
-                  + "\npath=" + url.path().mid(1).toUtf8() + "\n\n");
+    // Encoded: a line end in an address would ask for what is another's.
+    process.write("protocol=" + url.scheme().toUtf8()
+                  + "\nhost=" + url.authority(QUrl::FullyEncoded).toUtf8()
+                  + "\npath=" + url.path(QUrl::FullyEncoded).mid(1).toUtf8() + "\n\n");
     process.closeWriteChannel();
     if (!process.waitForFinished(helperPatience)) {
         process.kill();

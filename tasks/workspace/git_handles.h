@@ -33,6 +33,7 @@ using GitBlob = std::unique_ptr<git_blob, FreeGit<git_blob_free>>;
 using GitSignature = std::unique_ptr<git_signature, FreeGit<git_signature_free>>;
 using GitConfig = std::unique_ptr<git_config, FreeGit<git_config_free>>;
 using GitRevwalk = std::unique_ptr<git_revwalk, FreeGit<git_revwalk_free>>;
+using GitReference = std::unique_ptr<git_reference, FreeGit<git_reference_free>>;
 using GitRemote = std::unique_ptr<git_remote, FreeGit<git_remote_free>>;
 
 /// libgit2 counts how often it was begun.

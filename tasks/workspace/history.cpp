@@ -6,6 +6,7 @@
 #include "tasks/workspace/history_parts.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 
 namespace cradle {
@@ -64,6 +65,12 @@ bool addInstead(git_repository *repository, git_index *index,
     return true;
 }
 
+/// Of all repositories: libgit2 knows no other way.
+void setSyncing(bool on)
+{
+    git_libgit2_opts(GIT_OPT_ENABLE_FSYNC_GITDIR, on ? 1 : 0);
+}
+
 } // namespace
 
 QByteArray versionsRef(const QString &taskId)
@@ -96,12 +103,31 @@ GitCommit History::Parts::commitAt(const char *reference) const
     return makeGit<GitCommit>(git_commit_lookup, repository.get(), &id);
 }
 
+std::optional<QByteArray> History::Parts::textIn(const git_commit *commit,
+                                                 const QString &path) const
+{
+    const auto tree = commit ? makeGit<GitTree>(git_commit_tree, commit) : nullptr;
+    const auto entry =
+        tree ? makeGit<GitTreeEntry>(git_tree_entry_bypath, tree.get(), path.toUtf8().constData())
+             : nullptr;
+    const auto blob =
+        entry ? makeGit<GitBlob>(git_blob_lookup, repository.get(), git_tree_entry_id(entry.get()))
+              : nullptr;
+    if (!blob)
+        return std::nullopt;
+    const auto size = static_cast<qsizetype>(git_blob_rawsize(blob.get()));
+    return QByteArray(static_cast<const char *>(git_blob_rawcontent(blob.get())), size);
+}
+
 History::History(std::unique_ptr<Parts> parts)
     : m_parts(std::move(parts))
 {
 }
 
-History::~History() = default;
+History::~History()
+{
+    setSyncing(true);
+}
 
 Result<std::unique_ptr<History>> History::openExisting(const QString &folder)
 {
@@ -114,7 +140,7 @@ Result<std::unique_ptr<History>> History::openExisting(const QString &folder)
                                static_cast<unsigned>(GIT_REPOSITORY_OPEN_NO_SEARCH), nullptr);
     if (!parts->repository)
         return parts->fault();
-    git_libgit2_opts(GIT_OPT_ENABLE_FSYNC_GITDIR, 1);
+    setSyncing(true);
     return std::unique_ptr<History>(new History(std::move(parts)));
 }
 
@@ -140,9 +166,34 @@ Result<std::unique_ptr<History>> History::open(const QString &folder)
     return openExisting(folder);
 }
 
+Result<std::unique_ptr<History>> History::makeDerivable(const QString &folder)
+{
+    auto history = open(folder);
+    setSyncing(false);
+    return history;
+}
+
 QString History::gitFolder() const
 {
     return QFile::decodeName(git_repository_path(m_parts->repository.get()));
+}
+
+void History::removeLocksSince(const QDateTime &since)
+{
+    const QString own = gitFolder();
+    const auto removeIn = [&since](QDirIterator &files) {
+        while (files.hasNext()) {
+            files.next();
+            if (files.fileInfo().lastModified() >= since)
+                QFile::remove(files.filePath());
+        }
+    };
+    const QStringList locks{QStringLiteral("*.lock")};
+    QDirIterator files(own, locks, QDir::Files | QDir::Hidden);
+    removeIn(files);
+    QDirIterator references(own + QStringLiteral("refs"), locks, QDir::Files | QDir::Hidden,
+                            QDirIterator::Subdirectories);
+    removeIn(references);
 }
 
 bool History::isEmpty() const
@@ -187,26 +238,42 @@ std::optional<Error> History::keep(const QString &taskId, const QByteArray &text
                                    const VersionNote &note, const QString &author,
                                    const QDateTime &when)
 {
+    return keepFile(versionsRef(taskId), QStringLiteral("steps/%1.lua").arg(taskId), text,
+                    versionMessage(taskId, note), author, when);
+}
+
+std::optional<Error> History::keepNote(const QString &taskId, const QByteArray &text,
+                                       const QString &author)
+{
+    const QByteArray reference = notesFolder + taskId.toUtf8();
+    const QString path = QStringLiteral("notes/%1.md").arg(taskId);
+    if (m_parts->textIn(m_parts->commitAt(reference.constData()).get(), path) == text)
+        return std::nullopt;
+    return keepFile(reference, path, text,
+                    QStringLiteral("%1: notes\n\nCradle-Step: %1\n").arg(taskId), author, {});
+}
+
+/// A commit that holds one file, after those of \p reference.
+std::optional<Error> History::keepFile(const QByteArray &reference, const QString &path,
+                                       const QByteArray &text, const QString &message,
+                                       const QString &author, const QDateTime &when)
+{
     git_repository *repository = m_parts->repository.get();
     const auto index = makeGit<GitIndex>(git_index_new);
     git_oid treeId;
-    if (!index
-        || !addInstead(repository, index.get(),
-                       {{QStringLiteral("steps/%1.lua").arg(taskId), text}})
+    if (!index || !addInstead(repository, index.get(), {{path, text}})
         || git_index_write_tree_to(&treeId, index.get(), repository) != 0)
         return m_parts->fault();
     const auto tree = makeGit<GitTree>(git_tree_lookup, repository, &treeId);
     const GitSignature who = m_parts->signature(author);
     if (who && when.isValid())
         who->when = {when.toSecsSinceEpoch(), 0, '+'};
-    const QByteArray ref = versionsRef(taskId);
-    const GitCommit before = m_parts->commitAt(ref.constData());
+    const GitCommit before = m_parts->commitAt(reference.constData());
     const git_commit *parent = before.get();
     git_oid id;
     if (!tree || !who
-        || git_commit_create(&id, repository, ref.constData(), who.get(), who.get(), "UTF-8",
-                             versionMessage(taskId, note).toUtf8().constData(), tree.get(),
-                             before ? 1 : 0, &parent)
+        || git_commit_create(&id, repository, reference.constData(), who.get(), who.get(), "UTF-8",
+                             message.toUtf8().constData(), tree.get(), before ? 1 : 0, &parent)
                != 0)
         return m_parts->fault();
     return std::nullopt;

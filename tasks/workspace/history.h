@@ -16,7 +16,7 @@ namespace cradle {
 
 /// The git repository of a workspace, without the program git: on the branch that is checked out
 /// the story of the lab, a commit for every step that was passed; on refs/cradle/versions/STEP
-/// every state of a step's program that was kept.
+/// every state of a step's program that was kept, and on refs/cradle/notes/STEP what was noted.
 ///
 /// Everything in it may have been written by others and is only data.
 class History
@@ -26,12 +26,18 @@ public:
     static Result<std::unique_ptr<History>> open(const QString &folder);
     /// Opens what is there; an error if it is no repository.
     static Result<std::unique_ptr<History>> openExisting(const QString &folder);
+    /// A new one as open() makes it, of what can be made again: what is kept in it is on the disk
+    /// some seconds later, and thousands of versions take no minutes.
+    static Result<std::unique_ptr<History>> makeDerivable(const QString &folder);
     ~History();
     History(const History &) = delete;
     History &operator=(const History &) = delete;
 
     /// The folder with git's own files.
     [[nodiscard]] QString gitFolder() const;
+    /// Removes the locks of git's own files that a process left which was killed after \p since:
+    /// nothing could be kept any more. Only for who knows that it was.
+    void removeLocksSince(const QDateTime &since);
     /// Whether nothing was committed yet.
     [[nodiscard]] bool isEmpty() const;
     /// The name that git signs with; empty if its settings have none.
@@ -47,6 +53,10 @@ public:
     std::optional<Error> keep(const QString &taskId, const QByteArray &text,
                               const VersionNote &note, const QString &author,
                               const QDateTime &when = {});
+
+    /// Keeps \p text as a version of what was noted about the step, if it is not the newest.
+    std::optional<Error> keepNote(const QString &taskId, const QByteArray &text,
+                                  const QString &author);
 
     /// The versions of a step, the newest first; at most \p most.
     [[nodiscard]] std::vector<Version> versions(const QString &taskId, int most = 1000) const;
@@ -72,6 +82,9 @@ public:
 private:
     struct Parts;
     explicit History(std::unique_ptr<Parts> parts);
+    std::optional<Error> keepFile(const QByteArray &reference, const QString &path,
+                                  const QByteArray &text, const QString &message,
+                                  const QString &author, const QDateTime &when);
 
     std::unique_ptr<Parts> m_parts;
 };

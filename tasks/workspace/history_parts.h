@@ -18,11 +18,15 @@ struct History::Parts {
     [[nodiscard]] GitSignature signature(const QString &author) const;
     /// The commit that a reference leads to; null if there is none.
     [[nodiscard]] GitCommit commitAt(const char *reference) const;
+    /// What a commit has at \p path; nothing if it has nothing there, or is null.
+    [[nodiscard]] std::optional<QByteArray> textIn(const git_commit *commit,
+                                                   const QString &path) const;
 };
 
 /// Where the versions of a step are.
 [[nodiscard]] QByteArray versionsRef(const QString &taskId);
 
 inline constexpr char versionsFolder[] = "refs/cradle/versions/";
+inline constexpr char notesFolder[] = "refs/cradle/notes/"; ///< those of what was noted about it
 
 } // namespace cradle

@@ -50,17 +50,9 @@ Result<QByteArray> History::textOf(const Version &version) const
     if (git_oid_fromstr(&id, version.id.toLatin1().constData()) != 0)
         return m_parts->fault();
     const auto commit = makeGit<GitCommit>(git_commit_lookup, repository, &id);
-    const auto tree = commit ? makeGit<GitTree>(git_commit_tree, commit.get()) : nullptr;
-    const QByteArray path = "steps/" + version.taskId.toUtf8() + ".lua";
-    const auto entry =
-        tree ? makeGit<GitTreeEntry>(git_tree_entry_bypath, tree.get(), path.constData()) : nullptr;
-    const auto blob =
-        entry ? makeGit<GitBlob>(git_blob_lookup, repository, git_tree_entry_id(entry.get()))
-              : nullptr;
-    if (!blob)
-        return m_parts->fault();
-    const auto size = static_cast<qsizetype>(git_blob_rawsize(blob.get()));
-    return QByteArray(static_cast<const char *>(git_blob_rawcontent(blob.get())), size);
+    const auto text =
+        m_parts->textIn(commit.get(), QStringLiteral("steps/%1.lua").arg(version.taskId));
+    return text ? Result<QByteArray>(*text) : m_parts->fault();
 }
 
 QStringList History::tasksWithVersions() const

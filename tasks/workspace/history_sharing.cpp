@@ -42,7 +42,8 @@ std::vector<QByteArray> sharedRefs(git_repository *repository)
         return names;
     for (std::size_t i = 0; i < all.count; ++i) {
         const QByteArray name(all.strings[i]);
-        if (name.startsWith("refs/heads/") || name.startsWith(versionsFolder))
+        if (name.startsWith("refs/heads/") || name.startsWith(versionsFolder)
+            || name.startsWith(notesFolder))
             names.push_back(name);
     }
     git_strarray_dispose(&all);
@@ -135,7 +136,10 @@ std::optional<Error> History::push()
 
 QDateTime History::lastPush() const
 {
-    const GitCommit sent = m_parts->commitAt("refs/remotes/origin/main");
+    // Of the branch that is checked out; where the work was cloned from, it may have another name.
+    const auto head = makeGit<GitReference>(git_repository_head, m_parts->repository.get());
+    const QByteArray branch = head ? git_reference_shorthand(head.get()) : "main";
+    const GitCommit sent = m_parts->commitAt(("refs/remotes/origin/" + branch).constData());
     return sent ? QDateTime::fromSecsSinceEpoch(git_commit_time(sent.get()), Qt::UTC) : QDateTime();
 }
 

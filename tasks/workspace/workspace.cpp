@@ -22,7 +22,6 @@ struct WorkspaceText {
 };
 
 constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a file that is no program, to be compared
-constexpr qint64 noteBytes = 256 * 1024;
 
 std::optional<QByteArray> contentOf(const QString &path)
 {
@@ -97,7 +96,8 @@ Result<QString> Workspace::textOf(const Lab &lab, int index) const
     const Task &task = lab.tasks[static_cast<std::size_t>(index)];
     if (!m_folder.isEmpty()) {
         m_known.erase(pathOf(task.id));
-        if (const auto bytes = contentOf(labPath()))
+        // One that is no program is not known: before it is replaced, it is kept.
+        if (const auto bytes = contentOf(labPath()); bytes && programFrom(*bytes, labPath()))
             m_known[labPath()] = *bytes;
     }
     const auto own = ownText(task.id);
@@ -183,9 +183,9 @@ std::vector<OutsideEdit> Workspace::outsideEdits(const QString &taskId) const
         const auto known = m_known.find(path);
         const auto now = contentOf(path);
         // A file that is gone is written again with the next key; one that is new is an edit.
-        if (!now || (known != m_known.end() && known->second == *now))
+        if (!QFile::exists(path) || (now && known != m_known.end() && known->second == *now))
             continue;
-        const auto text = programFrom(*now, path);
+        const auto text = now ? programFrom(*now, path) : Result<QString>(Error{});
         edits.push_back({path, text ? std::optional(*text) : std::nullopt});
     }
     std::stable_sort(edits.begin(), edits.end(), [](const auto &a, const auto &b) {
@@ -194,20 +194,35 @@ std::vector<OutsideEdit> Workspace::outsideEdits(const QString &taskId) const
     return edits;
 }
 
-std::optional<Error> Workspace::keepOutside(const QString &taskId, const OutsideEdit &edit)
+Result<QString> Workspace::keepOutside(const QString &taskId, const OutsideEdit &edit)
 {
-    if (edit.text) {
-        m_known[edit.path] = edit.text->toUtf8();
-        return keep(taskId, *edit.text, {.reason = VersionReason::Outside});
+    std::optional<QString> text = edit.text;
+    QString beside;
+    if (text) {
+        m_known[edit.path] = text->toUtf8();
+    } else {
+        const auto content = contentOf(edit.path);
+        text = content ? convertedProgram(*content) : std::nullopt;
+        auto moved = moveAside(edit.path);
+        if (!moved)
+            return moved;
+        beside = *moved;
     }
-    const auto content = contentOf(edit.path);
-    if (!content || QFile::rename(edit.path, besideOf(edit.path))) {
-        m_known.erase(edit.path);
-        return std::nullopt;
+    if (text) {
+        if (const auto error = keep(taskId, *text, {.reason = VersionReason::Outside}))
+            return *error;
     }
-    return Error{.message = WorkspaceText::tr("another program has made this a file that is no "
-                                              "program, and it cannot be moved aside"),
-                 .file = edit.path};
+    return beside;
+}
+
+/// \return its new name
+Result<QString> Workspace::moveAside(const QString &path)
+{
+    const QString beside = besideOf(path);
+    if (!QFile::rename(path, beside))
+        return Error{.message = WorkspaceText::tr("the file cannot be moved aside"), .file = path};
+    m_known.erase(path);
+    return beside;
 }
 
 bool Workspace::canConvert(const QString &taskId) const
@@ -222,9 +237,11 @@ std::optional<Error> Workspace::replaceForeign(const Lab &lab, int index, bool c
     const QString path = pathOf(taskId);
     const auto bytes = contentOf(path);
     const auto text = bytes && convert ? convertedProgram(*bytes) : std::nullopt;
-    if (!QFile::rename(path, besideOf(path)))
-        return Error{.message = WorkspaceText::tr("the file cannot be moved aside"), .file = path};
-    m_known.erase(path);
+    if (const auto moved = moveAside(path); !moved)
+        return moved.error();
+    // lab.lua is replaced with it, and may be another file that is no program.
+    if (const auto mirror = contentOf(labPath()); mirror && !programFrom(*mirror, labPath()))
+        (void)moveAside(labPath());
     return save(taskId, text ? *text : startOf(lab, index));
 }
 
@@ -235,36 +252,6 @@ std::optional<Error> Workspace::savePredictions(const QByteArray &text)
         || contentOf(path).value_or("{\n}\n") == text)
         return std::nullopt;
     return write(path, text);
-}
-
-QString Workspace::noteOf(const QString &taskId) const
-{
-    if (const auto found = m_notes.find(taskId); found != m_notes.end())
-        return found->second;
-    if (m_folder.isEmpty())
-        return {};
-    const auto text = readFile(m_folder + QStringLiteral("/notes/%1.md").arg(taskId), noteBytes);
-    return text ? QString::fromUtf8(*text) : QString();
-}
-
-std::optional<Error> Workspace::saveNote(const QString &taskId, const QString &text)
-{
-    if (m_folder.isEmpty()) {
-        m_notes[taskId] = text;
-        return std::nullopt;
-    }
-    if (m_lookedAt || (!m_notes.contains(taskId) && text == noteOf(taskId)))
-        return std::nullopt;
-    const QString path = m_folder + QStringLiteral("/notes/%1.md").arg(taskId);
-    m_notes[taskId] = text;
-    if (wasTakenOver() || m_readOnly)
-        return Error{.message = WorkspaceText::tr("another window works on this lab now; this one "
-                                                  "saves nothing more"),
-                     .file = path};
-    auto error = write(path, text.toUtf8());
-    if (!error)
-        m_notes.erase(taskId);
-    return error;
 }
 
 } // namespace cradle

@@ -73,8 +73,10 @@ public:
 
     /// What of the step's file and lab.lua is no longer as it was read or saved, the newest last.
     [[nodiscard]] std::vector<OutsideEdit> outsideEdits(const QString &taskId) const;
-    /// Keeps such an edit: as a version, or a file that is no program beside it. It is known then.
-    std::optional<Error> keepOutside(const QString &taskId, const OutsideEdit &edit);
+    /// Keeps such an edit as a version; it is known then. A file that is no program is also kept
+    /// beside, and what can be read of it becomes the version.
+    /// \return the file that it is kept as; empty if it is a program
+    Result<QString> keepOutside(const QString &taskId, const OutsideEdit &edit);
 
     /// Whether the step's file, which is no program, can be made one.
     [[nodiscard]] bool canConvert(const QString &taskId) const;
@@ -98,8 +100,11 @@ public:
 
     /// What the student has noted about a step, Markdown; empty if nothing.
     [[nodiscard]] QString noteOf(const QString &taskId) const;
-    /// What cannot be saved is kept in memory.
+    /// What cannot be saved is kept in memory. What another program has made of the file is kept,
+    /// too. \return what went wrong, or where that is
     std::optional<Error> saveNote(const QString &taskId, const QString &text);
+    /// Keeps the note, as it was saved, as a version.
+    std::optional<Error> keepNote(const QString &taskId);
 
     /// Keeps predictions.json, if it says something else.
     std::optional<Error> savePredictions(const QByteArray &text);
@@ -110,6 +115,9 @@ public:
 private:
     [[nodiscard]] Result<std::optional<QString>> ownText(const QString &taskId) const;
     [[nodiscard]] bool wasTakenOver();
+    Result<QString> moveAside(const QString &path);
+    [[nodiscard]] QString notePath(const QString &taskId) const;
+    std::optional<Error> keepOthersNote(const QString &taskId);
     std::optional<Error> write(const QString &path, const QByteArray &text);
     std::optional<Error> openHistory();
     std::optional<Error> takeLabFile(const QString &currentTask);

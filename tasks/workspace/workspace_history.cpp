@@ -57,6 +57,8 @@ std::optional<Error> Workspace::begin(const Lab &lab, const QString &currentTask
         m_info = *info;
     if (m_readOnly)
         return fault;
+    if (m_history && m_lock.killedSince().isValid())
+        m_history->removeLocksSince(m_lock.killedSince());
     removeUnfinished(m_folder);
     removeUnfinished(m_folder + QStringLiteral("/steps"));
     m_info.labId = lab.id;
@@ -112,10 +114,14 @@ std::optional<Error> Workspace::takeLabFile(const QString &currentTask)
     return save(currentTask, *text);
 }
 
-/// Whether another window has taken the right to write since it was used last.
+/// Whether another window has taken the right to write since it was used last. A lock that is only
+/// gone (with "git clean", say) is nobody's, and is taken again.
 bool Workspace::wasTakenOver()
 {
     if (!m_hasLock || m_lock.isHeld())
+        return false;
+    m_holder = m_lock.take();
+    if (!m_holder)
         return false;
     m_hasLock = false;
     m_readOnly = true;

@@ -93,6 +93,7 @@ WorkspaceLock::~WorkspaceLock()
 WorkspaceLock::WorkspaceLock(WorkspaceLock &&other) noexcept
     : m_path(std::move(other.m_path))
     , m_token(std::exchange(other.m_token, {}))
+    , m_killedSince(std::move(other.m_killedSince))
 {
 }
 
@@ -102,6 +103,7 @@ WorkspaceLock &WorkspaceLock::operator=(WorkspaceLock &&other) noexcept
         release();
         m_path = std::move(other.m_path);
         m_token = std::exchange(other.m_token, {});
+        m_killedSince = std::move(other.m_killedSince);
     }
     return *this;
 }
@@ -130,6 +132,7 @@ std::optional<LockHolder> WorkspaceLock::take()
             break;
         }
         if (held) {
+            m_killedSince = held->holder.since;
             QFile::remove(m_path); // of a window that was killed
         } else if (errno != EEXIST) {
             takeOver(); // a disk without links

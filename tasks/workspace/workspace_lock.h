@@ -38,12 +38,15 @@ public:
     void takeOver();
     /// Whether it is still ours: another may have taken it over.
     [[nodiscard]] bool isHeld() const;
+    /// Who had it when it was taken, and was killed: since when; invalid if nobody was.
+    [[nodiscard]] const QDateTime &killedSince() const { return m_killedSince; }
 
 private:
     void release();
 
     QString m_path;
     QString m_token; ///< empty: not taken
+    QDateTime m_killedSince{};
 };
 
 /// The name of the lock's file.
