@@ -60,6 +60,7 @@ struct Options {
         QCoreApplication::translate("Main", "draw the window into this file and quit"),
         QStringLiteral("FILE.png")};
     QCommandLineOption printReport = hidden(QStringLiteral("print-report"));
+    QCommandLineOption setFormulas = hidden(QStringLiteral("set-formulas"));
     QCommandLineOption at{
         QStringLiteral("at"),
         QCoreApplication::translate("Main", "of the scene's time, s, in the picture"),
@@ -93,8 +94,8 @@ bool needsNoDisplay(int argc, char **argv)
 {
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument(argv[i]);
-        for (const std::string_view name :
-             {"--screenshot", "--print-report", "--help", "-h", "--help-all", "--version", "-v"}) {
+        for (const std::string_view name : {"--screenshot", "--print-report", "--set-formulas",
+                                            "--help", "-h", "--help-all", "--version", "-v"}) {
             if (argument == name || argument.starts_with("--screenshot="))
                 return true;
         }
@@ -115,7 +116,8 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
         QCoreApplication::translate("Main", "the lab or the scene to open; without it Lab 4.2"));
     parser.addOptions({options.step, options.example, options.language, options.theme,
                        options.textSize, options.mode, options.script, options.author, options.tab,
-                       options.screenshot, options.at, options.size, options.printReport});
+                       options.screenshot, options.at, options.size, options.printReport,
+                       options.setFormulas});
     if (!parser.parse(arguments))
         return Error{.message = QStringLiteral("cradle: ") + parser.errorText()};
     if (parser.isSet(help))
@@ -144,7 +146,8 @@ Result<CommandLine> parseCommandLine(const QStringList &arguments)
                        .screenshot = value(options.screenshot),
                        .at = parser.value(options.at),
                        .size = parser.value(options.size),
-                       .printReport = value(options.printReport)};
+                       .printReport = value(options.printReport),
+                       .setFormulas = value(options.setFormulas)};
 }
 
 } // namespace cradle

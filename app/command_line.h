@@ -28,6 +28,7 @@ struct CommandLine {
     QString at{};                         ///< s of the scene's time, in the picture
     QString size{};                       ///< of the picture's window; empty: as it comes
     std::optional<QString> printReport{}; ///< folder of a report that is to be printed
+    std::optional<QString> setFormulas{}; ///< folder of formulas that are to be set
 };
 
 /// Reads the arguments, the program's name first. --help and --version print, and end the program.

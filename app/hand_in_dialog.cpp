@@ -81,6 +81,10 @@ Sender HandInDialog::sender() const
 void HandInDialog::judge()
 {
     m_workbench.save();
+    if (!m_workbench.code().isSaved()) {
+        m_message->setText(unsavedText());
+        return;
+    }
     m_message->setText(tr("Every step is judged once more…"));
     m_job.start(m_workbench.lab(), m_workbench.code().workspace().folder(), {});
 }

@@ -9,15 +9,19 @@
 #include "app/screenshot.h"
 #include "app/settings_format.h"
 #include "model/file_io.h"
+#include "model/json_schema.h"
 #include "tasks/authoring/lab_archive.h"
+#include "views/formula_setting.h"
 #include "views/report_printer.h"
 #include "views/shortcut_guard.h"
 
 #include <QApplication>
+#include <QEventLoop>
 #include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTextDocumentFragment>
 #include <QTextStream>
 
 #include <csignal>
@@ -29,6 +33,7 @@ namespace {
 using namespace cradle;
 
 constexpr int badUsage = 2;
+constexpr qint64 mostFormulaBytes = 16 * 1024 * 1024;
 
 int complain(const QString &message)
 {
@@ -96,8 +101,30 @@ int printReport(const QString &folder)
     if (!page)
         return complain(page.error().toString());
     const QString title =
-        page->html.section(QStringLiteral("<title>"), 1).section(QStringLiteral("</title>"), 0, 0);
+        QTextDocumentFragment::fromHtml(page->html.section(QStringLiteral("<title>"), 1)
+                                            .section(QStringLiteral("</title>"), 0, 0))
+            .toPlainText();
     const auto error = writeFile(folder + QStringLiteral("/report.pdf"), printedPdf(*page, title));
+    return error ? complain(error->toString()) : 0;
+}
+
+/// Sets the formulas that lie in \p folder as formulas.json; they become set.json there.
+int setFormulas(const QString &folder)
+{
+    const auto asked = readFile(folder + QStringLiteral("/formulas.json"), mostFormulaBytes);
+    if (!asked)
+        return complain(asked.error().toString());
+    FormulaSetting setting;
+    QEventLoop loop;
+    std::optional<SetFormulas> set;
+    QObject::connect(&setting, &FormulaSetting::done, &loop, [&](const SetFormulas &formulas) {
+        set = formulas;
+        loop.quit();
+    });
+    setting.start(formulasFrom(*asked));
+    if (!set)
+        loop.exec();
+    const auto error = writeFile(folder + QStringLiteral("/set.json"), textOf(*set));
     return error ? complain(error->toString()) : 0;
 }
 
@@ -138,8 +165,13 @@ int main(int argc, char **argv)
     const Result<CommandLine> request = parseCommandLine(QApplication::arguments());
     if (!request)
         return complain(request.error().message);
-    if (request->printReport)
+    if (request->setFormulas)
+        return setFormulas(*request->setFormulas);
+    if (request->printReport) {
+        if (request->language)
+            setLanguage(*request->language);
         return printReport(*request->printReport);
+    }
     QSettings settings(settingsFormat(), QSettings::UserScope, QApplication::organizationName(),
                        QApplication::applicationName());
     takeOlderSettings(settings, QSettings());

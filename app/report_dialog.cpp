@@ -56,6 +56,10 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
     connect(&m_job, &WorkJob::failed, this,
             [this](const Error &error) { m_message->setText(error.toString()); });
     workbench.save();
+    if (!workbench.code().isSaved()) {
+        m_message->setText(unsavedText());
+        return;
+    }
     m_message->setText(tr("Every step is judged once more…"));
     m_job.start(workbench.lab(), workbench.code().workspace().folder(), {});
 }

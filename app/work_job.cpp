@@ -21,9 +21,16 @@ WorkJob::WorkJob(QObject *parent)
             return;
         const auto result = m_watcher.result();
         if (*result)
-            emit finished(**result);
+            m_setting.start(formulasOf((*result)->report));
         else
             emit failed(result->error());
+    });
+    connect(&m_setting, &FormulaSetting::done, this, [this](const SetFormulas &formulas) {
+        if (*m_stop)
+            return;
+        HandIn handIn = **m_watcher.result();
+        handIn.report.formulas = formulas;
+        emit finished(handIn);
     });
 }
 
@@ -47,6 +54,12 @@ void WorkJob::start(const Lab &lab, const QString &folder, const Sender &sender)
         return std::make_shared<const Result<HandIn>>(gatherHandIn(
             lab, folder, sender, seed, QDateTime::currentDateTimeUtc(), tell, stop.get()));
     }));
+}
+
+QString unsavedText()
+{
+    return WorkJob::tr("What you typed last could not be saved; on the disk your work is older. "
+                       "Save it first: the window says what is in the way.");
 }
 
 void WorkJob::cancel()

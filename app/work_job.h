@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/hand_in/hand_in.h"
+#include "views/formula_setting.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -11,7 +12,8 @@
 
 namespace cradle {
 
-/// Judges all of a student's work anew, off the GUI thread, for a report or to be handed in.
+/// Judges all of a student's work anew, off the GUI thread, and sets the formulas of its notes, for
+/// a report or to be handed in.
 class WorkJob final : public QObject
 {
     Q_OBJECT
@@ -29,8 +31,12 @@ signals:
     void failed(const cradle::Error &error);
 
 private:
+    FormulaSetting m_setting;
     QFutureWatcher<std::shared_ptr<const Result<HandIn>>> m_watcher;
     std::shared_ptr<std::atomic_bool> m_stop;
 };
+
+/// Why nothing is judged: what lies on the disk, and would be, is older than what was typed.
+[[nodiscard]] QString unsavedText();
 
 } // namespace cradle

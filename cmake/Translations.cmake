@@ -13,6 +13,9 @@ file(GLOB ts_files CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/translations/*.ts")
 qt_add_lrelease(cradle_app TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_files)
 qt_add_resources(cradle_app translations PREFIX "/translations"
                  BASE "${CMAKE_BINARY_DIR}" OPTIONS ${cradle_rcc_options} FILES ${qm_files})
+# The command line speaks them in what it writes for people: reports.
+qt_add_resources(cradle-cli translations_of_reports PREFIX "/translations"
+                 BASE "${CMAKE_BINARY_DIR}" OPTIONS ${cradle_rcc_options} FILES ${qm_files})
 set(whole_ts_files ${ts_files})
 list(REMOVE_ITEM whole_ts_files "${CMAKE_SOURCE_DIR}/translations/cradle_en.ts")
 add_custom_target(update_translations

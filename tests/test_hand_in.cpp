@@ -37,6 +37,7 @@ private slots:
     void changedFilesAreRefused_data();
     void changedFilesAreRefused();
     void hostileHistoryIsOnlyText();
+    void longHistoryOpensSoon();
 
 private:
     [[nodiscard]] QString path(const char *name) const
@@ -292,6 +293,27 @@ void TestHandIn::hostileHistoryIsOnlyText()
     Workspace workspace(*folder);
     workspace.beginReading();
     QCOMPARE(workspace.history()->versions(QStringLiteral("BALL1")).size(), std::size_t(1));
+}
+
+/// Fifty thousand bytes that took minutes to open: each version waited for the disk.
+void TestHandIn::longHistoryOpensSoon()
+{
+    HandIn handIn = gathered();
+    std::vector<KeptProgram> programs;
+    for (int i = 0; i < 5000; ++i)
+        programs.push_back({{.id = {},
+                             .taskId = QStringLiteral("BALL%1").arg(i % 3 + 1),
+                             .when = m_when,
+                             .note = {.reason = VersionReason::Checked, .passed = true}},
+                            QStringLiteral("-- %1\n").arg(i)});
+    handIn.files[QStringLiteral("history.json")] = historyText(programs);
+    QVERIFY(!writeFile(path("ada.cradle-work"), *packHandIn(handIn, reportName, "%PDF")));
+    const auto folder = openHandIn(path("ada.cradle-work"), path("opened"));
+    QVERIFY(folder);
+    Workspace workspace(*folder);
+    workspace.beginReading();
+    QCOMPARE(workspace.history()->versions(QStringLiteral("BALL1"), 5000).size(),
+             std::size_t(1667));
 }
 
 QTEST_GUILESS_MAIN(TestHandIn)

@@ -52,7 +52,7 @@ public:
     static constexpr int objectType = QTextFormat::UserObject + 1;
     static constexpr int indexProperty = QTextFormat::UserProperty + 1;
 
-    /// \param widget  whose text colour replaces `currentColor`
+    /// \param widget  whose text colour replaces `currentColor`; null if every format has its own
     explicit PictureObjects(QWidget *widget);
 
     void clear() { m_pictures.clear(); }

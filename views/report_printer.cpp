@@ -3,6 +3,7 @@
 #include "views/report_printer.h"
 
 #include "views/drawing_object.h"
+#include "views/picture_objects.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -31,6 +32,8 @@ constexpr int footerText = 11;     ///< px
 constexpr double footerPx = 28.0;  ///< below the text
 constexpr double roundedPx = 1.0;  ///< by which a layout may miss the top of a page
 constexpr int fineness = 1200;     ///< dots per inch that places are rounded to
+/// At equal x-height TeX's capitals and digits stand above those of other fonts.
+constexpr double formulaScale = 0.94;
 
 /// A ligature has no letters of its own: "--" and "<=" would be missing where text is selected.
 void withoutLigatures(QTextDocument &document)
@@ -40,6 +43,29 @@ void withoutLigatures(QTextDocument &document)
     QTextCursor all(&document);
     all.select(QTextCursor::Document);
     all.mergeCharFormat(plain);
+}
+
+/// What the page calls "formula:N:WIDTH:HEIGHT:DEPTH", in ex, stands on the line as it is set.
+void placeFormulas(QTextDocument &document, const std::vector<QByteArray> &drawings,
+                   PictureObjects &pictures)
+{
+    for (QTextCursor &span : PictureObjects::spansOf(&document)) {
+        QTextCharFormat format = span.charFormat();
+        const QStringList parts = format.isImageFormat()
+                                      ? format.toImageFormat().name().split(QLatin1Char(':'))
+                                      : QStringList();
+        const auto number = parts.value(1).toUInt();
+        if (parts.size() != 5 || parts[0] != QLatin1String("formula") || number >= drawings.size())
+            continue;
+        Picture picture;
+        picture.font = format.font().resolve(document.defaultFont());
+        const double ex = QFontMetricsF(picture.font).xHeight() * formulaScale;
+        picture.svg = drawings[number];
+        picture.size = QSizeF(parts[2].toDouble(), parts[3].toDouble()) * ex;
+        QTextCharFormat plain;
+        plain.setForeground(QColor(0x212529));
+        pictures.insertAtDepth(span, plain, picture, parts[4].toDouble() * ex);
+    }
 }
 
 /// A heading goes to the next page with what it is about.
@@ -81,15 +107,18 @@ QByteArray printedPdf(const LabReportPage &page, const QString &title)
     const QSizeF paper(writer.width() / scale, writer.height() / scale);
     const QSizeF sheet(paper.width(), paper.height() - footerPx);
     DrawingObject drawings(page.drawings);
+    PictureObjects formulas(nullptr);
     QTextDocument document;
     document.setUseDesignMetrics(true);
     document.setDocumentMargin(0.0);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
+    document.documentLayout()->registerHandler(PictureObjects::objectType, &formulas);
     QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("DejaVu Sans")});
     font.setPointSizeF(textSize);
     document.setDefaultFont(font);
     document.setHtml(page.html);
     withoutLigatures(document);
+    placeFormulas(document, page.drawings, formulas);
     document.setPageSize(sheet);
     keepHeadingsWithText(document, sheet.height());
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/work_report.h"
-
 #include "app/cli/apart.h"
+#include "app/cli/report_files.h"
 #include "app/cli/subcommand.h"
+#include "app/cli/told_in_cells.h"
+#include "app/language.h"
 #include "model/file_io.h"
 #include "model/json_schema.h"
 #include "tasks/authoring/lab_archive.h"
@@ -12,9 +13,7 @@
 #include "tasks/lab_reader.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
-#include <QProcess>
-#include <QTemporaryDir>
+#include <QLocale>
 #include <QTextStream>
 
 namespace cradle::cli {
@@ -25,9 +24,7 @@ struct WorkReportText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
-constexpr int printPatience = 120'000;       ///< ms
 constexpr std::chrono::minutes mostTime{10}; ///< of all programs of one student
-constexpr qint64 mostBytes = 256 * 1024 * 1024;
 
 /// What both subcommands are asked.
 struct WorkOptions {
@@ -46,14 +43,31 @@ struct WorkOptions {
                             QStringLiteral("TEXT")};
     QCommandLineOption output{QStringLiteral("output"), WorkReportText::tr("where to write"),
                               QStringLiteral("FILE")};
+    QCommandLineOption language{
+        QStringLiteral("language"),
+        WorkReportText::tr("of the report: en or de; without it that of the system"),
+        QStringLiteral("CODE")};
 };
+
+/// Speaks the language that was asked for. \return what is wrong with it
+std::optional<ExitCode> takeLanguage(const QCommandLineParser &parser, const WorkOptions &options)
+{
+    const QString asked = parser.value(options.language);
+    if (parser.isSet(options.language) && !languages().contains(asked))
+        return complain(WorkReportText::tr("--language %1: en or de is right").arg(asked));
+    setLanguage(asked);
+    // Numbers as in the words around them.
+    if (QLocale().language() != QLocale(currentLanguage()).language())
+        QLocale::setDefault(QLocale(currentLanguage()));
+    return std::nullopt;
+}
 
 /// The lab that was asked for, or that the work names.
 Result<Lab> labFor(const QCommandLineParser &parser, const WorkOptions &options,
                    const QString &work)
 {
     if (parser.isSet(options.lab))
-        return readLabOrArchive(parser.value(options.lab));
+        return readLabOrArchive(parser.value(options.lab), currentLanguage());
     QString id;
     if (isWorkArchive(work)) {
         const auto files = readWorkArchive(work);
@@ -65,11 +79,11 @@ Result<Lab> labFor(const QCommandLineParser &parser, const WorkOptions &options,
         id = info->labId;
     }
     for (const char *shipped : {shippedLab, bouncingBallLab}) {
-        auto lab = readLab(QLatin1String(shipped));
+        auto lab = readLab(QLatin1String(shipped), currentLanguage());
         if (lab && lab->id == id)
             return lab;
     }
-    return readLab(QLatin1String(shippedLab));
+    return readLab(QLatin1String(shippedLab), currentLanguage());
 }
 
 /// In a process of its own: the work is programs, and anybody may have written them.
@@ -102,33 +116,12 @@ Result<LabReport> reportOn(const QString &path, const Lab &lab, const Sender &se
         work->info.student = sender.name;
     if (!sender.number.isEmpty())
         work->info.studentId = sender.number;
-    return makeLabReport(lab, *work, seed, QDateTime::currentDateTimeUtc());
+    LabReport report = reportFromCells(lab, *work, seed, QDateTime::currentDateTimeUtc());
+    setFormulas(report);
+    return report;
 }
 
 } // namespace
-
-Result<QByteArray> printedReport(const LabReport &report, const QString &language)
-{
-    const QString cradle = QCoreApplication::applicationDirPath() + QStringLiteral("/cradle");
-    if (!QFileInfo(cradle).isExecutable())
-        return Error{.message = WorkReportText::tr("the application that prints PDF is not beside "
-                                                   "cradle-cli; F.html is right without it"),
-                     .file = cradle};
-    const QTemporaryDir folder;
-    const LabReportPage page = labReportPage(report, Drawings::Numbered, language);
-    if (const auto error = savePage(page, folder.path()))
-        return *error;
-    const QString pdf = folder.filePath(QStringLiteral("report.pdf"));
-    QProcess process;
-    process.start(cradle, {QStringLiteral("--print-report"), folder.path()});
-    if (!process.waitForFinished(printPatience) || process.exitCode() != 0) {
-        process.kill();
-        process.waitForFinished();
-        return Error{.message = WorkReportText::tr("the report could not be printed: %1")
-                                    .arg(QString::fromUtf8(process.readAllStandardError()))};
-    }
-    return readFile(pdf, mostBytes);
-}
 
 ExitCode report(const QStringList &arguments)
 {
@@ -139,8 +132,11 @@ ExitCode report(const QStringList &arguments)
     parser.addPositionalArgument(QStringLiteral("WORKSPACE"),
                                  WorkReportText::tr("the folder, or a FILE.cradle-work"));
     const WorkOptions options;
-    parser.addOptions({options.lab, options.seed, options.name, options.number, options.output});
+    parser.addOptions({options.lab, options.seed, options.name, options.number, options.output,
+                       options.language});
     if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    if (const auto code = takeLanguage(parser, options))
         return *code;
     const QString output = parser.value(options.output);
     const bool isPdf = output.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
@@ -155,11 +151,7 @@ ExitCode report(const QStringList &arguments)
         const auto told = reportOn(work, *lab, sender, seedOf(parser, options));
         if (!told)
             return complain(told.error());
-        const QString language = QStringLiteral("en");
-        const auto bytes = isPdf
-                               ? printedReport(*told, language)
-                               : Result<QByteArray>(
-                                   labReportPage(*told, Drawings::Inside, language).html.toUtf8());
+        const auto bytes = isPdf ? printedReport(*told) : Result<QByteArray>(htmlOf(*told));
         if (!bytes)
             return complainUnwritten(bytes.error());
         if (const auto error = writeText(output, *bytes))
@@ -176,9 +168,11 @@ ExitCode handIn(const QStringList &arguments)
         "history and a report. Every step is judged once more."));
     parser.addPositionalArgument(QStringLiteral("WORKSPACE"), WorkReportText::tr("the folder"));
     const WorkOptions options;
-    parser.addOptions(
-        {options.lab, options.seed, options.name, options.number, options.note, options.output});
+    parser.addOptions({options.lab, options.seed, options.name, options.number, options.note,
+                       options.output, options.language});
     if (const auto code = parse(parser, arguments, 1, 1))
+        return *code;
+    if (const auto code = takeLanguage(parser, options))
         return *code;
     const QString work = parser.positionalArguments().first();
     const QString output = parser.value(options.output);
@@ -188,18 +182,22 @@ ExitCode handIn(const QStringList &arguments)
         const auto lab = labFor(parser, options, work);
         if (!lab)
             return complain(lab.error());
-        const auto gathered = gatherHandIn(
+        const qint64 seed = seedOf(parser, options);
+        const QDateTime when = QDateTime::currentDateTimeUtc();
+        auto gathered = gatherHandIn(
             *lab, work,
             {parser.value(options.name), parser.value(options.number), parser.value(options.note)},
-            seedOf(parser, options), QDateTime::currentDateTimeUtc());
+            seed, when, [&](const Lab &ofLab, const StudentWork &told) {
+                return reportFromCells(ofLab, told, seed, when);
+            });
         if (!gathered)
             return complain(gathered.error());
-        const QString language = QStringLiteral("en");
-        auto printed = printedReport(gathered->report, language);
+        setFormulas(gathered->report);
+        auto printed = printedReport(gathered->report);
         const QString name = printed ? QStringLiteral("report.pdf") : QStringLiteral("report.html");
         if (!printed) {
             QTextStream(stderr) << printed.error().toString() << Qt::endl;
-            printed = labReportPage(gathered->report, Drawings::Inside, language).html.toUtf8();
+            printed = htmlOf(gathered->report);
         }
         const auto packed = packHandIn(*gathered, name, *printed);
         if (!packed)

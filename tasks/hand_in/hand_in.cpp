@@ -5,6 +5,7 @@
 #include "model/file_io.h"
 #include "model/json_schema.h"
 #include "tasks/authoring/lab_files.h"
+#include "tasks/plain_text.h"
 #include "tasks/workspace/history.h"
 
 #include <QCoreApplication>
@@ -25,6 +26,8 @@ const QString infoFile = QStringLiteral("cradle.json");
 const QString bundleFile = QStringLiteral("history.bundle");
 const QString historyFile = QStringLiteral("history.json");
 const QString noteFile = QStringLiteral("note-to-teacher.txt");
+constexpr qint64 mostNoteBytes = 1024 * 1024;
+constexpr qsizetype longestNote = 300; ///< letters, in one line
 
 /// Versions and bundle of the repository in \p folder, if there is one.
 void addHistory(WorkFiles &files, const StudentWork &work, const QString &folder)
@@ -59,7 +62,7 @@ std::optional<Error> writeAll(const WorkFiles &files, const QString &folder)
 std::optional<Error> replay(const WorkFiles &files, const WorkManifest &manifest,
                             const QString &folder)
 {
-    const auto history = History::open(folder);
+    const auto history = History::makeDerivable(folder);
     if (!history)
         return history.error();
     std::vector<KeptProgram> programs = historyFrom(files.value(historyFile));
@@ -82,6 +85,15 @@ Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender 
                             const std::function<void(int, int)> &progress,
                             const std::atomic_bool *cancelled)
 {
+    return gatherHandIn(lab, folder, sender, seed, when,
+                        [&](const Lab &ofLab, const StudentWork &work) {
+                            return makeLabReport(ofLab, work, seed, when, progress, cancelled);
+                        });
+}
+
+Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender &sender,
+                            qint64 seed, const QDateTime &when, const ReportMaker &makeReport)
+{
     const auto files = readWorkFiles(folder);
     if (!files)
         return files.error();
@@ -91,8 +103,7 @@ Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender 
     work->info.labId = lab.id;
     work->info.labVersion = lab.version;
     work->info.labHash = lab.hash;
-    HandIn handIn{.files = *files,
-                  .report = makeLabReport(lab, *work, seed, when, progress, cancelled)};
+    HandIn handIn{.files = *files, .report = makeReport(lab, *work)};
     handIn.files.insert(infoFile, textOf(work->info));
     addHistory(handIn.files, *work, folder);
     handIn.manifest = {.labId = lab.id,
@@ -146,7 +157,7 @@ Result<QString> openHandIn(const QString &path, const QString &place)
     if (!manifest)
         return manifest.error();
     const QByteArray hash = QCryptographicHash::hash(*archive, QCryptographicHash::Sha256);
-    const QString folder = place + QLatin1Char('/') + QString::fromLatin1(hash.toHex().left(16));
+    const QString folder = place + QLatin1Char('/') + QString::fromLatin1(hash.toHex().left(32));
     if (QFileInfo(folder).isDir())
         return folder; // opened before
     if (auto error = makeFolder(place))
@@ -160,6 +171,13 @@ Result<QString> openHandIn(const QString &path, const QString &place)
     if (!QDir().rename(inside, folder))
         return Error{.message = HandInText::tr("the work cannot be put there"), .file = folder};
     return folder;
+}
+
+QString noteToTeacher(const QString &folder)
+{
+    const auto note = readFile(folder + QLatin1Char('/') + noteFile, mostNoteBytes);
+    const QString text = printable(QString::fromUtf8(note ? *note : QByteArray())).simplified();
+    return text.size() <= longestNote ? text : text.left(longestNote) + QStringLiteral("…");
 }
 
 } // namespace cradle

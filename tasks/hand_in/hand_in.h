@@ -21,8 +21,14 @@ struct HandIn {
     WorkManifest manifest{};
 };
 
-/// Gathers the work in \p folder, judges every step anew and makes what is told about it.
-/// \param progress, cancelled  see makeLabReport()
+/// Judges a student's work anew and tells it, as makeLabReport() does.
+using ReportMaker = std::function<LabReport(const Lab &lab, const StudentWork &work)>;
+
+/// Gathers the work in \p folder, and what \p makeReport tells about it.
+/// \param seed, when  of that, for the manifest
+Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender &sender,
+                            qint64 seed, const QDateTime &when, const ReportMaker &makeReport);
+/// The same with makeLabReport().
 Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender &sender,
                             qint64 seed, const QDateTime &when,
                             const std::function<void(int done, int total)> &progress = {},
@@ -40,5 +46,8 @@ Result<QByteArray> packHandIn(const HandIn &handIn, const QString &reportName,
 /// at: its programs, and its history as a repository. Nothing of it is run.
 /// \return the folder; the same file has the same
 Result<QString> openHandIn(const QString &path, const QString &place);
+
+/// The note to the teacher in such a folder, as one line; empty if there is none.
+[[nodiscard]] QString noteToTeacher(const QString &folder);
 
 } // namespace cradle

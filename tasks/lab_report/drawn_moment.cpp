@@ -5,6 +5,7 @@
 #include "tasks/lab_report/svg_picture.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,9 @@ DrawnMoment drawnMoment(const Observation &run, qint64 index)
 QByteArray sceneSvg(const DrawnMoment &moment)
 {
     const Frame place(moment.halfWidth);
-    SvgPicture picture(sceneSize, sceneSize,
-                       PictureText::tr("The scene at %1 s").arg(moment.time, 0, 'f', 2));
+    SvgPicture picture(
+        sceneSize, sceneSize,
+        PictureText::tr("The scene at %1 s").arg(QLocale().toString(moment.time, 'f', 2)));
     picture.rectangle({}, {sceneSize, sceneSize}, background, {});
     picture.rectangle(place({-moment.halfWidth, moment.halfWidth}),
                       Vec2{1.0, 1.0} * place.length(2.0 * moment.halfWidth), {}, {wallColour, 2.0});

@@ -4,7 +4,6 @@
 
 #include "tasks/judgement.h"
 #include "tasks/lab_report/drawn_moment.h"
-#include "tasks/lab_report/run_pictures.h"
 #include "tasks/mode.h"
 #include "tasks/plain_text.h"
 #include "tasks/report_text.h"
@@ -24,12 +23,6 @@ struct ReportText {
 
 constexpr double runSeconds = 10.0; ///< of the student's own scene that is told
 constexpr int oneLine = 100'000;    ///< columns: not broken
-
-/// A step with what its report needs of the whole.
-struct Told {
-    StepReport report{};
-    EnergyCurve curve{};
-};
 
 /// The first sentence below the heading.
 QString askedBy(const Task &task, bool byProgram)
@@ -100,7 +93,7 @@ void tellPrediction(StepReport &report, const Task &task, const Guess &guess)
     report.wasRight = *guess.answer == asked.right;
 }
 
-void tellRun(Told &told, const Task &task, const Submission &submission)
+void tellRun(ToldStep &told, const Task &task, const Submission &submission)
 {
     const Variant own{QStringLiteral("preset"), submission.preset, runSeconds, false, task.locked};
     const Observation run = observe(own, submission.program());
@@ -114,10 +107,23 @@ void tellRun(Told &told, const Task &task, const Submission &submission)
     told.curve = energyCurve(task.id, run);
 }
 
-Told tellStep(const Lab &lab, const Task &task, const StepWork &work, const QString &before,
-              qint64 seed)
+/// What a step's program is compared with: the student's own before it, else the lab's.
+QString programBefore(const Lab &lab, const StudentWork &work, int index)
 {
-    Told told;
+    for (auto before = static_cast<std::size_t>(index); before-- > 0;) {
+        if (const auto &program = work.step(lab.tasks[before].id).program)
+            return *program;
+    }
+    return lab.tasks[static_cast<std::size_t>(index)].starter;
+}
+
+} // namespace
+
+ToldStep tellStep(const Lab &lab, const StudentWork &all, int index, qint64 seed)
+{
+    const Task &task = lab.tasks[static_cast<std::size_t>(index)];
+    const StepWork &work = all.step(task.id);
+    ToldStep told;
     StepReport &report = told.report;
     report.id = task.id;
     report.title = task.title;
@@ -141,12 +147,10 @@ Told tellStep(const Lab &lab, const Task &task, const StepWork &work, const QStr
     for (std::size_t i = 0; i < judged->checks.size() && report.explanation.isEmpty(); ++i)
         report.explanation = plainText(feedbackOn(*judged, i, {}), oneLine);
     if (work.program)
-        report.change = hunksOf(lineDiff(before, *work.program));
+        report.change = hunksOf(lineDiff(programBefore(lab, all, index), *work.program));
     tellRun(told, task, submission);
     return told;
 }
-
-} // namespace
 
 QString nameOf(StepVerdict verdict)
 {
@@ -180,32 +184,25 @@ LabReport makeLabReport(const Lab &lab, const StudentWork &work, qint64 seed, co
                         const std::atomic_bool *cancelled)
 {
     const int count = static_cast<int>(lab.tasks.size());
-    // What each step's program is compared with: the student's own before it, else the lab's.
-    std::vector<QString> before(lab.tasks.size());
-    for (std::size_t i = 0; i < lab.tasks.size(); ++i) {
-        before[i] = lab.tasks[i].starter;
-        for (std::size_t j = i; j-- > 0;) {
-            if (const auto &program = work.step(lab.tasks[j].id).program) {
-                before[i] = *program;
-                break;
-            }
-        }
-    }
     std::vector<int> indices(lab.tasks.size());
     for (int i = 0; i < count; ++i)
         indices[static_cast<std::size_t>(i)] = i;
     std::atomic_int done = 0;
     const auto tell = [&](int index) {
-        const Task &task = lab.tasks[static_cast<std::size_t>(index)];
-        Told told;
+        ToldStep told;
         if (!cancelled || !*cancelled)
-            told = tellStep(lab, task, work.step(task.id), before[static_cast<std::size_t>(index)],
-                            seed);
+            told = tellStep(lab, work, index, seed);
         if (progress)
             progress(++done, count);
         return told;
     };
-    auto told = QtConcurrent::blockingMapped<std::vector<Told>>(indices, tell);
+    return reportOf(lab, work, when,
+                    QtConcurrent::blockingMapped<std::vector<ToldStep>>(indices, tell));
+}
+
+LabReport reportOf(const Lab &lab, const StudentWork &work, const QDateTime &when,
+                   std::vector<ToldStep> told)
+{
     LabReport report{.labTitle = lab.title,
                      .labVersion = lab.version,
                      .student = work.info.student,
@@ -213,7 +210,7 @@ LabReport makeLabReport(const Lab &lab, const StudentWork &work, qint64 seed, co
                      .when = when,
                      .noteToTeacher = work.noteToTeacher};
     std::vector<EnergyCurve> curves;
-    for (Told &step : told) {
+    for (ToldStep &step : told) {
         report.steps.push_back(std::move(step.report));
         if (!step.curve.points.empty())
             curves.push_back(std::move(step.curve));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "tasks/hand_in/student_work.h"
+#include "tasks/lab_report/run_pictures.h"
+#include "tasks/lab_report/set_formulas.h"
 #include "tasks/line_diff.h"
 
 #include <QDateTime>
@@ -57,10 +59,24 @@ struct LabReport {
     QDateTime when{};
     QString noteToTeacher{};
     std::vector<StepReport> steps{};
-    QByteArray energies{}; ///< of all steps, SVG; empty if none has any
+    QByteArray energies{};  ///< of all steps, SVG; empty if none has any
+    SetFormulas formulas{}; ///< of what is Markdown; those that are not there become plain text
 
     [[nodiscard]] int passedCount() const;
 };
+
+/// A step with what its report needs for the whole.
+struct ToldStep {
+    StepReport report{};
+    EnergyCurve curve{};
+};
+
+/// Judges step \p index of \p lab anew and tells it. Runs the student's program.
+[[nodiscard]] ToldStep tellStep(const Lab &lab, const StudentWork &work, int index, qint64 seed);
+
+/// Puts together what was told of all steps, in the lab's order.
+[[nodiscard]] LabReport reportOf(const Lab &lab, const StudentWork &work, const QDateTime &when,
+                                 std::vector<ToldStep> told);
 
 /// Judges all steps of \p work anew and makes their report, on all cores.
 /// \param progress   after every step, from any thread

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/markdown_html.h"
 
+#include "tasks/formula_text.h"
 #include "tasks/plain_text.h"
 
 #include <QRegularExpression>
@@ -99,9 +100,35 @@ private:
 
 } // namespace
 
-QString markdownHtml(const QString &markdown)
+QString markdownHtml(const QString &markdown, const FormulaHtml &formula)
 {
-    return Reader().read(withPlainFormulas(printable(markdown)));
+    const FormulaText found = findFormulas(printable(markdown));
+    const QRegularExpression marks(QStringView(FormulaText::markPattern).toString());
+    const auto replaced = [&marks](const QString &text, const auto &byNumber) {
+        QString result;
+        qsizetype done = 0;
+        for (auto each = marks.globalMatch(text); each.hasNext();) {
+            const QRegularExpressionMatch mark = each.next();
+            result += text.mid(done, mark.capturedStart() - done)
+                      + byNumber(mark.captured(1).toUInt(), mark.captured());
+            done = mark.capturedEnd();
+        }
+        return result + text.mid(done);
+    };
+    QStringList set;
+    for (const FormulaSource &source : found.formulas)
+        set.append(formula ? formula(source.tex, source.display) : QString());
+    // What cannot be set goes back, to become plain text.
+    const QString text = replaced(found.markdown, [&](uint number, const QString &mark) {
+        return set[number].isEmpty() ? found.formulas[number].markdown : mark;
+    });
+    static const QRegularExpression alone(QStringLiteral("<p>(?=\\x{E000}[0-9]+\\x{E001}</p>)"));
+    QString html = Reader().read(withPlainFormulas(text));
+    html.replace(alone, QStringLiteral("<p align=\"center\">"));
+    return replaced(html, [&](uint number, const QString &) {
+        const FormulaSource &source = found.formulas[number];
+        return source.before.toHtmlEscaped() + set[number] + source.after.toHtmlEscaped();
+    });
 }
 
 } // namespace cradle

@@ -4,10 +4,16 @@
 
 #include <QString>
 
+#include <functional>
+
 namespace cradle {
 
-/// Markdown of a student's note as HTML: paragraphs, headings, lists, emphasis, code, formulas as
-/// plain letters. Nothing of it is taken for HTML, and nothing is loaded: links show as text.
-[[nodiscard]] QString markdownHtml(const QString &markdown);
+/// Writes a formula as HTML; an empty answer makes it plain text.
+using FormulaHtml = std::function<QString(const QString &tex, bool display)>;
+
+/// A student's Markdown as HTML: headings, lists, fenced code, paragraphs, emphasis, code; formulas
+/// as \p formula writes them. All else is text: no links, pictures or tags come out of it, so that
+/// a page from anybody's notes loads and runs nothing.
+[[nodiscard]] QString markdownHtml(const QString &markdown, const FormulaHtml &formula = {});
 
 } // namespace cradle

@@ -20,6 +20,7 @@ struct PageText {
 };
 
 constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a page or a drawing
+constexpr std::size_t mostChangedLines = 1500; ///< of a step's program; the whole lab has 300
 
 // Tables and plain colours only: Qt's text documents print the same page.
 const QString style = QStringLiteral(
@@ -75,6 +76,28 @@ private:
     {
         if (!text.isEmpty())
             add(QStringLiteral("<%1>%2</%1>").arg(QLatin1String(element), text.toHtmlEscaped()));
+    }
+
+    void addMarkdown(const QString &markdown)
+    {
+        add(markdownHtml(markdown, [this](const QString &tex, bool display) {
+            const auto found = m_report.formulas.find({tex, display});
+            return found == m_report.formulas.end() ? QString() : formulaHtml(tex, found->second);
+        }));
+    }
+
+    QString formulaHtml(const QString &tex, const SetFormula &formula)
+    {
+        if (m_drawings == Drawings::Inside)
+            return QStringLiteral("<svg aria-label=\"%1\" style=\"vertical-align: %2ex\" %3")
+                .arg(tex.toHtmlEscaped(), QString::number(-formula.depth),
+                     QString::fromUtf8(formula.svg.mid(5))); // after "<svg "
+        m_page.drawings.push_back(formula.svg);
+        return QStringLiteral("<img src=\"formula:%1:%2:%3:%4\">")
+            .arg(m_page.drawings.size() - 1)
+            .arg(formula.width)
+            .arg(formula.height)
+            .arg(formula.depth);
     }
 
     void draw(const QByteArray &svg, int width, int height, int percent = 100)
@@ -169,7 +192,7 @@ private:
         writeChange(step);
         if (!step.note.trimmed().isEmpty()) {
             addText("h3", PageText::tr("Notes"));
-            add(markdownHtml(step.note));
+            addMarkdown(step.note);
         }
     }
 
@@ -181,8 +204,7 @@ private:
         QString items;
         for (const StepReport::Met &met : step.met)
             items += QStringLiteral("<li>%1 (%2×)</li>\n")
-                         .arg(met.headline.toHtmlEscaped())
-                         .arg(met.times);
+                         .arg(met.headline.toHtmlEscaped(), QString::number(met.times));
         add(QStringLiteral("<ul>\n%1</ul>").arg(items));
     }
 
@@ -191,7 +213,7 @@ private:
         if (step.question.isEmpty() || step.verdict == StepVerdict::NotDone)
             return;
         addText("h3", PageText::tr("Expected and found"));
-        add(markdownHtml(step.question));
+        addMarkdown(step.question);
         const QString right = PageText::tr("It comes true: %1").arg(step.right).toHtmlEscaped();
         const QString expected = PageText::tr("Expected: %1").arg(step.expected).toHtmlEscaped()
                                  + (step.wasRight ? QStringLiteral(" ✓") : QString());
@@ -225,7 +247,14 @@ private:
         }
         QString rows;
         bool first = true;
+        std::size_t left = mostChangedLines;
         for (const DiffHunk &hunk : step.change) {
+            if (hunk.lines.size() > left) {
+                rows += QStringLiteral("<tr><td></td><td></td><td>%1</td></tr>\n")
+                            .arg(PageText::tr("… and more, which no page holds.").toHtmlEscaped());
+                break;
+            }
+            left -= hunk.lines.size();
             if (!std::exchange(first, false))
                 rows += QStringLiteral("<tr><td class=\"number\">⋮</td><td></td><td></td></tr>\n");
             for (const DiffLine &line : hunk.lines)

@@ -5,7 +5,11 @@
 #include "model/file_io.h"
 #include "tasks/hand_in/work_archive.h"
 
+#include <QDir>
+#include <QProcess>
 #include <QRegularExpression>
+
+#include <unistd.h>
 
 using namespace cradle;
 using namespace cradle::programs;
@@ -22,6 +26,10 @@ private slots:
     void writesOneSelfContainedPage();
     void printsADocument();
     void reportsOnWhatWasHandedIn();
+    void speaksTheLanguageThatIsAskedFor();
+    void formulasOfNotesAreSet();
+    void namesAreTextEverywhere();
+    void programsRunInCells();
     void unwritableIsExitThree();
     void hangingProgramIsToldAsSuch();
 
@@ -83,6 +91,7 @@ void TestCliHandIn::wrongUsageIsSaid_data()
     QTest::newRow("report without a name") << "report WORK";
     QTest::newRow("report as a text") << "report WORK --output x.txt";
     QTest::newRow("no lab") << "report WORK --lab /nowhere --output x.html";
+    QTest::newRow("no language") << "report WORK --language xx --output x.html";
 }
 
 void TestCliHandIn::wrongUsageIsSaid()
@@ -149,6 +158,96 @@ void TestCliHandIn::reportsOnWhatWasHandedIn()
     QVERIFY(!writeFile(file, bytes));
     VERIFY_CODE(
         runCli({QStringLiteral("report"), file, QStringLiteral("--output"), path("a.html")}), 2);
+}
+
+void TestCliHandIn::speaksTheLanguageThatIsAskedFor()
+{
+    const QString html = path("de.html");
+    const QString german = QStringLiteral("de");
+    VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--language"), german,
+                        QStringLiteral("--output"), html}),
+                1);
+    const QString page = QString::fromUtf8(contentOf(html));
+    QVERIFY(page.contains(QStringLiteral("<html lang=\"de\">")));
+    QVERIFY(page.contains(QStringLiteral("Was sich am Programm geändert hat")));
+    QVERIFY(page.contains(QStringLiteral("2 von 3 Schritten")));
+    QVERIFY(!page.contains(QStringLiteral("What changed")));
+    const QString pdf = path("de.pdf");
+    VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--language"), german,
+                        QStringLiteral("--output"), pdf}),
+                1);
+    const QString text = tool("pdftotext", {pdf, QStringLiteral("-")});
+    QVERIFY2(text.contains(QStringLiteral("1 von ")), qPrintable(text.left(500)));
+}
+
+void TestCliHandIn::formulasOfNotesAreSet()
+{
+    QVERIFY(!makeFolder(path("f/steps")) && !makeFolder(path("f/notes")));
+    QVERIFY(QFile::copy(path("w/steps/BALL1.lua"), path("f/steps/BALL1.lua")));
+    QVERIFY(!writeFile(path("f/cradle.json"), R"({"format": 1, "lab": "bouncing-ball"})"));
+    QVERIFY(!writeFile(path("f/notes/BALL1.md"),
+                       "Here $v = \\frac{a}{2} t$, and\n\n$$E = m g h$$\n\nbut not $\\frac{$.\n"));
+    VERIFY_CODE(
+        runCli({QStringLiteral("report"), path("f"), QStringLiteral("--output"), path("f.html")}),
+        1);
+    const QString html = QString::fromUtf8(contentOf(path("f.html")));
+    if (!html.contains(QStringLiteral("vertical-align: -")))
+        QSKIP("built without MathJax");
+    QVERIFY(html.contains(QStringLiteral("aria-label=\"v = \\frac{a}{2} t\"")));
+    QVERIFY(html.contains(QStringLiteral("<p align=\"center\"><svg aria-label=\"E = m g h\"")));
+    QVERIFY(html.contains(QStringLiteral("but not ")));
+    for (const char *loading : {"src=", "href=", "url(", "<script", "@import"})
+        QVERIFY2(!html.contains(QLatin1String(loading)), loading);
+    VERIFY_CODE(
+        runCli({QStringLiteral("report"), path("f"), QStringLiteral("--output"), path("f.pdf")}),
+        1);
+    const Outcome read = run(QStringLiteral("pdftotext"), {path("f.pdf"), path("f.txt")});
+    QVERIFY2(read.error.isEmpty(), qPrintable(read.error)); // no broken path on any page
+    const QString text = QString::fromUtf8(contentOf(path("f.txt")));
+    // A drawing, as the scenes are: neither TeX nor plain letters.
+    QVERIFY(!text.contains(QStringLiteral("E = m g h")) && !text.contains(QStringLiteral("mgh")));
+    QVERIFY2(text.contains(QStringLiteral("Here")), qPrintable(text));
+}
+
+void TestCliHandIn::namesAreTextEverywhere()
+{
+    const QString name = QStringLiteral("A & B <i>");
+    VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--name"), name,
+                        QStringLiteral("--output"), path("n.pdf")}),
+                1);
+    const QString text = tool("pdftotext", {path("n.pdf"), QStringLiteral("-")});
+    QVERIFY2(!text.contains(QStringLiteral("&amp;")), qPrintable(text.left(1000)));
+    QVERIFY(text.count(QStringLiteral("A & B <i>")) > 1); // at the head, and below each page
+    QVERIFY(tool("pdfinfo", {path("n.pdf")}).contains(QStringLiteral("– A & B <i>")));
+}
+
+/// A program that takes its time is found in a process that may open no file.
+void TestCliHandIn::programsRunInCells()
+{
+    QVERIFY(!makeFolder(path("c/steps")));
+    QVERIFY(!writeFile(path("c/steps/BALL1.lua"),
+                       "function on_update() for i = 1, 1000000 do local x = i end end\n"));
+    QVERIFY(!writeFile(path("c/cradle.json"), R"({"format": 1, "lab": "bouncing-ball"})"));
+    QProcess process;
+    process.start(cliProgram(), {QStringLiteral("report"), path("c"), QStringLiteral("--output"),
+                                 path("c.html")});
+    QVERIFY(process.waitForStarted());
+    bool found = false;
+    while (!found && !process.waitForFinished(1)) {
+        const QByteArray group =
+            QByteArray::number(getpgid(static_cast<pid_t>(process.processId())));
+        for (const QString &each :
+             QDir(QStringLiteral("/proc")).entryList({QStringLiteral("[0-9]*")})) {
+            const QString of = QStringLiteral("/proc/") + each;
+            found = found
+                    || (contentOf(of + QStringLiteral("/comm")).startsWith("cradle-cli")
+                        && getpgid(each.toInt()) == group.toInt()
+                        && contentOf(of + QStringLiteral("/limits"))
+                               .contains("Max open files            0 "));
+        }
+    }
+    QVERIFY(found);
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(120'000));
 }
 
 void TestCliHandIn::unwritableIsExitThree()
