@@ -158,6 +158,9 @@ private:
     void wireKeeping();
     void showTaskNotice();
     void showHolder();
+    void askNameOnce();
+    void giveName();
+    void showSetAside(const QString &name, const QString &kept);
     void lookBack(bool finished);
     [[nodiscard]] bool hasWork();
     void reportUnsaved(const Error &error);

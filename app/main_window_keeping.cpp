@@ -8,8 +8,10 @@
 #include "app/notice_bar.h"
 #include "app/report_dialog.h"
 #include "app/share_dialog.h"
+#include "tasks/hand_in/hand_in.h"
 #include "views/drawing_object.h"
 
+#include <QInputDialog>
 #include <QLocale>
 #include <QMessageBox>
 
@@ -24,9 +26,11 @@ void MainWindow::wireKeeping()
             [this](const Error &error) { m_notice->warn(error.toString()); });
     connect(&m_workbench, &Workbench::labFinished, this, [this] { lookBack(true); });
     connect(&m_workbench, &Workbench::heldElsewhere, this, &MainWindow::showHolder);
+    connect(&m_workbench, &Workbench::stepCommitted, this, &MainWindow::askNameOnce);
     connect(code, &CodeSession::failed, this, &MainWindow::reportUnsaved);
     connect(code, &CodeSession::savedAgain, this,
             [this] { m_notice->retract(std::exchange(m_unsavedWarning, {})); });
+    connect(code, &CodeSession::setAside, this, &MainWindow::showSetAside);
     connect(code, &CodeSession::changedOutside, this, [this](bool taken) {
         m_notice->showNotice(taken ? tr("Another program has changed your program. Its text is "
                                         "shown now; yours is among the versions of this step.")
@@ -34,6 +38,13 @@ void MainWindow::wireKeeping()
                                         "typed. Yours stays; the other is among the versions of "
                                         "this step."));
     });
+}
+
+void MainWindow::showSetAside(const QString &name, const QString &kept)
+{
+    m_notice->showNotice(tr("Another program has made %1 a file that is no program. It is kept as "
+                            "%2; what can be read of it is among the versions of this step.")
+                             .arg(name, kept));
 }
 
 void MainWindow::report(const Error &error)
@@ -55,10 +66,13 @@ void MainWindow::showTaskNotice()
     const CodeSession &code = bench->code();
     if (bench->task() && code.workspace().isLookedAt()) {
         const WorkspaceInfo &info = code.workspace().info();
-        m_notice->showNotice(
+        const QString whose =
             tr("Work that %1 handed in. Run it, check it, read its versions and notes: nothing of "
                "it is changed, and nothing of what it says about itself is believed.")
-                .arg(info.student.isEmpty() ? tr("somebody") : info.student));
+                .arg(info.student.isEmpty() ? tr("somebody") : info.student);
+        const QString note = noteToTeacher(code.workspace().folder());
+        m_notice->showNotice(
+            note.isEmpty() ? whose : whose + QLatin1Char(' ') + tr("They write: “%1”").arg(note));
     } else if (bench->task() && bench->mode() == Mode::Code && code.foreign()) {
         std::vector<NoticeBar::Offer> offers;
         if (code.workspace().canConvert(code.taskId()))
@@ -100,6 +114,31 @@ void MainWindow::showHolder()
                        .arg(holder->host,
                             QLocale().toString(holder->since.toLocalTime(), QLocale::ShortFormat)),
                    {{tr("Take over"), [bench] { bench->takeOver(); }}});
+}
+
+/// Whose the commits are, if neither git nor the work knows it.
+void MainWindow::askNameOnce()
+{
+    const QString asked = QStringLiteral("nameAsked");
+    if (m_settings.value(asked).toBool() || !m_workbench.signsAsNobody())
+        return;
+    m_settings.setValue(asked, true);
+    m_notice->showNotice(tr("What you pass is kept in your history, signed “Student”. It can be "
+                            "signed with your name."),
+                         {{tr("Give your name…"), [this] { giveName(); }}});
+}
+
+void MainWindow::giveName()
+{
+    Workspace &workspace = m_workbench.code().workspace();
+    const QString name = QInputDialog::getText(this, tr("Your name"), tr("Your name:"),
+                                               QLineEdit::Normal, workspace.info().student);
+    if (name.simplified().isEmpty())
+        return;
+    if (const auto error = workspace.setStudent(name, workspace.info().studentId))
+        report(*error);
+    else
+        m_notice->clearNotice();
 }
 
 /// Says so where nothing of the work is kept, or by whom.

@@ -116,9 +116,12 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
     m_current = -1;
     LabProgress &progressOfLab = m_store.lab(m_lab.id);
     m_firstStart = progressOfLab.tasks.empty() && work.isEmpty();
+    const bool isNew = progressOfLab.tasks.empty();
     openWorkspace(work.isEmpty() && !m_programs.isEmpty() ? m_programs + QLatin1Char('/') + m_lab.id
                                                           : work,
                   readOnly);
+    if (!work.isEmpty() && isNew)
+        takeKeptProgress();
     emit labChanged();
     if (!m_lab.tasks.empty())
         openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));

@@ -55,6 +55,8 @@ public:
     /// The text of the newest version of the open step's program; nothing if there is none.
     [[nodiscard]] std::optional<QString> newestVersion() const;
     [[nodiscard]] bool mayWrite() const { return m_code.workspace().mayWrite(); }
+    /// Whether commits are signed "Student": neither git nor the workspace knows a name.
+    [[nodiscard]] bool signsAsNobody() const;
     /// The step before, if the open one builds on its solution and the student has a program of
     /// neither: who jumped ahead.
     [[nodiscard]] const Task *missedTask() const;
@@ -99,6 +101,7 @@ public slots:
     void save();                                          ///< the progress, now
 
 signals:
+    void stepCommitted(); ///< a step was passed, and is in the history
     void labFinished();   ///< its last step was passed for the first time
     void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
@@ -120,6 +123,7 @@ private:
     std::optional<Error> openLabWith(const QString &folder, const QString &language,
                                      const QString &work, bool readOnly);
     void openWorkspace(const QString &folder, bool readOnly);
+    void takeKeptProgress();
     void keepPredictions();
     [[nodiscard]] bool isLast() const;
     void keepChecked(const CheckReport &report);

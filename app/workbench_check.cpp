@@ -101,6 +101,8 @@ void Workbench::keepChecked(const CheckReport &report)
         m_judged.preset == task()->preset ? std::nullopt : std::optional(m_judged.preset);
     if (const auto error = m_code.workspace().commitPass(report, m_judged.script, scene))
         emit failed(*error);
+    else
+        emit stepCommitted();
 }
 
 /// Goes to where the student's own scene first went wrong, if it did there.

@@ -106,6 +106,41 @@ void Workbench::save()
     keepPredictions();
 }
 
+/// Of work that came without a progress of its own, a clone or what was handed in: scenes and
+/// predictions as they were left. That steps were passed is taken from the student's own history
+/// only; what was handed in proves nothing.
+void Workbench::takeKeptProgress()
+{
+    const Workspace &workspace = m_code.workspace();
+    const auto work = readWork(workspace.folder(), m_lab);
+    if (!work)
+        return;
+    auto &tasks = m_store.lab(m_lab.id).tasks;
+    for (const auto &[id, step] : work->steps) {
+        if (step.scene)
+            tasks[id].edited = step.scene;
+        if (step.guess == Guess{})
+            continue;
+        tasks[id].guess = step.guess;
+        // Who looks at it sees what was expected beside what happens.
+        tasks[id].guess.revealed = step.guess.revealed || workspace.isLookedAt();
+    }
+    if (workspace.isLookedAt() || !workspace.history())
+        return;
+    for (const Version &pass : workspace.history()->passes()) {
+        if (m_lab.indexOf(pass.taskId) >= 0 && !tasks[pass.taskId].passed) {
+            tasks[pass.taskId].passed = true;
+            tasks[pass.taskId].pass.when = pass.when;
+        }
+    }
+}
+
+bool Workbench::signsAsNobody() const
+{
+    const History *history = m_code.workspace().history();
+    return history && history->gitName().isEmpty() && m_code.workspace().info().student.isEmpty();
+}
+
 /// Beside the programs, where they are handed in with them.
 void Workbench::keepPredictions()
 {

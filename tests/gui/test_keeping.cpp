@@ -5,6 +5,7 @@
 #include "app/named_opening.h"
 #include "app/report_dialog.h"
 #include "open_window.h"
+#include "tests/full_disk.h"
 #include "tests/git_home.h"
 
 #include "model/file_io.h"
@@ -14,11 +15,14 @@
 #include "views/drawing_object.h"
 #include "views/notes_pane.h"
 
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
+
+#include <algorithm>
 
 using namespace cradle;
 
@@ -40,7 +44,12 @@ private slots:
     void notesAreKeptForEachStep();
     void passingAllStepsTellsTheStory();
     void handedInWorkIsLookedAt();
+    void whatWasExpectedIsHandedIn();
     void clonedWorkOpens();
+    void nothingOlderIsHandedIn();
+    void nameIsAskedOnce();
+    void foreignLabFileIsSaid();
+    void notesHaveVersions();
     void reportIsWritten();
 
 private:
@@ -330,8 +339,134 @@ void TestKeeping::clonedWorkOpens()
     QVERIFY(!openNamed(open.bench, path("cloned"), {}, other.filePath(QStringLiteral("labs"))));
     inCode(open);
     QCOMPARE(open.bench.code().text(), open.bench.task()->solution);
+    QVERIFY(open.isTicked(0)); // as the history tells
     type(open, QStringLiteral("-- on another machine\n"));
     QCOMPARE(content(path("cloned/lab.lua")), QByteArray("-- on another machine\n"));
+}
+
+/// The teacher sees what the student expected and which scene was made, and reads the note.
+void TestKeeping::whatWasExpectedIsHandedIn()
+{
+    QString asked;
+    Preset scene;
+    {
+        windows::OpenWindow student(*m_folder);
+        const auto &tasks = student.bench.lab().tasks;
+        const auto found = std::find_if(tasks.begin(), tasks.end(),
+                                        [](const Task &each) { return each.prediction; });
+        QVERIFY(found != tasks.end());
+        asked = found->id;
+        inCode(student);
+        student.bench.openTask(asked);
+        type(student, QStringLiteral("-- mine\n"));
+        student.bench.predict(1);
+        student.bench.setMode(Mode::Explore);
+        student.bench.openTaskAt(0);
+        student.bench.document().edit(QStringLiteral("Scene"), student.solution());
+        scene = student.preset();
+        check(student);
+        QVERIFY(student.bench.report()->passed);
+        HandInDialog dialog(student.bench);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        dialog.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("It was\nhard."));
+        QVERIFY(!dialog.writeTo(path("ada.cradle-work")));
+    }
+    const QTemporaryDir teachersHome;
+    windows::OpenWindow teacher(teachersHome);
+    QVERIFY(!openNamed(teacher.bench, path("ada.cradle-work"), {},
+                       teachersHome.filePath(QStringLiteral("labs"))));
+    QVERIFY2(teacher.window.notice().text().contains(QStringLiteral("It was hard.")),
+             qPrintable(teacher.window.notice().text()));
+    teacher.bench.openTaskAt(0);
+    QVERIFY(teacher.preset() == scene);
+    QVERIFY(!teacher.isTicked(0)); // what it says of itself is not believed
+    teacher.bench.openTask(asked);
+    QCOMPARE(teacher.bench.guess().answer, std::optional(1));
+    QVERIFY(teacher.bench.guess().revealed);
+}
+
+/// What could not be saved is newer than what would be handed in.
+void TestKeeping::nothingOlderIsHandedIn()
+{
+    windows::OpenWindow open(*m_folder);
+    inCode(open);
+    type(open, QStringLiteral("-- older\n"));
+    const FullDisk full(64);
+    type(open, QStringLiteral("-- newer\n").repeated(100));
+    HandInDialog handIn(open.bench);
+    ReportDialog report(open.bench, false);
+    QTest::qWait(1000);
+    QVERIFY(!handIn.isReady() && !report.isReady());
+    for (const QDialog *dialog : std::initializer_list<const QDialog *>{&handIn, &report}) {
+        const auto labels = dialog->findChildren<QLabel *>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
+            return label->text().contains(QStringLiteral("could not be saved"));
+        }));
+    }
+}
+
+void TestKeeping::nameIsAskedOnce()
+{
+    const QString offer = QStringLiteral("Give your name");
+    windows::OpenWindow open(*m_folder);
+    inCode(open);
+    type(open, open.bench.task()->solution);
+    check(open);
+    QVERIFY(open.bench.report()->passed);
+    QVERIFY(open.button(offer));
+    QTimer::singleShot(0, &open.window, [&open] {
+        auto *dialog = open.window.findChild<QInputDialog *>();
+        QVERIFY(dialog);
+        dialog->setTextValue(QStringLiteral("Ada"));
+        dialog->accept();
+    });
+    open.click(offer);
+    QCOMPARE(open.bench.code().workspace().info().student, QStringLiteral("Ada"));
+    QVERIFY(!open.button(offer));
+    check(open);
+    QCOMPARE(GitHome::git(work(), {QStringLiteral("log"), QStringLiteral("-1"),
+                                   QStringLiteral("--format=%an")}),
+             QStringLiteral("Ada"));
+    QVERIFY(!open.bench.code().workspace().setStudent({}, {}));
+    check(open);
+    QVERIFY(!open.button(offer));
+}
+
+/// Written in UTF-16 while no window was open.
+void TestKeeping::foreignLabFileIsSaid()
+{
+    {
+        windows::OpenWindow open(*m_folder);
+        inCode(open);
+        type(open, QStringLiteral("-- mine\n"));
+    }
+    const QByteArray bytes("\xff\xfex\0=\0"
+                           "1\0\n\0",
+                           10);
+    QVERIFY(!writeFile(work() + QStringLiteral("/lab.lua"), bytes));
+    windows::OpenWindow open(*m_folder);
+    inCode(open);
+    type(open, QStringLiteral("-- mine, and a key\n"));
+    QVERIFY2(open.window.notice().text().contains(QStringLiteral("lab.lua.original")),
+             qPrintable(open.window.notice().text()));
+    QCOMPARE(content(work() + QStringLiteral("/lab.lua.original")), bytes);
+}
+
+void TestKeeping::notesHaveVersions()
+{
+    {
+        windows::OpenWindow open(*m_folder);
+        inCode(open);
+        auto *field = open.window.notes().findChild<QPlainTextEdit *>();
+        field->setPlainText(QStringLiteral("It moves."));
+        open.bench.openTaskAt(1);
+        open.bench.openTaskAt(0);
+        field->setPlainText(QStringLiteral("It *moves*."));
+        QVERIFY(open.window.close());
+    }
+    QCOMPARE(GitHome::git(work(), {QStringLiteral("log"), QStringLiteral("--format=%s"),
+                                   QStringLiteral("refs/cradle/notes/L42T1")}),
+             QStringLiteral("L42T1: notes\nL42T1: notes"));
 }
 
 void TestKeeping::reportIsWritten()
@@ -339,6 +474,8 @@ void TestKeeping::reportIsWritten()
     windows::OpenWindow open(*m_folder);
     inCode(open);
     type(open, open.bench.task()->solution);
+    open.window.notes().findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("$v^2$"));
+    open.bench.openTaskAt(1);
     ReportDialog dialog(open.bench, false);
     dialog.show();
     QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
@@ -346,6 +483,8 @@ void TestKeeping::reportIsWritten()
     QVERIFY(content(path("r.pdf")).startsWith("%PDF-1."));
     QVERIFY(!dialog.writeTo(path("r.html")));
     QVERIFY(content(path("r.html")).contains("<svg "));
+    if (QFile::exists(QStringLiteral(":/mathjax/mathjax.js")))
+        QVERIFY(content(path("r.html")).contains("aria-label=\"v^2\""));
     QVERIFY(dialog.writeTo(path("none/r.html")));
 }
 
