@@ -1306,6 +1306,30 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
         <translation>fragt bei jeder Prüfung auch, ob eine Änderung der Lösung an ihr allein scheitert; dauert Minuten</translation>
     </message>
+    <message>
+        <source>It was stopped after %1 s of processor time.</source>
+        <translation>Er wurde nach %1 s Rechenzeit angehalten.</translation>
+    </message>
+    <message>
+        <source>It was stopped: it asked the system for what no program needs.</source>
+        <translation>Er wurde angehalten: Er verlangte vom System, was kein Programm braucht.</translation>
+    </message>
+    <message>
+        <source>The process that judged it broke down.</source>
+        <translation>Der Prozess, der ihn beurteilte, ist zusammengebrochen.</translation>
+    </message>
+    <message>
+        <source>No process could be had to judge it.</source>
+        <translation>Es gab keinen Prozess, der ihn beurteilen konnte.</translation>
+    </message>
+    <message>
+        <source>of the report: en or de; without it that of the system</source>
+        <translation>des Berichts: en oder de; ohne diese Angabe die des Systems</translation>
+    </message>
+    <message>
+        <source>--language %1: en or de is right</source>
+        <translation>--language %1: Richtig ist en oder de</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3825,6 +3849,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Checks: %1</source>
         <translation>Prüfungen: %1</translation>
     </message>
+    <message>
+        <source>… and more, which no page holds.</source>
+        <translation>… und mehr, was auf keine Seite passt.</translation>
+    </message>
 </context>
 <context>
     <name>LabVerifier</name>
@@ -6293,10 +6321,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>ein anderes Fenster arbeitet jetzt an diesem Lab; dieses speichert nichts mehr, und was hier zuletzt getippt wurde, ist unter den Fassungen des Schritts</translation>
     </message>
     <message>
-        <source>another program has made this a file that is no program, and it cannot be moved aside</source>
-        <translation>ein anderes Programm hat daraus eine Datei gemacht, die kein Programm ist, und sie lässt sich nicht beiseitelegen</translation>
-    </message>
-    <message>
         <source>the file cannot be moved aside</source>
         <translation>die Datei lässt sich nicht beiseitelegen</translation>
     </message>
@@ -6323,6 +6347,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>another window works on this lab now; this one saves nothing more</source>
         <translation>ein anderes Fenster arbeitet jetzt an diesem Lab; dieses speichert nichts mehr</translation>
+    </message>
+    <message>
+        <source>another program has changed this note; yours stays, and the other is kept in git as refs/cradle/notes/%1</source>
+        <translation>ein anderes Programm hat diese Notiz geändert; deine bleibt, und die andere ist in git als refs/cradle/notes/%1 aufgehoben</translation>
+    </message>
+    <message>
+        <source>this file is no note; it is kept as %1</source>
+        <translation>diese Datei ist keine Notiz; sie ist als %1 aufgehoben</translation>
     </message>
 </context>
 <context>
@@ -8533,6 +8565,30 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>In the program</source>
         <translation>Im Programm</translation>
     </message>
+    <message>
+        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat aus %1 eine Datei gemacht, die kein Programm ist. Sie ist als %2 aufgehoben; was davon lesbar ist, steht unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>They write: “%1”</source>
+        <translation>Dazu steht: „%1“</translation>
+    </message>
+    <message>
+        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
+        <translation>Was besteht, wird in deinem Verlauf aufgehoben, gezeichnet „Student“. Es kann mit deinem Namen gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Give your name…</source>
+        <translation>Namen angeben …</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Dein Name</translation>
+    </message>
+    <message>
+        <source>Your name:</source>
+        <translation>Dein Name:</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MomentumChart</name>
@@ -10390,6 +10446,13 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>To the newest version that passed this step</source>
         <translation>Zur neuesten Fassung, die diesen Schritt bestand</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorkJob</name>
+    <message>
+        <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
+        <translation>Was du zuletzt getippt hast, konnte nicht gespeichert werden; auf der Platte ist deine Arbeit älter. Zuerst muss sie gespeichert sein: Das Fenster sagt, was im Weg ist.</translation>
     </message>
 </context>
 <context>
