@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/grade_dialog.h"
 
+#include "app/language.h"
+
 #include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -158,7 +160,8 @@ void GradeDialog::grade()
                  .lab = m_lab,
                  .results = m_results->text(),
                  .roster = m_roster->text(),
-                 .latePercent = m_late->value()});
+                 .latePercent = m_late->value(),
+                 .language = currentLanguage()});
 }
 
 void GradeDialog::showState()

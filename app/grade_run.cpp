@@ -18,9 +18,15 @@ constexpr qsizetype longestFault = 2000;       ///< letters that are told
 
 QStringList GradeOrder::arguments() const
 {
-    QStringList list{
-        QStringLiteral("grade"),    QStringLiteral("--lab"), lab, QStringLiteral("--out"), results,
-        QStringLiteral("--format"), QStringLiteral("json")};
+    QStringList list{QStringLiteral("grade"),
+                     QStringLiteral("--lab"),
+                     lab,
+                     QStringLiteral("--out"),
+                     results,
+                     QStringLiteral("--format"),
+                     QStringLiteral("json"),
+                     QStringLiteral("--language"),
+                     language};
     if (!roster.isEmpty())
         list += {QStringLiteral("--roster"), roster};
     if (latePercent > 0.0)

@@ -15,6 +15,7 @@ struct GradeOrder {
     QString results{};     ///< a folder
     QString roster{};      ///< a CSV file; empty: none
     double latePercent = 0.0;
+    QString language = QStringLiteral("en"); ///< of pages and verdicts
     bool again = false; ///< begins anew where there are results of another version
 
     [[nodiscard]] QStringList arguments() const;

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Cradle authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# translations/*.ts become the resource :/translations/*.qm of the desktop application.
+# translations/*.ts become the resource :/translations/*.qm of both programs.
 # `cmake --build --preset release --target update_translations` brings new strings into the .ts.
 file(GLOB_RECURSE translated CONFIGURE_DEPENDS
      "${CMAKE_SOURCE_DIR}/model/*.cpp" "${CMAKE_SOURCE_DIR}/model/*.h"
@@ -10,11 +10,8 @@ file(GLOB_RECURSE translated CONFIGURE_DEPENDS
      "${CMAKE_SOURCE_DIR}/app/*.cpp" "${CMAKE_SOURCE_DIR}/app/*.h")
 file(GLOB ts_files CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/translations/*.ts")
 
-qt_add_lrelease(cradle_app TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_files)
-qt_add_resources(cradle_app translations PREFIX "/translations"
-                 BASE "${CMAKE_BINARY_DIR}" OPTIONS ${cradle_rcc_options} FILES ${qm_files})
-# The command line speaks them in what it writes for people: reports.
-qt_add_resources(cradle-cli translations_of_reports PREFIX "/translations"
+qt_add_lrelease(cradle_language TS_FILES ${ts_files} QM_FILES_OUTPUT_VARIABLE qm_files)
+qt_add_resources(cradle_language translations PREFIX "/translations"
                  BASE "${CMAKE_BINARY_DIR}" OPTIONS ${cradle_rcc_options} FILES ${qm_files})
 set(whole_ts_files ${ts_files})
 list(REMOVE_ITEM whole_ts_files "${CMAKE_SOURCE_DIR}/translations/cradle_en.ts")

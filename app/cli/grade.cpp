@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_class.h"
+#include "app/cli/grade_results.h"
 
 #include "tasks/grading/class_zip.h"
 #include "tasks/grading/raw_folder.h"
@@ -76,8 +77,10 @@ ExitCode grade(const QStringList &arguments)
     const auto &request = std::get<GradeRequest>(parsed);
     if (!request.merged.isEmpty())
         return mergeClass(request);
-    const auto lab = readLabAtHand(request.labPath.isEmpty() ? QString::fromLatin1(shippedLab)
-                                                             : request.labPath);
+    const QString language = request.language.isEmpty() ? QStringLiteral("en") : request.language;
+    speak(language);
+    const auto lab = readLabAtHand(
+        request.labPath.isEmpty() ? QString::fromLatin1(shippedLab) : request.labPath, language);
     if (!lab)
         return complain(lab.error());
     if (request.dryRun) {

@@ -54,6 +54,8 @@ QString differenceOf(const ResultsVersion &there, const ResultsVersion &now)
         parts.append(QStringLiteral("Cradle"));
     if (there.secretHash != now.secretHash)
         parts.append(GradeText::tr("the secret"));
+    if (there.language != now.language)
+        parts.append(GradeText::tr("the language"));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -104,7 +106,7 @@ public:
 private:
     Result<std::unique_ptr<Workers>> startWorkers() const
     {
-        return Workers::start(m_lab.lab, m_lab.files, m_lab.folder,
+        return Workers::start(m_lab.lab, m_lab.files, m_lab.folder, m_lab.language,
                               QCoreApplication::applicationFilePath());
     }
 
@@ -123,7 +125,8 @@ private:
                                       .labId = m_lab.lab.id,
                                       .labVersion = m_lab.lab.version,
                                       .labHash = m_lab.lab.hash,
-                                      .secretHash = sha256("cradle class secret " + secret)},
+                                      .secretHash = sha256("cradle class secret " + secret),
+                                      .language = m_lab.language},
                           .shard = m_request.shard,
                           .className = className(),
                           .isolation = isolationText(isolation),

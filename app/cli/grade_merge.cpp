@@ -30,7 +30,7 @@ Result<LabAtHand> labOf(const GradeRequest &request, const Manifest &manifest)
     }
     if (path.isEmpty())
         return Error{MergeText::tr("none of the folders has the lab; --lab LAB is right")};
-    auto lab = readLabAtHand(path);
+    auto lab = readLabAtHand(path, manifest.version.language);
     if (lab && lab->lab.hash != manifest.version.labHash)
         return Error{.message = MergeText::tr("the results were judged by another version of the "
                                               "lab"),
@@ -65,6 +65,12 @@ ExitCode mergeClass(const GradeRequest &request)
     const auto merged = mergeResults(request.merged);
     if (!merged)
         return complain(merged.error());
+    const QString language = merged->manifest.version.language;
+    if (!request.language.isEmpty() && request.language != language)
+        return complain(MergeText::tr("--language %1: the results are in the language %2, in which "
+                                      "they were judged")
+                            .arg(request.language, language));
+    speak(language);
     const auto lab = labOf(request, merged->manifest);
     if (!lab)
         return complain(lab.error());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_request.h"
 
+#include "app/language.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -51,6 +53,10 @@ struct GradeOptions {
     QCommandLineOption merge{
         QStringLiteral("merge"),
         GradeText::tr("judge nothing; put together the results of shards, each a folder")};
+    QCommandLineOption language{
+        QStringLiteral("language"),
+        GradeText::tr("of the pages and of what students are told: en or de; en without it"),
+        QStringLiteral("CODE")};
     QCommandLineOption isolation{
         QStringLiteral("require-isolation"),
         GradeText::tr("judge only where rlimits, seccomp and namespaces are to be had")};
@@ -108,6 +114,9 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
             && !parser.isSet(options.dryRun))
             return GradeText::tr("--shard needs --secret FILE, the same for every shard");
     }
+    request.language = parser.value(options.language);
+    if (!request.language.isEmpty() && !languages().contains(request.language))
+        return GradeText::tr("--language %1: en or de is right").arg(request.language);
     const auto late = percentFrom(parser.value(options.late));
     const auto most = percentFrom(parser.value(options.lateMost));
     if (!late || !most)
@@ -138,8 +147,8 @@ std::variant<GradeRequest, ExitCode> parseGradeRequest(const QStringList &argume
     const GradeOptions options;
     parser.addOptions({options.lab, options.out, options.secret, options.jobs, options.roster,
                        options.late, options.lateMost, options.shard, options.merge,
-                       options.isolation, options.dryRun, options.again, options.format,
-                       options.exitZero});
+                       options.language, options.isolation, options.dryRun, options.again,
+                       options.format, options.exitZero});
     constexpr int mostMerged = 100'000;
     if (const auto code = parse(parser, arguments, 1, mostMerged))
         return *code;

@@ -17,6 +17,7 @@ struct GradeRequest {
     QString results{};
     QString secretPath{};
     QString rosterPath{};
+    QString language{}; ///< of pages and verdicts; empty: English, or that of the merged results
     LateRule late{};
     int jobs = 1;
     Shard shard{};

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_results.h"
 
+#include "app/language.h"
+
 #include <QDir>
+#include <QLocale>
 #include <QSet>
 
 namespace cradle::cli {
@@ -34,10 +37,17 @@ std::optional<Error> writeResults(const GradeRequest &request, const Lab &lab,
                            .program = manifest.version.cradle,
                            .late = request.late,
                            .missing = manifest.missing,
-                           .remarks = manifest.remarks};
+                           .remarks = manifest.remarks,
+                           .language = manifest.version.language};
     return writeClassResults(request.results, lab, facts, [&progress](int done, int total) {
         progress.stage("writing", done, total);
     });
+}
+
+void speak(const QString &language)
+{
+    setLanguage(language);
+    QLocale::setDefault(language == QLatin1String("en") ? QLocale::c() : QLocale(language));
 }
 
 ExitCode verdictOn(const Manifest &manifest, const GradeRequest &request)

@@ -28,8 +28,8 @@ Result<JudgedApart> judgeApart(const LabAtHand &lab, const JudgingRequest &reque
 {
     QString fault;
     for (int kills = 0; kills < mostKills; ++kills) {
-        const auto workers =
-            Workers::start(lab.lab, lab.files, lab.folder, QCoreApplication::applicationFilePath());
+        const auto workers = Workers::start(lab.lab, lab.files, lab.folder, lab.language,
+                                            QCoreApplication::applicationFilePath());
         if (!workers)
             return workers.error();
         JudgedApart judged{.isolation = (*workers)->isolation()};

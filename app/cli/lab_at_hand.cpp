@@ -9,9 +9,9 @@
 
 namespace cradle::cli {
 
-Result<LabAtHand> readLabAtHand(const QString &path)
+Result<LabAtHand> readLabAtHand(const QString &path, const QString &language)
 {
-    auto lab = readLabOrArchive(path);
+    auto lab = readLabOrArchive(path, language);
     if (!lab)
         return lab.error();
     for (const Error &finding : lab->findings)
@@ -19,7 +19,7 @@ Result<LabAtHand> readLabAtHand(const QString &path)
     auto files = isLabArchive(path) ? readLabArchive(path) : readLabFiles(path);
     if (!files)
         return files.error();
-    return LabAtHand{path, std::move(*files), std::move(*lab)};
+    return LabAtHand{path, language, std::move(*files), std::move(*lab)};
 }
 
 } // namespace cradle::cli

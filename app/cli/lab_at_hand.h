@@ -10,12 +10,14 @@ namespace cradle::cli {
 /// A lab with the files that it was read from, for processes that are to have the same.
 struct LabAtHand {
     QString folder{};
+    QString language{}; ///< that was asked for
     LabFiles files{};
     Lab lab{};
 };
 
-/// Reads the lab in a folder, a resource or an archive; tells on standard error what of it could
-/// not be read.
-Result<LabAtHand> readLabAtHand(const QString &path);
+/// Reads the lab in a folder, a resource or an archive, with texts in \p language where it has
+/// them; tells on standard error what of it could not be read.
+Result<LabAtHand> readLabAtHand(const QString &path,
+                                const QString &language = QStringLiteral("en"));
 
 } // namespace cradle::cli

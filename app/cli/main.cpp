@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
+#include "app/language.h"
+
 #include "tasks/grading/worker_server.h"
 
 #include <QCoreApplication>
@@ -78,8 +80,11 @@ int main(int argc, char **argv)
         QTextStream(stdout) << "cradle-cli " << CRADLE_VERSION << '\n';
         return Done;
     }
-    if (name == QLatin1String("judge-server")) // started by this program alone
-        return cradle::runJudgingServer();
+    if (name == QLatin1String("judge-server")) { // started by this program alone
+        const QString language = arguments.value(1, QStringLiteral("en"));
+        cradle::setLanguage(language);
+        return cradle::runJudgingServer(language);
+    }
     for (const Entry &entry : subcommands) {
         if (name != QLatin1String(entry.name))
             continue;

@@ -39,7 +39,8 @@ constexpr VersionField versionFields[] = {{"cradle", &ResultsVersion::cradle},
                                           {"lab", &ResultsVersion::labId},
                                           {"lab_version", &ResultsVersion::labVersion},
                                           {"lab_hash", &ResultsVersion::labHash},
-                                          {"secret_sha256", &ResultsVersion::secretHash}};
+                                          {"secret_sha256", &ResultsVersion::secretHash},
+                                          {"language", &ResultsVersion::language}};
 
 QJsonObject jsonOf(const QString &id, const DoneStudent &student)
 {
@@ -143,7 +144,8 @@ Result<Manifest> manifestFrom(const QByteArray &text, const QString &source)
     manifest.complete = json.value(QStringLiteral("complete")).toBool();
     const QJsonObject version = json.value(QStringLiteral("version")).toObject();
     for (const VersionField &each : versionFields)
-        manifest.version.*each.field = version.value(QLatin1String(each.key)).toString();
+        manifest.version.*each.field =
+            version.value(QLatin1String(each.key)).toString(manifest.version.*each.field);
     const QJsonArray shard = json.value(QStringLiteral("shard")).toArray();
     if (shard.size() == 2)
         manifest.shard = {shard.at(0).toInt(), shard.at(1).toInt()};

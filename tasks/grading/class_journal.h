@@ -20,7 +20,8 @@ struct ResultsVersion {
     QString labId{};
     QString labVersion{};
     QString labHash{};
-    QString secretHash{}; ///< says nothing of the secret
+    QString secretHash{};                    ///< says nothing of the secret
+    QString language = QStringLiteral("en"); ///< in which students are told
 
     friend bool operator==(const ResultsVersion &, const ResultsVersion &) = default;
 };

@@ -34,7 +34,8 @@ void keepOnly(int control, int lab)
 }
 
 /// How bubblewrap starts the server: of the disk it sees the system's libraries and this program.
-std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program)
+std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program,
+                                      const QByteArray &language)
 {
     std::vector<QByteArray> line{bubblewrap,
                                  "--unshare-all",
@@ -62,19 +63,20 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
                                  "--chdir",
                                  "/",
                                  program,
-                                 "judge-server"};
+                                 "judge-server",
+                                 language};
     return line;
 }
 
 } // namespace
 
-pid_t startBubblewrapped(const QString &program, int control, int lab)
+pid_t startBubblewrapped(const QString &program, const QString &language, int control, int lab)
 {
     const QString found = QStandardPaths::findExecutable(QStringLiteral("bwrap"));
     if (found.isEmpty())
         return -1;
     std::vector<QByteArray> line =
-        bubblewrapped(QFile::encodeName(found), QFile::encodeName(program));
+        bubblewrapped(QFile::encodeName(found), QFile::encodeName(program), language.toUtf8());
     std::vector<char *> arguments;
     for (QByteArray &part : line)
         arguments.push_back(part.data());

@@ -11,9 +11,9 @@ namespace cradle {
 // Two ways to start the process that forks workers, see serveJudging(). It has nothing of the files
 // that are open here but \c control, and dies with this process. Both return its id, or -1.
 
-/// By bubblewrap, as the program \p program with the argument judge-server; the lab's files are to
-/// be sent to the other end of \p lab.
-pid_t startBubblewrapped(const QString &program, int control, int lab);
+/// By bubblewrap, as the program \p program with the arguments judge-server and \p language; the
+/// lab's files are to be sent to the other end of \p lab.
+pid_t startBubblewrapped(const QString &program, const QString &language, int control, int lab);
 
 /// As a fork of this process.
 pid_t startForked(const Lab &lab, int control);

@@ -219,7 +219,7 @@ QByteArray bytesOf(const LabFiles &files, const QString &folder)
     return bytes;
 }
 
-int runJudgingServer()
+int runJudgingServer(const QString &language)
 {
     const auto bytes = readAll(serverLab, 2 * limits::labBytes);
     if (!bytes)
@@ -232,7 +232,7 @@ int runJudgingServer()
     in >> folder >> files.contents;
     if (in.status() != QDataStream::Ok)
         return 2;
-    const auto lab = readLab(files, folder);
+    const auto lab = readLab(files, folder, language);
     if (!lab)
         return 2;
     serveJudging(serverControl, *lab, true);

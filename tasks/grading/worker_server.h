@@ -24,8 +24,9 @@ inline constexpr int serverControl = 3;
 inline constexpr int serverLab = 4;
 
 /// The same as a program of its own, that bubblewrap starts: the lab comes through serverLab.
+/// \param language  of the lab's texts
 /// \return what to exit with
-int runJudgingServer();
+int runJudgingServer(const QString &language);
 
 /// The lab's files for the way there.
 [[nodiscard]] QByteArray bytesOf(const LabFiles &files, const QString &folder);

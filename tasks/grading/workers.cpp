@@ -39,10 +39,11 @@ double now()
 } // namespace
 
 Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &files,
-                                                const QString &folder, const QString &program)
+                                                const QString &folder, const QString &language,
+                                                const QString &program)
 {
     std::unique_ptr<Workers> workers(new Workers);
-    if (!program.isEmpty() && workers->startInNamespaces(files, folder, program))
+    if (!program.isEmpty() && workers->startInNamespaces(files, folder, language, program))
         return workers;
     for (int attempt = 0; attempt < mostStarts; ++attempt) {
         auto pair = connectedPair();
@@ -59,7 +60,7 @@ Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &
 
 /// \return false where that is not to be had; a server that somebody killed is started anew
 bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
-                                const QString &program)
+                                const QString &language, const QString &program)
 {
     for (int attempt = 0; attempt < mostStarts; ++attempt) {
         auto pair = connectedPair();
@@ -67,7 +68,7 @@ bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
         if (!pair || !stream)
             return false;
         const pid_t server =
-            startBubblewrapped(program, pair->second.number(), stream->first.number());
+            startBubblewrapped(program, language, pair->second.number(), stream->first.number());
         if (server < 0)
             return false;
         pair->second.close();

@@ -29,10 +29,12 @@ class Workers
 {
 public:
     /// \param files   of the lab, \p folder where they lie, \p lab what was read from them
+    /// \param language  in which the students are told, see readLab()
     /// \param program  this program, which bubblewrap is to start with the argument judge-server;
     ///     empty to do without namespaces
     static Result<std::unique_ptr<Workers>> start(const Lab &lab, const LabFiles &files,
-                                                  const QString &folder, const QString &program);
+                                                  const QString &folder, const QString &language,
+                                                  const QString &program);
     ~Workers();
     Workers(const Workers &) = delete;
     Workers &operator=(const Workers &) = delete;
@@ -63,7 +65,8 @@ private:
     };
 
     Workers() = default;
-    bool startInNamespaces(const LabFiles &files, const QString &folder, const QString &program);
+    bool startInNamespaces(const LabFiles &files, const QString &folder, const QString &language,
+                           const QString &program);
     bool connect(pid_t server, Descriptor control);
     void stop();
     void readControl(std::vector<WorkerEvent> &events);

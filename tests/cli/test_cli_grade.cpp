@@ -4,6 +4,7 @@
 
 #include "tasks/hand_in/student_work.h"
 #include "tasks/hand_in/work_archive.h"
+#include "tasks/lab_reader.h"
 
 #include <sys/stat.h>
 
@@ -28,6 +29,8 @@ private slots:
     void dryRunWritesNothing();
     void rosterSaysWhoIsMissing();
     void eventsAreLinesOfJson();
+    void pagesSpeakTheLanguageAskedFor();
+    void languageOfTheSystemChangesNothing();
     void nothingIsWrittenWhereTheSubmissionsAre();
     void placeThatCannotBeWrittenIsTold();
     void secondProcessIsRefused();
@@ -295,6 +298,74 @@ void TestCliGrade::eventsAreLinesOfJson()
                 + made.arguments(text("closed"), {text("--format"), text("json")}));
     VERIFY_CODE(gone, 1);
     QCOMPARE(made.differing(text("closed"), text("out")), QStringList());
+}
+
+/// What students are told comes from the worker, the rest from the grader: both speak it. Results
+/// in two languages are not mixed, and the merge speaks that of its parts.
+void TestCliGrade::pagesSpeakTheLanguageAskedFor()
+{
+    const GradedClass made;
+    made.putStudent(text("ada"));
+    made.putStudent(text("bob"));
+    made.put(text("roster.csv"), "id,name,late days\nada,Ada,1.5\nbob,Bob,0\n");
+    const QStringList german{text("--language"),     text("de"),
+                             text("--roster"),       made.at(text("roster.csv")),
+                             text("--late-percent"), text("2.5")};
+    VERIFY_CODE(made.grade(text("out"), german), 1);
+    const QByteArray student = contentOf(made.at(text("out/students/ada.html")));
+    const QByteArray page = contentOf(made.at(text("out/class.html")));
+    QVERIFY(student.contains("<html lang=\"de\"") && page.contains("<html lang=\"de\""));
+    QVERIFY2(page.contains("2,5"), page);
+    QVERIFY(!page.contains("How it was judged"));
+    const cradle::Result<cradle::Lab> lab =
+        cradle::readLab(cradle::sourcePath("tasks/bouncing-ball"), text("de"));
+    QVERIFY(lab.ok());
+    for (const QByteArray &words :
+         {lab->tasks[0].title.toHtmlEscaped().toUtf8(), lab->title.toHtmlEscaped().toUtf8()})
+        QVERIFY2(student.contains(words), words);
+    const QJsonArray steps =
+        made.json(text("out/students/ada.json")).value(text("steps")).toArray();
+    const QByteArray report = QJsonDocument(steps[1].toObject()).toJson();
+    QVERIFY2(!report.contains("At step") && report.contains("Schritt"), report);
+    const Outcome mixed = made.grade(text("out"));
+    VERIFY_CODE(mixed, 2);
+    QVERIFY2(mixed.error.contains(text("the language")), mixed.toText());
+    QStringList merge{text("grade"), text("--merge")};
+    for (int i = 1; i <= 2; ++i) {
+        const QString out = QStringLiteral("shard%1").arg(i);
+        VERIFY_CODE(
+            made.grade(out, german + QStringList{text("--shard"), QStringLiteral("%1/2").arg(i)}),
+            1);
+        merge.append(made.at(out));
+    }
+    VERIFY_CODE(runCli(merge
+                       + QStringList{text("--late-percent"), text("2.5"), text("--out"),
+                                     made.at(text("merged"))}),
+                1);
+    QCOMPARE(made.differing(text("merged"), text("out")), QStringList());
+    VERIFY_CODE(runCli(merge
+                       + QStringList{text("--language"), text("en"), text("--out"),
+                                     made.at(text("english"))}),
+                2);
+}
+
+void TestCliGrade::languageOfTheSystemChangesNothing()
+{
+    const GradedClass made;
+    made.putStudent(text("ada"));
+    made.put(text("roster.csv"), "id,late days\nada,1.5\n");
+    const QStringList line =
+        made.arguments(text("here"), {text("--roster"), made.at(text("roster.csv")),
+                                      text("--late-percent"), text("2.5")});
+    VERIFY_CODE(runCli(line), 1);
+    QStringList other = line;
+    other.replaceInStrings(made.at(text("here")), made.at(text("there")));
+    const Outcome german =
+        run(text("env"), QStringList{text("LC_ALL=de_DE.UTF-8"), text("TZ=Pacific/Auckland"),
+                                     cradle::cliProgram()}
+                             + other);
+    VERIFY_CODE(german, 1);
+    QCOMPARE(made.differing(text("there"), text("here")), QStringList());
 }
 
 void TestCliGrade::nothingIsWrittenWhereTheSubmissionsAre()

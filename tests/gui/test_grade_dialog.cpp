@@ -88,10 +88,11 @@ void TestGradeDialog::orderBecomesArguments()
                            .lab = QStringLiteral("lab"),
                            .results = QStringLiteral("out"),
                            .roster = QStringLiteral("r.csv"),
-                           .latePercent = 2.5};
+                           .latePercent = 2.5,
+                           .language = QStringLiteral("de")};
     QCOMPARE(order.arguments().join(QLatin1Char(' ')),
-             QStringLiteral("grade --lab lab --out out --format json --roster r.csv "
-                            "--late-percent 2.5 -- -in"));
+             QStringLiteral("grade --lab lab --out out --format json --language de "
+                            "--roster r.csv --late-percent 2.5 -- -in"));
 }
 
 void TestGradeDialog::nothingIsGradedWithoutFolders()
