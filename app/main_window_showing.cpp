@@ -75,8 +75,8 @@ void MainWindow::present(bool presents)
         return;
     if (presents) {
         m_beforePresenting = {m_theme, textScale(), isFullScreen()};
+        applyTheme(ThemeChoice::HighContrast); // first: it sets the style sheet anew
         setTextScale(std::max(presentedText, textScale()));
-        applyTheme(ThemeChoice::HighContrast);
         showSceneAlone(true);
         showFullScreen(true);
         m_layer = new PresentationLayer(this);
@@ -90,8 +90,8 @@ void MainWindow::present(bool presents)
         key(Qt::Key_Escape, [this] { present(false); });
     } else {
         delete std::exchange(m_layer, nullptr);
-        setTextScale(m_beforePresenting.textScale);
         applyTheme(m_beforePresenting.theme);
+        setTextScale(m_beforePresenting.textScale);
         showSceneAlone(false);
         showFullScreen(m_beforePresenting.fullScreen);
     }

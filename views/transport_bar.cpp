@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QSlider>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -255,8 +256,14 @@ void TransportBar::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
         measureReadout();
+        // A new style sheet comes to the labels after the bar, and gives them their old font.
+        QTimer::singleShot(0, this, [this] {
+            measureReadout();
+            collapse();
+        });
+    }
 }
 
 } // namespace cradle

@@ -94,6 +94,8 @@ void TestShowing::presentationAndBack()
     QVERIFY(m_open->window.isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), 1.5 * before.pointSizeF());
     QCOMPARE(&theme(), &Theme::highContrastTheme());
+    for (const auto *label : m_open->window.transportBar().findChildren<QLabel *>())
+        QTRY_COMPARE(label->font().pointSizeF(), QApplication::font().pointSizeF());
     PresentationLayer *layer = m_open->window.presentation();
     QVERIFY(layer);
     QTest::keyClick(&m_open->window.scene(), Qt::Key_B);

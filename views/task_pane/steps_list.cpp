@@ -32,6 +32,7 @@ void StepsList::makeLayout()
     setKind(m_heading, "cardTitle");
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_heading->setTextFormat(Qt::PlainText);
+    m_heading->setWordWrap(true);
     m_all = new QPushButton(this);
     m_all->setCheckable(true);
     setKind(m_all, "link");
