@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/parameter_text.h"
 
+#include "model/expression.h"
 #include "model/shortest_number.h"
 
 #include <QCoreApplication>
@@ -23,6 +24,8 @@ struct ParameterMessage {
 /// A part of one that has no end as a decimal stays a fraction: 1/30.
 QString numberText(const QJsonValue &value)
 {
+    if (value.isString())
+        return value.toString(); // of a value: {{k}}
     constexpr int leastDigits = 10;
     const double number = value.toDouble();
     const QString decimal = shortestNumber(number);
@@ -43,15 +46,8 @@ QString listText(const QJsonArray &list)
 
 std::optional<double> numberFrom(const QString &text)
 {
-    const QStringList parts = text.trimmed().split(QLatin1Char('/'));
-    bool ok = false;
-    double number = parts[0].trimmed().toDouble(&ok);
-    if (ok && parts.size() == 2) {
-        const double divisor = parts[1].trimmed().toDouble(&ok);
-        number /= divisor;
-        ok = ok && divisor != 0.0;
-    }
-    return ok && parts.size() <= 2 && std::isfinite(number) ? std::optional(number) : std::nullopt;
+    const Result<double> number = evaluated(text);
+    return number ? std::optional(*number) : std::nullopt;
 }
 
 QString unitOf(const ParameterInfo &info)
@@ -102,6 +98,10 @@ std::optional<QJsonArray> numbersFrom(const ParameterInfo &info, const QString &
     static const QRegularExpression between(QStringLiteral("[,\\s]+"));
     QJsonArray numbers;
     for (const QString &part : text.trimmed().split(between)) {
+        if (part.startsWith(QLatin1String("{{")) && part.endsWith(QLatin1String("}}"))) {
+            numbers.append(part); // judged with the values of the lab
+            continue;
+        }
         const auto number = numberFrom(part);
         if (!number || (info.least && *number < *info.least) || (info.most && *number > *info.most))
             return std::nullopt;
@@ -170,6 +170,8 @@ Result<QJsonValue> parameterFromText(const ParameterInfo &info, const QString &t
                                     : Result<QJsonValue>(rightWouldBe(info));
     if (info.type == Type::Numbers)
         return QJsonValue(*numbers);
+    if (numbers->size() == 1 && numbers->at(0).isString())
+        return numbers->at(0);
     const double number = numbers->at(0).toDouble();
     const bool whole = info.type != Type::Count || std::floor(number) == number;
     if (numbers->size() != 1 || !whole)

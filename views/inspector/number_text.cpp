@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/number_text.h"
 
+#include "model/expression.h"
 #include "model/shortest_number.h"
 
 #include <cmath>
@@ -13,17 +14,6 @@ namespace {
 constexpr double longestFraction = 100'000.0;
 constexpr int cleanDigits = 12; ///< of a spun number; a double holds nearly 16
 
-std::optional<double> plainNumber(const QString &text)
-{
-    bool ok = false;
-    QLocale c = QLocale::c();
-    c.setNumberOptions(QLocale::RejectGroupSeparator);
-    const double value = c.toDouble(text.trimmed(), &ok);
-    if (!ok || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 } // namespace
 
 std::optional<double> readNumber(const QString &text, const QString &unit)
@@ -31,17 +21,10 @@ std::optional<double> readNumber(const QString &text, const QString &unit)
     QString plain = text.trimmed();
     if (!unit.isEmpty() && plain.endsWith(unit))
         plain.chop(unit.size());
-    plain.replace(QLatin1Char(','), QLatin1Char('.'));
-    plain.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
-    plain.replace(QChar(0x2044), QLatin1Char('/')); // fraction slash
-    const qsizetype slash = plain.indexOf(QLatin1Char('/'));
-    if (slash < 0)
-        return plainNumber(plain);
-    const std::optional<double> above = plainNumber(plain.left(slash));
-    const std::optional<double> below = plainNumber(plain.mid(slash + 1));
-    if (!above || !below || !std::isfinite(*above / *below))
-        return std::nullopt;
-    return *above / *below;
+    if (!plain.contains(QLatin1Char('('))) // there a comma is between arguments
+        plain.replace(QLatin1Char(','), QLatin1Char('.'));
+    const Result<double> value = evaluated(plain);
+    return value ? std::optional(*value) : std::nullopt;
 }
 
 QString fractionOrNumber(double value)

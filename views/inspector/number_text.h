@@ -9,7 +9,8 @@
 namespace cradle {
 
 /// The number that a person typed: with a decimal point or comma, a minus sign of either kind,
-/// an exponent (1e-3), a fraction (1/240), and perhaps \p unit behind it. Finite, else nullopt.
+/// an exponent (1e-3), as an expression (1/240, 1 + 0.42*cos(pi/6)), and perhaps \p unit behind it.
+/// Finite, else nullopt.
 [[nodiscard]] std::optional<double> readNumber(const QString &text, const QString &unit = {});
 
 /// "1/60" if the number is exactly that unit fraction (n from 2 to 100 000), else the fewest
