@@ -98,6 +98,8 @@ void AuthorWindow::goTo(const Error &finding)
         showTab(Text);
         if (part == QLatin1String("prediction"))
             m_textTab->openPrediction();
+        else if (part == QLatin1String("questions"))
+            m_textTab->openQuestions();
     }
 }
 

@@ -35,6 +35,10 @@ HandInDialog::HandInDialog(Workbench &workbench, QWidget *parent)
     const WorkspaceInfo &info = workbench.code().workspace().info();
     m_name->setText(info.student);
     m_number->setText(info.studentId);
+    if (workbench.lab().drawnFrom && !info.studentId.isEmpty()) {
+        m_number->setReadOnly(true);
+        m_number->setToolTip(tr("The values of this lab were drawn by this number"));
+    }
     m_steps->setRootIsDecorated(false);
     m_steps->setHeaderLabels({tr("Step"), tr("Title"), tr("What is handed in"), tr("Verdict")});
     m_steps->setAccessibleName(tr("Steps that are handed in"));

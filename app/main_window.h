@@ -161,6 +161,7 @@ private:
     void askNameOnce();
     void giveName();
     void showSetAside(const QString &name, const QString &kept);
+    void askNumber();
     void lookBack(bool finished);
     [[nodiscard]] bool hasWork();
     void reportUnsaved(const Error &error);

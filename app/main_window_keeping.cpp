@@ -5,6 +5,7 @@
 #include "app/grade_dialog.h"
 #include "app/hand_in_dialog.h"
 #include "app/keeping_desk.h"
+#include "app/language.h"
 #include "app/notice_bar.h"
 #include "app/report_dialog.h"
 #include "app/share_dialog.h"
@@ -27,6 +28,9 @@ void MainWindow::wireKeeping()
     connect(&m_workbench, &Workbench::labFinished, this, [this] { lookBack(true); });
     connect(&m_workbench, &Workbench::heldElsewhere, this, &MainWindow::showHolder);
     connect(&m_workbench, &Workbench::stepCommitted, this, &MainWindow::askNameOnce);
+    // Not while the lab is being opened.
+    connect(&m_workbench, &Workbench::numberWanted, this, &MainWindow::askNumber,
+            Qt::QueuedConnection);
     connect(code, &CodeSession::failed, this, &MainWindow::reportUnsaved);
     connect(code, &CodeSession::savedAgain, this,
             [this] { m_notice->retract(std::exchange(m_unsavedWarning, {})); });
@@ -45,6 +49,30 @@ void MainWindow::showSetAside(const QString &name, const QString &kept)
     m_notice->showNotice(tr("Another program has made %1 a file that is no program. It is kept as "
                             "%2; what can be read of it is among the versions of this step.")
                              .arg(name, kept));
+}
+
+/// The values of the lab are drawn by it.
+void MainWindow::askNumber()
+{
+    if (!m_workbench.wantsNumber() || !isVisible())
+        return;
+    // Not one that blocks: a picture may be taken, or the lab left.
+    auto *dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Your number"));
+    dialog->setLabelText(tr("This lab draws its values for each student by the number that you "
+                            "hand in with.\nYour number:"));
+    connect(dialog, &QDialog::finished, this, [this, dialog](int result) {
+        const QString number = dialog->textValue().simplified();
+        if (!m_workbench.wantsNumber())
+            return;
+        if (result != QDialog::Accepted || number.isEmpty())
+            m_notice->showNotice(tr("The values of this lab are those of nobody until you give "
+                                    "your number: open the lab again for that."));
+        else if (const auto error = m_workbench.setStudentNumber(number))
+            report(*error);
+    });
+    dialog->open();
 }
 
 void MainWindow::report(const Error &error)

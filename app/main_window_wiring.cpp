@@ -57,6 +57,7 @@ void MainWindow::wireWorkbench()
     connect(m_taskPane, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
     connect(m_taskPane, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
     connect(m_taskPane, &TaskPane::predicted, bench, &Workbench::predict);
+    connect(m_taskPane, &TaskPane::answered, bench, &Workbench::answer);
     connect(m_taskPane, &TaskPane::outcomeRequested, bench, &Workbench::revealOutcome);
     connect(m_taskPane, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
@@ -147,6 +148,7 @@ void MainWindow::showInstructions()
     m_taskPane->showTask(taskFor(m_workbench.mode(), *m_workbench.task()),
                          m_workbench.hintsOpened());
     m_taskPane->setGuess(m_workbench.guess());
+    m_taskPane->setAnswers(m_workbench.answers());
 }
 
 void MainWindow::chooseMode(int index)

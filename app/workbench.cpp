@@ -122,6 +122,7 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
                   readOnly);
     if (!work.isEmpty() && isNew)
         takeKeptProgress();
+    m_lab = forStudent(m_lab, m_code.workspace().info().studentId);
     emit labChanged();
     if (!m_lab.tasks.empty())
         openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
@@ -129,7 +130,26 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
         emit failed(*brokenProgress);
     if (m_code.workspace().holder())
         emit heldElsewhere();
+    if (wantsNumber())
+        emit numberWanted();
     return std::nullopt;
+}
+
+bool Workbench::wantsNumber() const
+{
+    return m_lab.drawnFrom && m_code.workspace().info().studentId.isEmpty() && mayWrite()
+           && !m_code.workspace().isLookedAt();
+}
+
+std::optional<Error> Workbench::setStudentNumber(const QString &number)
+{
+    auto error = m_code.workspace().setStudent(m_code.workspace().info().student, number);
+    const QString step = task() ? task()->id : QString();
+    m_lab = forStudent(m_lab, m_code.workspace().info().studentId);
+    m_current = -1; // its scene is another now
+    emit labChanged();
+    openTaskAt(std::max(0, m_lab.indexOf(step)));
+    return error;
 }
 
 void Workbench::setLanguage(const QString &language)
@@ -137,7 +157,7 @@ void Workbench::setLanguage(const QString &language)
     Result<Lab> lab = readLab(m_lab.folder, language);
     if (!lab || lab->tasks.size() != m_lab.tasks.size())
         return;
-    m_lab = std::move(*lab);
+    m_lab = forStudent(*lab, m_code.workspace().info().studentId);
     emit labChanged();
     emit taskChanged();
     // The messages of a report are in the language of its time.

@@ -7,6 +7,7 @@
 #include "tasks/checker.h"
 #include "tasks/mode.h"
 #include "tasks/progress.h"
+#include "tasks/questions/answers.h"
 #include "views/preset_document.h"
 
 #include <QTimer>
@@ -51,6 +52,8 @@ public:
     [[nodiscard]] Pass pass();
     /// What the student expects of the current step.
     [[nodiscard]] Guess guess();
+    /// What the student answers to the questions of the current step.
+    [[nodiscard]] Answers answers() const;
     /// Whether this window may save: if not, another works on the lab (see the workspace).
     /// The text of the newest version of the open step's program; nothing if there is none.
     [[nodiscard]] std::optional<QString> newestVersion() const;
@@ -68,6 +71,10 @@ public:
     /// Opens a workspace that lies anywhere, with the lab that it names: a clone of the student's
     /// own, or with \p readOnly one that was handed in, to be looked at.
     std::optional<Error> openWork(const QString &folder, bool readOnly, const QString &language);
+    /// Whether the lab draws values for each student, and does not know for whom.
+    [[nodiscard]] bool wantsNumber() const;
+    /// Keeps the student's number, and shows the lab with the values that are drawn for it.
+    std::optional<Error> setStudentNumber(const QString &number);
     /// Reads the same lab again, in another language; keeps step, scene and report.
     void setLanguage(const QString &language);
     /// Opens a scene that belongs to no step.
@@ -89,6 +96,7 @@ public slots:
     void cancelCheck();
     void setHintsOpened(int count);
     void predict(int answer); ///< of the current step's prediction, or Guess::notSure
+    void answer(const QString &question, const QJsonValue &value); ///< of the current step
     void revealOutcome();     ///< shows what the prediction was about
     void startAfresh();       ///< the program of this step, from what the step before ended with
     void startFromSolution(); ///< of the step before, if it was missed
@@ -103,6 +111,7 @@ public slots:
 signals:
     void stepCommitted(); ///< a step was passed, and is in the history
     void labFinished();   ///< its last step was passed for the first time
+    void numberWanted();  ///< see wantsNumber()
     void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
     void taskChanged();
@@ -124,7 +133,7 @@ private:
                                      const QString &work, bool readOnly);
     void openWorkspace(const QString &folder, bool readOnly);
     void takeKeptProgress();
-    void keepPredictions();
+    void keepSaid();
     [[nodiscard]] bool isLast() const;
     void keepChecked(const CheckReport &report);
     void keepEdited();

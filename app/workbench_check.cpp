@@ -29,7 +29,10 @@ QDateTime now()
 
 Submission Workbench::submission() const
 {
-    return {m_document.own(), mode() == Mode::Code ? std::optional(m_code.text()) : std::nullopt};
+    Submission work(m_document.own(),
+                    mode() == Mode::Code ? std::optional(m_code.text()) : std::nullopt);
+    work.answers = answers();
+    return work;
 }
 
 void Workbench::setGhost(std::shared_ptr<const Recording> ghost)

@@ -103,7 +103,7 @@ void Workbench::save()
         return;
     if (const auto error = m_store.save())
         emit failed(*error);
-    keepPredictions();
+    keepSaid();
 }
 
 /// Of work that came without a progress of its own, a clone or what was handed in: scenes and
@@ -142,13 +142,21 @@ bool Workbench::signsAsNobody() const
 }
 
 /// Beside the programs, where they are handed in with them.
-void Workbench::keepPredictions()
+void Workbench::keepSaid()
 {
     std::map<QString, Guess> guesses;
-    for (const auto &[id, task] : m_store.lab(m_lab.id).tasks)
+    std::map<QString, Answers> answers;
+    for (const auto &[id, task] : m_store.lab(m_lab.id).tasks) {
         guesses[id] = task.guess;
-    if (const auto error = m_code.workspace().savePredictions(predictionsText(guesses)))
-        emit failed(*error);
+        answers[id] = task.answers;
+    }
+    const std::pair<QString, QByteArray> files[] = {
+        {QStringLiteral("predictions.json"), predictionsText(guesses)},
+        {QStringLiteral("answers.json"), answersText(answers)}};
+    for (const auto &[name, text] : files) {
+        if (const auto error = m_code.workspace().saveSaid(name, text))
+            emit failed(*error);
+    }
 }
 
 std::optional<Error> Workbench::takeScript(const QString &path)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
+#include <QJsonArray>
+
 namespace cradle {
 
 // How far the student has come: what was passed, the hints, the prediction.
@@ -56,6 +58,25 @@ void Workbench::revealOutcome()
     progress().guess.revealed = true;
     m_saveSoon.start();
     emit guessChanged();
+}
+
+Answers Workbench::answers() const
+{
+    return task() ? m_store.answersOf(m_lab.id, task()->id) : Answers{};
+}
+
+/// What is emptied is no answer.
+void Workbench::answer(const QString &question, const QJsonValue &value)
+{
+    if (!task())
+        return;
+    const bool empty = value.toString().isEmpty() && value.toArray().isEmpty() && !value.isDouble();
+    if (empty)
+        progress().answers.remove(question);
+    else
+        progress().answers.insert(question, value);
+    m_saveSoon.start();
+    markStale();
 }
 
 /// A question that waits until the scene has moved says so.

@@ -8,6 +8,7 @@
 #include "tasks/commit_message.h"
 #include "tasks/judging/findings.h"
 #include "tasks/locks.h"
+#include "tasks/questions/answers.h"
 #include "tasks/remarks.h"
 #include "tasks/script/student_script.h"
 #include "tasks/submission_runs.h"
@@ -312,10 +313,20 @@ std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, Submissio
         .labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed, .passed = true};
     if (!Judgement(lab, task, runs, seed, hooks).run(report))
         return std::nullopt;
+    for (CheckOutcome &outcome : judgeAnswers(task.questions, runs.submission().answers)) {
+        report.passed = report.passed && outcome.passed;
+        report.checks.push_back(std::move(outcome));
+    }
     report.passed = report.passed && !report.error;
     report.commit = commitOf(task, runs.submission());
     report.elapsedMs = timer.elapsed();
     return report;
+}
+
+Submission answered(const Task &task, Submission submission)
+{
+    submission.answers = rightAnswers(task.questions);
+    return submission;
 }
 
 } // namespace cradle

@@ -35,4 +35,7 @@ struct JudgeHooks {
                                                    SubmissionRuns &runs, qint64 seed,
                                                    const JudgeHooks &hooks = {});
 
+/// Work of the lab itself, to whose step's questions the right answers are given.
+[[nodiscard]] Submission answered(const Task &task, Submission submission);
+
 } // namespace cradle

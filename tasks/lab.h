@@ -4,15 +4,19 @@
 
 #include "model/preset.h"
 #include "tasks/prediction.h"
+#include "tasks/questions/question.h"
 
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace cradle {
+
+struct LabFiles;
 
 /// One check of a step, as its lab wrote it: a kind from the library with its parameters.
 struct CheckSpec {
@@ -73,6 +77,7 @@ struct Task {
     Mover moves = Mover::Either;            ///< who moves the circles
     QStringList locked{};                   ///< what the student may not change, see locks.h
     std::optional<Prediction> prediction{}; ///< asked before the scene is watched
+    std::vector<Question> questions{};      ///< that are counted beside the checks
     std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
     std::optional<Preset> solutionScene{};  ///< that scene
 };
@@ -88,6 +93,9 @@ struct Lab {
     std::vector<Task> tasks{};
     std::vector<Error> findings{}; ///< what could not be read; the rest is there
     std::vector<Error> gaps{};     ///< texts that are begun and not finished, see text_gaps.h
+    /// What it was read from, if it draws values for each student; else null. See forStudent().
+    std::shared_ptr<const LabFiles> drawnFrom{};
+    QString readIn{}; ///< the language in which that was read
 
     /// The index of the task with that id; -1 if there is none.
     [[nodiscard]] int indexOf(const QString &taskId) const;

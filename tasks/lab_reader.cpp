@@ -6,6 +6,8 @@
 #include "tasks/checks/check_validation.h"
 #include "tasks/known_scripts.h"
 #include "tasks/lab_source.h"
+#include "tasks/questions/question_json.h"
+#include "tasks/values/lab_values.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -143,7 +145,11 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     const std::optional<Preset> solution = solutionOf(source, step, lab);
     const std::size_t circles =
         std::max(preset->circles.size(), solution ? solution->circles.size() : 0);
-    const std::vector<Error> faults = findCheckFaults(*json, circles, source.fullPath(path));
+    std::vector<Error> faults = findCheckFaults(*json, circles, source.fullPath(path));
+    for (Error fault : questionFaults(*json)) {
+        fault.file = source.fullPath(path);
+        faults.push_back(fault);
+    }
     if (!faults.empty()) {
         lab.findings.insert(lab.findings.end(), faults.begin(), faults.end());
         return;
@@ -176,6 +182,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
         task.laws = solution->laws;
     task.locked = stringsOf(json->value(QStringLiteral("locked")));
     task.prediction = readPrediction(*json, words);
+    task.questions = readQuestions(*json, words);
     if (const QString fault = predictionFault(*json); !fault.isEmpty())
         lab.findings.push_back({.message = fault,
                                 .file = source.fullPath(path),
@@ -227,7 +234,6 @@ Result<Lab> readFrom(const LabSource &source, const QString &folder, const QStri
     lab.version = text("version");
     lab.language = text("language");
     lab.folder = folder;
-    lab.hash = hashOf(source.files());
     readTasks(source, *json, language, lab);
     for (Error gap : textGaps(source.files())) {
         gap.file = source.fullPath(gap.file);
@@ -235,6 +241,27 @@ Result<Lab> readFrom(const LabSource &source, const QString &folder, const QStri
     }
     for (const Error &fault : source.untold(lab.findings))
         lab.findings.push_back(fault);
+    return lab;
+}
+
+/// Reads what \p files become with their values.
+Result<Lab> readWithValues(const LabFiles &files, const QString &folder, const QString &language,
+                           const QString &student, std::vector<Error> faults)
+{
+    std::vector<Error> found;
+    const LabFiles put = withValues(files, student, &found);
+    for (Error &fault : found) {
+        fault.file = folder + QLatin1Char('/') + fault.file;
+        faults.push_back(std::move(fault));
+    }
+    Result<Lab> lab = readFrom(LabSource(put, folder, std::move(faults)), folder, language);
+    if (!lab)
+        return lab;
+    lab->hash = hashOf(files);
+    if (drawsValues(files)) {
+        lab->drawnFrom = std::make_shared<const LabFiles>(files);
+        lab->readIn = language;
+    }
     return lab;
 }
 
@@ -260,12 +287,21 @@ Result<Lab> readLab(const QString &folder, const QString &language)
         error.file += QStringLiteral("/lab.json");
         return error;
     }
-    return readFrom(LabSource(*files, folder, std::move(faults)), folder, language);
+    return readWithValues(*files, folder, language, {}, std::move(faults));
 }
 
-Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString &language)
+Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString &language,
+                    const QString &student)
 {
-    return readFrom(LabSource(files, folder, {}), folder, language);
+    return readWithValues(files, folder, language, student, {});
+}
+
+Lab forStudent(const Lab &lab, const QString &student)
+{
+    if (!lab.drawnFrom)
+        return lab;
+    const Result<Lab> own = readLab(*lab.drawnFrom, lab.folder, lab.readIn, student);
+    return own ? *own : lab;
 }
 
 } // namespace cradle

@@ -17,8 +17,12 @@ inline constexpr char bouncingBallLab[] = ":/labs/bouncing-ball";
 Result<Lab> readLab(const QString &folder, const QString &language = QStringLiteral("en"));
 
 /// The same of files that are at hand: of an author's unsaved lab, or of an archive.
-/// \param folder  where they lie or will lie, for messages and pictures
+/// \param folder   where they lie or will lie, for messages and pictures
+/// \param student  number of the one for whom values are drawn; empty: the first of each range
 Result<Lab> readLab(const LabFiles &files, const QString &folder,
-                    const QString &language = QStringLiteral("en"));
+                    const QString &language = QStringLiteral("en"), const QString &student = {});
+
+/// \p lab as the student with that number has it: itself, if it draws no values.
+[[nodiscard]] Lab forStudent(const Lab &lab, const QString &student);
 
 } // namespace cradle

@@ -3,7 +3,9 @@
 #include "tasks/lab_verifier.h"
 
 #include "tasks/lab_findings.h"
+#include "tasks/lab_reader.h"
 
+#include <QCoreApplication>
 #include <QMutex>
 #include <QtConcurrentMap>
 
@@ -13,9 +15,14 @@ namespace cradle {
 
 namespace {
 
+struct VerifierText {
+    Q_DECLARE_TR_FUNCTIONS(LabVerifier)
+};
+
 using Role = VerifiedProgram::Role;
 
-constexpr int seeds = 5; ///< with which a solution must pass
+constexpr int seeds = 5;     ///< with which a solution must pass
+constexpr int students = 10; ///< whose values are tried, where the lab draws some
 
 /// One program to judge, and where its reports belong: one for each seed, from 1.
 struct Job {
@@ -78,12 +85,13 @@ std::vector<Candidate> candidatesOf(const Task &task)
     std::vector<Candidate> found;
     const auto add = [&](Role role, const QString &name, const QString &source) {
         if (!source.isEmpty())
-            found.push_back({role, name, Submission(task.preset, source)});
+            found.push_back({role, name, answered(task, Submission(task.preset, source))});
     };
     add(Role::Starter, QStringLiteral("starter"), task.starter);
     add(Role::Solution, QStringLiteral("solution"), task.solution);
     if (task.solutionScene)
-        found.push_back({Role::Solution, QStringLiteral("solution-preset"), *task.solutionScene});
+        found.push_back({Role::Solution, QStringLiteral("solution-preset"),
+                         answered(task, *task.solutionScene)});
     for (const KnownScript &mistake : task.mistakes)
         add(Role::Mistake, mistake.name, mistake.source);
     for (const RemarkSpec &remark : task.remarks)
@@ -91,9 +99,7 @@ std::vector<Candidate> candidatesOf(const Task &task)
     return found;
 }
 
-} // namespace
-
-std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks)
+std::vector<VerifiedTask> verifyOne(const Lab &lab, const QString &only, const JudgeHooks &hooks)
 {
     std::vector<VerifiedTask> result;
     std::vector<const Task *> tasks;
@@ -150,6 +156,38 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
         result[job.task].sensitivity.push_back(job.sensitivity);
         if (job.tight)
             result[job.task].findings.push_back(tooTight(*tasks[job.task], *job.check, *job.tight));
+    }
+    return result;
+}
+
+/// Whether \p known tells of the same, with other values perhaps.
+bool isTold(const std::vector<LabFinding> &known, const LabFinding &finding)
+{
+    return std::any_of(known.begin(), known.end(), [&](const LabFinding &each) {
+        return each.kind == finding.kind && each.program == finding.program
+               && each.check == finding.check;
+    });
+}
+
+} // namespace
+
+std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks)
+{
+    std::vector<VerifiedTask> result = verifyOne(lab, only, hooks);
+    for (int i = 1; lab.drawnFrom && !result.empty() && i <= students; ++i) {
+        const auto drawn = verifyOne(forStudent(lab, QString::number(i)), only, hooks);
+        if (drawn.size() != result.size())
+            return {}; // cancelled
+        for (std::size_t t = 0; t < drawn.size(); ++t) {
+            for (LabFinding finding : drawn[t].findings) {
+                if (isTold(result[t].findings, finding))
+                    continue;
+                finding.message = VerifierText::tr("with the values of the student %1: %2")
+                                      .arg(i)
+                                      .arg(finding.message);
+                result[t].findings.push_back(finding);
+            }
+        }
     }
     return result;
 }

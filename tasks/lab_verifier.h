@@ -62,7 +62,8 @@ struct VerifiedTask {
 /// tolerance is nearly used up by the solution itself. Measures how wrong a run must just be for
 /// each check. Warns of checks that add nothing: duplicates, and those without which every mistake
 /// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of
-/// that scene pass, too. Uses all processors. \param only   the id of one step; empty for all
+/// that scene pass, too. Where values are drawn for each student, those of ten are tried. Uses all
+/// processors. \param only   the id of one step; empty for all
 /// \param hooks  called from other threads, never two at once \return nothing if it was cancelled
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
                                                   const JudgeHooks &hooks = {});

@@ -61,6 +61,8 @@ QJsonObject jsonOf(const TaskProgress &task)
         json.insert(QStringLiteral("commit"), task.pass.commit);
     if (task.guess != Guess{})
         json.insert(QStringLiteral("prediction"), jsonOf(task.guess));
+    if (!task.answers.isEmpty())
+        json.insert(QStringLiteral("answers"), task.answers);
     return json;
 }
 
@@ -73,6 +75,7 @@ TaskProgress taskFrom(const QJsonObject &json)
         QDateTime::fromString(json.value(QStringLiteral("passed_at")).toString(), Qt::ISODate);
     task.pass.commit = json.value(QStringLiteral("commit")).toString();
     task.guess = guessFrom(json.value(QStringLiteral("prediction")).toObject());
+    task.answers = json.value(QStringLiteral("answers")).toObject();
     const QJsonValue preset = json.value(QStringLiteral("preset"));
     if (preset.isObject()) {
         // A preset that an older or newer version wrote and this one refuses is left out.
@@ -165,7 +168,7 @@ std::optional<Error> ProgressStore::load()
                  .file = m_path};
 }
 
-bool ProgressStore::isPassed(const QString &labId, const QString &taskId) const
+const TaskProgress *ProgressStore::find(const QString &labId, const QString &taskId) const
 {
     const auto open = m_labs.find(labId);
     const auto read = m_read.find(labId);
@@ -173,9 +176,21 @@ bool ProgressStore::isPassed(const QString &labId, const QString &taskId) const
                              : read != m_read.end() ? &read->second
                                                     : nullptr;
     if (!lab)
-        return false;
+        return nullptr;
     const auto task = lab->tasks.find(taskId);
-    return task != lab->tasks.end() && task->second.passed;
+    return task == lab->tasks.end() ? nullptr : &task->second;
+}
+
+bool ProgressStore::isPassed(const QString &labId, const QString &taskId) const
+{
+    const TaskProgress *task = find(labId, taskId);
+    return task && task->passed;
+}
+
+QJsonObject ProgressStore::answersOf(const QString &labId, const QString &taskId) const
+{
+    const TaskProgress *task = find(labId, taskId);
+    return task ? task->answers : QJsonObject{};
 }
 
 std::optional<Error> ProgressStore::save() const

@@ -6,6 +6,7 @@
 #include "tasks/prediction.h"
 
 #include <QDateTime>
+#include <QJsonObject>
 #include <QString>
 
 #include <map>
@@ -28,6 +29,7 @@ struct TaskProgress {
     std::optional<Preset> edited{}; ///< what the student has made of the step's scene
     Pass pass{};                    ///< if passed
     Guess guess{};                  ///< if the step asks for a prediction
+    QJsonObject answers{};          ///< to its questions, see tasks/questions/answers.h
 
     friend bool operator==(const TaskProgress &, const TaskProgress &) = default;
 };
@@ -58,10 +60,14 @@ public:
     [[nodiscard]] std::optional<Error> save() const;
 
     LabProgress &lab(const QString &labId);
+    /// The answers to that step's questions.
+    [[nodiscard]] QJsonObject answersOf(const QString &labId, const QString &taskId) const;
     /// Whether that step was passed once.
     [[nodiscard]] bool isPassed(const QString &labId, const QString &taskId) const;
 
 private:
+    [[nodiscard]] const TaskProgress *find(const QString &labId, const QString &taskId) const;
+
     QString m_path;
     std::map<QString, LabProgress> m_read; ///< as the file had them
     std::map<QString, LabProgress> m_labs; ///< those that were asked for

@@ -45,6 +45,8 @@ void writeCase(QXmlStreamWriter &xml, const CheckReport &report, std::size_t ind
         xml.writeAttribute(QStringLiteral("message"), message);
         xml.writeCharacters(message);
         xml.writeEndElement();
+    } else if (check.forTeacher) {
+        xml.writeTextElement(QStringLiteral("system-out"), feedbackOn(report, index, program));
     }
     xml.writeEndElement();
 }

@@ -93,16 +93,17 @@ QByteArray writeGradescope(const CheckReport &report, const QString &program)
     const QString file = fileName(program);
     QJsonArray tests;
     for (const CheckOutcome &check : report.checks)
-        tests.append(QJsonObject{
-            {QStringLiteral("name"), check.title},
-            {QStringLiteral("score"), check.passed ? check.points : 0.0},
-            {QStringLiteral("max_score"), check.points},
-            {QStringLiteral("status"),
-             check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
-            {QStringLiteral("output"),
-             check.passed ? QString()
-                          : observationsOf(report, check, file).join(QLatin1Char('\n'))},
-            {QStringLiteral("output_format"), QStringLiteral("text")}});
+        tests.append(
+            QJsonObject{{QStringLiteral("name"), check.title},
+                        {QStringLiteral("score"), check.passed ? check.points : 0.0},
+                        {QStringLiteral("max_score"), check.points},
+                        {QStringLiteral("status"),
+                         check.passed ? QStringLiteral("passed") : QStringLiteral("failed")},
+                        {QStringLiteral("output"),
+                         check.passed && !check.forTeacher
+                             ? QString()
+                             : observationsOf(report, check, file).join(QLatin1Char('\n'))},
+                        {QStringLiteral("output_format"), QStringLiteral("text")}});
     QJsonObject extra{{QStringLiteral("lab"), report.labId},
                       {QStringLiteral("lab_hash"), report.labHash},
                       {QStringLiteral("task"), report.taskId},
@@ -154,8 +155,9 @@ QByteArray writeGitHub(const CheckReport &report, const QString &program, const 
     for (std::size_t i = 0; i < report.checks.size(); ++i) {
         const CheckOutcome &check = report.checks[i];
         // What is said of work that passes has no other place.
-        const QString message =
-            i == 0 && check.passed ? remarksOf(report) : feedbackOn(report, i, file);
+        const QString message = i == 0 && check.passed && !check.forTeacher
+                                    ? remarksOf(report)
+                                    : feedbackOn(report, i, file);
         tests.append(QJsonObject{{QStringLiteral("name"), check.title},
                                  {QStringLiteral("status"), statusOf(report, check)},
                                  {QStringLiteral("score"), check.passed ? check.points : 0.0},

@@ -33,6 +33,10 @@ QJsonObject jsonOf(const CheckOutcome &check, bool scored)
                       check.line > 0 ? QJsonValue(check.line) : QJsonValue(QJsonValue::Null)}};
     if (scored)
         json.insert(QStringLiteral("points"), check.points);
+    if (check.question)
+        json.insert(QStringLiteral("question"), true);
+    if (check.forTeacher)
+        json.insert(QStringLiteral("for_teacher"), true);
     return json;
 }
 

@@ -88,7 +88,9 @@ QString tapTests(const CheckReport &report, const QString &program, int &number,
                     .arg(++number)
                     .arg(described(prefix + check.title));
         if (!check.passed)
-            text += yamlOf(report, check) + commentsOn(report, check, program);
+            text += yamlOf(report, check);
+        if (!check.passed || check.forTeacher)
+            text += commentsOn(report, check, program);
     }
     for (const Remark &remark : report.remarks)
         text += comment(plainText(remark.message, terminalColumns - 2));

@@ -74,7 +74,7 @@ QString describe(const CheckReport &report, const CheckOutcome &check, const QSt
                                       : QStringLiteral("  FAIL  ");
     QString text = wrapped(printable(check.title).simplified(), terminalColumns, mark, indent)
                    + QLatin1Char('\n');
-    if (check.passed)
+    if (check.passed && !check.forTeacher)
         return text;
     QStringList findings = observationsOf(report, check, program);
     // It stands above all checks.
@@ -152,7 +152,8 @@ QString placedMessage(const ProgramError &error, const QString &program)
 bool wasStopped(const CheckReport &report, const CheckOutcome &check)
 {
     // Without a scene nothing was judged; else it is the scene where the program stopped.
-    return report.error && !check.passed && (check.variant.isEmpty() || tellsError(report, check));
+    return report.error && !check.passed && !check.question
+           && (check.variant.isEmpty() || tellsError(report, check));
 }
 
 QStringList observationsOf(const CheckReport &report, const CheckOutcome &check,
@@ -191,11 +192,13 @@ QString explanationOf(const CheckReport &report, const QString &program)
 QString feedbackOn(const CheckReport &report, std::size_t index, const QString &program)
 {
     const CheckOutcome &check = report.checks[index];
+    if (check.forTeacher && check.passed)
+        return printable(check.message);
     if (check.passed)
         return {};
     // What stopped the program explains no check that failed before.
     const auto isExplained = [&](const CheckOutcome &c) {
-        return !c.passed && (!report.error || wasStopped(report, c));
+        return !c.passed && !c.question && (!report.error || wasStopped(report, c));
     };
     const bool first =
         isExplained(check)
@@ -212,6 +215,12 @@ int passedCount(const CheckReport &report)
 {
     return static_cast<int>(std::count_if(report.checks.begin(), report.checks.end(),
                                           [](const CheckOutcome &check) { return check.passed; }));
+}
+
+bool hasQuestions(const CheckReport &report)
+{
+    return std::any_of(report.checks.begin(), report.checks.end(),
+                       [](const CheckOutcome &check) { return check.question; });
 }
 
 bool isScored(const CheckReport &report)
@@ -246,10 +255,10 @@ QString verdictOf(const CheckReport &report)
                    : ReportText::tr("%1 did not pass: the program does not load")
                          .arg(report.taskId);
     const auto all = static_cast<int>(report.checks.size());
-    const QString verdict = ReportText::tr("%1 did not pass: %2 of %3 checks failed")
-                                .arg(report.taskId)
-                                .arg(all - passedCount(report))
-                                .arg(all);
+    const QString words =
+        hasQuestions(report) ? ReportText::tr("%1 did not pass: %2 of %3 checks and answers failed")
+                             : ReportText::tr("%1 did not pass: %2 of %3 checks failed");
+    const QString verdict = words.arg(report.taskId).arg(all - passedCount(report)).arg(all);
     return isScored(report) ? ReportText::tr("%1 (%2 of %3 points)")
                                   .arg(verdict)
                                   .arg(scoreOf(report))

@@ -44,6 +44,9 @@ inline constexpr int terminalColumns = 80;
 /// How many checks passed.
 [[nodiscard]] int passedCount(const CheckReport &report);
 
+/// Whether some of what was judged is an answer to a question.
+[[nodiscard]] bool hasQuestions(const CheckReport &report);
+
 /// Whether some check is worth something else than 1 point: then scores are told.
 [[nodiscard]] bool isScored(const CheckReport &report);
 /// The points of the checks that passed, and of all.

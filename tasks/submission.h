@@ -4,12 +4,15 @@
 
 #include "model/preset.h"
 
+#include <QJsonObject>
+
 #include <optional>
 #include <utility>
 
 namespace cradle {
 
-/// What a student hands in for a step: a scene with its laws, and in code mode a program.
+/// What a student hands in for a step: a scene with its laws, and in code mode a program,
+/// and answers.
 struct Submission {
     Submission() = default;
     Submission(Preset scene)
@@ -27,6 +30,7 @@ struct Submission {
 
     Preset preset{};
     std::optional<QString> script{};
+    QJsonObject answers{}; ///< to the step's questions, see tasks/questions/answers.h
 
     friend bool operator==(const Submission &, const Submission &) = default;
 };

@@ -3,12 +3,16 @@
 #include "app/cli/judged_apart.h"
 #include "app/cli/subcommand.h"
 
+#include "model/json_schema.h"
 #include "model/preset_json.h"
 #include "tasks/lab_list.h"
 #include "tasks/program_text.h"
+#include "tasks/questions/answers.h"
 #include "tasks/report_formats.h"
 #include "tasks/report_json.h"
 #include "tasks/report_text.h"
+#include "tasks/script/script_limits.h"
+#include "tasks/workspace/workspace_info.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -34,10 +38,33 @@ QStringList idsOf(const Lab &lab)
     return ids;
 }
 
+/// The answers to the step's questions: those of the file for the step, or all of it.
+Result<QByteArray> readAnswers(const Task &task, const QString &path)
+{
+    const auto bytes = readFile(path, limits::sourceBytes);
+    if (!bytes)
+        return bytes.error();
+    const QJsonDocument json = QJsonDocument::fromJson(*bytes);
+    if (!json.isObject())
+        return Error{.message = CheckText::tr("an object with an answer for each id of a question "
+                                              "is right"),
+                     .file = path};
+    const QJsonObject all = json.object();
+    const bool ofLab = all.value(task.id).isObject();
+    return answersText({{task.id, ofLab ? all.value(task.id).toObject() : all}});
+}
+
 /// What is to be judged, as bytes; a scene that is none is refused.
-Result<WorkFiles> readFiles(const Task &task, const QString &program, const QString &preset)
+Result<WorkFiles> readFiles(const Task &task, const QString &program, const QString &preset,
+                            const QString &answers)
 {
     WorkFiles files;
+    if (!answers.isEmpty()) {
+        const auto bytes = readAnswers(task, answers);
+        if (!bytes)
+            return bytes.error();
+        files.insert(QStringLiteral("answers.json"), *bytes);
+    }
     if (!preset.isEmpty()) {
         const auto scene = readPreset(preset);
         if (!scene)
@@ -59,8 +86,8 @@ bool isShown(ReportFormat format, const QString &output)
     return format == ReportFormat::Text && output.isEmpty() && isatty(fileno(stdout)) == 1;
 }
 
-QByteArray textOf(const CheckReport &report, ReportFormat format, const QString &program,
-                  const Task &task, const Isolation &isolation)
+QByteArray writtenReport(const CheckReport &report, ReportFormat format, const QString &program,
+                         const Task &task, const Isolation &isolation)
 {
     if (format != ReportFormat::Json)
         return writeReport(report, format, program, &task);
@@ -87,6 +114,14 @@ ExitCode check(const QStringList &arguments)
     const QCommandLineOption preset(QStringLiteral("preset"),
                                     CheckText::tr("the scene; without it that of the step"),
                                     QStringLiteral("P.json"));
+    const QCommandLineOption answers(
+        QStringLiteral("answers"),
+        CheckText::tr("the answers to the step's questions: {\"ID\": ANSWER}"),
+        QStringLiteral("A.json"));
+    const QCommandLineOption student(
+        QStringLiteral("student"),
+        CheckText::tr("number of the student for whom the lab draws its values"),
+        QStringLiteral("NUMBER"));
     const QCommandLineOption labDir(
         QStringLiteral("lab"),
         CheckText::tr("the lab's folder or NAME.cradle; without it the shipped lab"),
@@ -106,7 +141,8 @@ ExitCode check(const QStringList &arguments)
         CheckText::tr("judge only where rlimits, seccomp and namespaces are to be had"));
     const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
                                       CheckText::tr("exit with 0 also if it did not pass"));
-    parser.addOptions({preset, labDir, seed, formatName, output, requireIsolation, exitZero});
+    parser.addOptions(
+        {preset, answers, student, labDir, seed, formatName, output, requireIsolation, exitZero});
     if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
     const QString program = parser.positionalArguments().value(1);
@@ -132,9 +168,14 @@ ExitCode check(const QStringList &arguments)
         return complain(CheckText::tr("the lab has no step %1; it has %2")
                             .arg(id, idsOf(lab->lab).join(QStringLiteral(", "))));
     const Task &task = lab->lab.tasks[static_cast<std::size_t>(index)];
-    const auto files = readFiles(task, program, parser.value(preset));
+    auto files = readFiles(task, program, parser.value(preset), parser.value(answers));
     if (!files)
         return complain(files.error());
+    if (parser.isSet(student)) {
+        WorkspaceInfo info;
+        info.studentId = parser.value(student);
+        files->insert(QStringLiteral("cradle.json"), textOf(info));
+    }
     const auto judged =
         judgeApart(*lab, {.seed = seedValue, .steps = {task.id}, .files = *files, .moments = false},
                    parser.isSet(requireIsolation));
@@ -143,7 +184,7 @@ ExitCode check(const QStringList &arguments)
     const CheckReport &report = judged->report;
     if (report.error && !isShown(*format, parser.value(output)))
         QTextStream(stderr) << placedMessage(*report.error, program) << Qt::endl;
-    const QByteArray text = textOf(report, *format, program, task, judged->isolation);
+    const QByteArray text = writtenReport(report, *format, program, task, judged->isolation);
     if (const auto error = writeText(parser.value(output), text))
         return complainUnwritten(*error);
     return report.passed || parser.isSet(exitZero) ? Done : NotPassed;

@@ -33,8 +33,9 @@ bool sameTexts(const std::optional<Prediction> &a, const std::optional<Predictio
     return a.has_value() == b.has_value() && (!a || textsOf(*a) == textsOf(*b));
 }
 
-/// \p answers after the change from \p before to \p after, by one answer more or one less.
-QStringList follow(QStringList answers, const QStringList &before, const QStringList &after)
+} // namespace
+
+QStringList followed(QStringList answers, const QStringList &before, const QStringList &after)
 {
     if (answers.size() != before.size())
         return answers;
@@ -47,8 +48,6 @@ QStringList follow(QStringList answers, const QStringList &before, const QString
         answers.removeAt(at);
     return answers;
 }
-
-} // namespace
 
 std::optional<Prediction> predictionFrom(const QJsonObject &task)
 {
@@ -85,7 +84,7 @@ std::optional<Prediction> withTextsOf(const std::optional<Prediction> &own,
         return after;
     Prediction result = *own;
     result.right = after->right;
-    result.answers = follow(own->answers, before->answers, after->answers);
+    result.answers = followed(own->answers, before->answers, after->answers);
     return result;
 }
 
@@ -100,7 +99,7 @@ Result<LabFiles> withAnswersFollowing(const LabFiles &files, const QString &path
     if (!after)
         return withMember(files, path, translationSchema, predictionKey(), gone);
     Prediction texts = textsFrom(json->value(predictionKey()).toObject());
-    texts.answers = follow(texts.answers, before->answers, after->answers);
+    texts.answers = followed(texts.answers, before->answers, after->answers);
     return withMember(files, path, translationSchema, predictionKey(), textsOf(texts));
 }
 

@@ -11,6 +11,11 @@ namespace cradle {
 
 // The prediction of a step as a form edits it, with its texts in other languages.
 
+/// \p answers after the change from \p before to \p after, by one answer more or one less; as they
+/// are if they were never as many.
+[[nodiscard]] QStringList followed(QStringList answers, const QStringList &before,
+                                   const QStringList &after);
+
 /// Where it stands in task.json and in task.LANGUAGE.json.
 [[nodiscard]] inline QString predictionKey()
 {

@@ -5,6 +5,7 @@
 #include "model/preset_json.h"
 #include "tasks/authoring/json_patch.h"
 #include "tasks/authoring/lab_json.h"
+#include "tasks/values/put_values.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -35,6 +36,19 @@ QJsonObject jsonFrom(const Preset &preset)
     return QJsonDocument::fromJson(writePreset(preset)).object();
 }
 
+/// A scene whose numbers may be expressions.
+Result<Preset> sceneFrom(const QByteArray &text, const QString &path, const Values &values)
+{
+    const QJsonObject json = QJsonDocument::fromJson(text).object();
+    Result<QJsonObject> scene = sceneWithNumbers(json, values);
+    if (!scene) {
+        Error error = scene.error();
+        error.file = path;
+        return error;
+    }
+    return parsePreset(*scene == json ? text : QJsonDocument(*scene).toJson(), path);
+}
+
 } // namespace
 
 QString solutionPresetPath(const QString &step)
@@ -50,7 +64,7 @@ Result<Preset> presetOf(const LabFiles &files, const QString &step, StepPreset w
     if (!files.contents.contains(*path))
         return Error{.message = EditText::tr("cannot be read: there is no such file"),
                      .file = *path};
-    return parsePreset(files.contents.value(*path), *path);
+    return sceneFrom(files.contents.value(*path), *path, valuesOf(files, step, {}));
 }
 
 Result<LabFiles> withPreset(const LabFiles &files, const QString &step, const Preset &preset,
@@ -70,7 +84,7 @@ Result<LabFiles> withPreset(const LabFiles &files, const QString &step, const Pr
     if (before)
         text = patchJson(files.contents.value(*path), jsonFrom(*before), jsonFrom(preset));
     // A name that a file leaves out goes by the circle's place, which an edit may change.
-    const Result<Preset> written = parsePreset(text, *path);
+    const Result<Preset> written = sceneFrom(text, *path, valuesOf(files, step, {}));
     if (!written || *written != preset)
         text = writePreset(preset);
     return withFile(files, *path, text);

@@ -168,8 +168,9 @@ Suggestions suggestMistakes(const Lab &lab, const Task &task, const JudgeHooks &
     });
     advance(total / 2 - static_cast<int>(trials.size()));
     QtConcurrent::blockingMap(trials, [&](Trial &trial) {
-        trial.report = judgeTask(lab, task, Submission(task.preset, trial.mutant.source), seed,
-                                 {.cancelled = stop, .provesLines = false});
+        trial.report =
+            judgeTask(lab, task, answered(task, Submission(task.preset, trial.mutant.source)), seed,
+                      {.cancelled = stop, .provesLines = false});
         advance(1);
     });
     if (stop())

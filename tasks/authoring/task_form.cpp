@@ -4,6 +4,8 @@
 
 #include "tasks/authoring/lab_json.h"
 #include "tasks/authoring/prediction_form.h"
+#include "tasks/authoring/questions_form.h"
+#include "tasks/questions/question_json.h"
 
 #include <algorithm>
 
@@ -113,6 +115,11 @@ QJsonObject jsonFrom(const TaskForm &form)
         json.insert(QStringLiteral("points"), *form.points);
     if (form.prediction)
         json.insert(predictionKey(), jsonFrom(*form.prediction));
+    QJsonArray questions;
+    for (const Question &question : form.questions)
+        questions.append(jsonFrom(question));
+    if (!questions.isEmpty())
+        json.insert(QStringLiteral("questions"), questions);
     return json;
 }
 
@@ -144,7 +151,8 @@ TaskForm formFrom(const QJsonObject &json)
                   .moves = text("moves"),
                   .extra = json.value(QStringLiteral("extra")).toBool(),
                   .locked = toStrings(json.value(QStringLiteral("locked"))),
-                  .prediction = predictionFrom(json)};
+                  .prediction = predictionFrom(json),
+                  .questions = readQuestions(json)};
     if (json.contains(QStringLiteral("points")))
         form.points = json.value(QStringLiteral("points")).toDouble();
     for (const QJsonValue &check : json.value(QStringLiteral("checks")).toArray())
@@ -167,6 +175,9 @@ void translate(TaskForm &form, const QJsonObject &texts)
     for (CheckForm &check : form.checks)
         check.title = titles.value(check.id).toString(check.title);
     form.prediction = translated(form.prediction, texts);
+    const QJsonObject questions = value("questions").toObject();
+    for (Question &question : form.questions)
+        question = withTexts(question, questions.value(question.id).toObject());
 }
 
 const CheckForm *find(const TaskForm &form, const QString &id)
@@ -193,6 +204,7 @@ QString newIdOf(const TaskForm &before, const TaskForm &after, std::size_t index
 TaskForm withOwnTexts(TaskForm form, const TaskForm &own, const TaskForm &before)
 {
     form.prediction = withTextsOf(own.prediction, before.prediction, form.prediction);
+    form.questions = withTextsOf(own.questions, before.questions, form.questions);
     form.title = own.title;
     form.hints = own.hints;
     form.codeHints = own.codeHints;
@@ -252,6 +264,10 @@ Result<LabFiles> withTask(const LabFiles &files, const QString &step, const Task
             withPatch(*result, translation, translationSchema, textsOf(*before), textsOf(form));
     if (result && translated)
         result = withPredictionTexts(*result, translation, before->prediction, form.prediction);
+    if (result)
+        result = withQuestionsFollowing(*result, step, before->questions, form.questions);
+    if (result && translated)
+        result = withQuestionTexts(*result, translation, before->questions, form.questions);
     return result;
 }
 

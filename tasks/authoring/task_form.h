@@ -5,6 +5,7 @@
 #include "model/preset.h"
 #include "tasks/authoring/lab_files.h"
 #include "tasks/prediction.h"
+#include "tasks/questions/question.h"
 
 #include <QJsonObject>
 
@@ -48,6 +49,7 @@ struct TaskForm {
     std::optional<double> points{};         ///< what the step is worth; none: its checks together
     QStringList locked{};                   ///< fields of the scene that the student may not change
     std::optional<Prediction> prediction{}; ///< in the form's language; right may be none of them
+    std::vector<Question> questions{};      ///< in the form's language
 
     friend bool operator==(const TaskForm &, const TaskForm &) = default;
 };
@@ -57,10 +59,10 @@ struct TaskForm {
 [[nodiscard]] Result<TaskForm> taskForm(const LabFiles &files, const QString &step,
                                         const QString &language = {});
 
-/// Writes back what differs from taskForm(): title, hints, prediction and titles of checks into
-/// STEP/task.LANGUAGE.json for another \p language, all else into STEP/task.json. Texts in other
-/// languages follow the check that they belong to, also if its id changes; an answer that is added
-/// or removed is so in all languages.
+/// Writes back what differs from taskForm(): title, hints, prediction, questions and titles of
+/// checks into STEP/task.LANGUAGE.json for another \p language, all else into STEP/task.json. Texts
+/// in other languages follow the check that they belong to, also if its id changes; an answer that
+/// is added or removed is so in all languages.
 [[nodiscard]] Result<LabFiles> withTask(const LabFiles &files, const QString &step,
                                         const TaskForm &form, const QString &language = {});
 

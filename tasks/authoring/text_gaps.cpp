@@ -50,6 +50,11 @@ QStringList missingIn(const QJsonObject &words, const QJsonObject &task,
         missing.append(prediction);
     const QString checks = QStringLiteral("checks");
     const QString remarks = QStringLiteral("remarks");
+    const QString questions = QStringLiteral("questions");
+    for (const QString &id : idsOf(task, questions)) {
+        if (!words.value(questions).toObject().contains(id))
+            missing.append(questions + QLatin1Char('.') + id);
+    }
     const std::pair<QString, QStringList> named[] = {{checks, idsOf(task, checks)},
                                                      {QStringLiteral("mistakes"), mistakes},
                                                      {remarks, idsOf(task, remarks)}};

@@ -100,6 +100,8 @@ ClassSummary::ClassSummary(const Lab &lab, const ClassFacts &facts)
         Step step{.id = task.id, .title = task.title};
         for (const CheckSpec &check : task.checks)
             step.checks.push_back({.id = check.id, .title = check.title});
+        for (const Question &question : task.questions)
+            step.checks.push_back({.id = question.id, .title = question.title});
         m_steps.push_back(std::move(step));
     }
 }

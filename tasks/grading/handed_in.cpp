@@ -160,7 +160,8 @@ private:
                 continue;
             const QString below = file.name.mid(folder->size());
             const QString id = below.section(u'/', 1).section(u'.', 0, 0);
-            if (below == QLatin1String("cradle.json") || below == QLatin1String("lab.lua"))
+            if (below == QLatin1String("cradle.json") || below == QLatin1String("lab.lua")
+                || below == QLatin1String("answers.json"))
                 take(below, file);
             else if (const Task *task = taskCalled(id); task && below.count(u'/') == 1) {
                 if (below.startsWith(QLatin1String("steps/")) && isProgram(below))

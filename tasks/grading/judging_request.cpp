@@ -6,6 +6,7 @@
 #include "tasks/grading/moments.h"
 #include "tasks/hand_in/work_archive.h"
 #include "tasks/judgement.h"
+#include "tasks/lab_reader.h"
 #include "tasks/program_text.h"
 #include "tasks/workspace/kept_history.h"
 
@@ -92,7 +93,8 @@ StepResult judgeStep(const Lab &lab, const Task &task, const StepWork &work,
         return result;
     }
     result.program = work.program.value_or(QString());
-    const Submission submission(work.scene.value_or(task.preset), work.program);
+    Submission submission(work.scene.value_or(task.preset), work.program);
+    submission.answers = work.answers;
     TimeLimit limit;
     JudgeHooks hooks;
     hooks.cancelled = [&limit] { return limit.isOver(); };
@@ -174,6 +176,12 @@ CheckReport unreadableReport(const Lab &lab, const Task &task, qint64 seed, cons
              .title = check.title,
              .message = RequestText::tr("not judged: the program cannot be read"),
              .points = check.points});
+    for (const Question &question : task.questions)
+        report.checks.push_back(
+            {.id = question.id,
+             .title = question.title,
+             .message = RequestText::tr("not judged: the program cannot be read"),
+             .points = question.kind == Question::Kind::Text ? 0.0 : question.points});
     report.error = ProgramError{
         .message = fault.message, .kind = ProgramError::Kind::Syntax, .line = fault.line};
     return report;
@@ -195,19 +203,20 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
     spreadProgram(files, lab);
     StudentWork work = workFrom(files, lab);
     addHistory(work, request.repository);
+    const Lab own = forStudent(lab, work.info.studentId);
     for (const QString &id : request.steps) {
         begin();
-        const int index = lab.indexOf(id);
+        const int index = own.indexOf(id);
         StepResult result{.taskId = id};
         if (index < 0)
             result = noVerdict(result, RequestText::tr("the lab has no step %1").arg(id));
         else if (!fault.isEmpty())
-            result = unreadable(lab, lab.tasks[static_cast<std::size_t>(index)], request.seed,
+            result = unreadable(own, own.tasks[static_cast<std::size_t>(index)], request.seed,
                                 {.message = RequestText::tr("the file that was handed in cannot be "
                                                             "read: %1")
                                                 .arg(fault)});
         else
-            result = judgeStep(lab, lab.tasks[static_cast<std::size_t>(index)], work.step(id),
+            result = judgeStep(own, own.tasks[static_cast<std::size_t>(index)], work.step(id),
                                files.value(QStringLiteral("steps/%1.lua").arg(id)), request);
         done(result);
     }

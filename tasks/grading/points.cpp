@@ -19,11 +19,24 @@ constexpr std::array statusNames{
     std::pair{StepResult::Status::NotGraded, "not_graded"},
 };
 
-double pointsOfChecks(const Task &task)
+/// Of every check, and of every question that is not the teacher's.
+std::vector<std::pair<QString, double>> partsOf(const Task &task)
+{
+    std::vector<std::pair<QString, double>> parts;
+    for (const CheckSpec &check : task.checks)
+        parts.emplace_back(check.id, check.points);
+    for (const Question &question : task.questions) {
+        if (question.kind != Question::Kind::Text)
+            parts.emplace_back(question.id, question.points);
+    }
+    return parts;
+}
+
+double pointsOfAll(const Task &task)
 {
     double sum = 0.0;
-    for (const CheckSpec &check : task.checks)
-        sum += check.points;
+    for (const auto &[id, points] : partsOf(task))
+        sum += points;
     return sum;
 }
 
@@ -31,13 +44,22 @@ double pointsOfChecks(const Task &task)
 
 double mostPoints(const Task &task)
 {
-    return task.points.value_or(pointsOfChecks(task));
+    return task.points.value_or(pointsOfAll(task));
 }
 
 double pointScale(const Task &task)
 {
-    const double all = pointsOfChecks(task);
+    const double all = pointsOfAll(task);
     return task.points && all > 0.0 ? *task.points / all : 1.0;
+}
+
+double pointsInside(const Task &task, const QString &id)
+{
+    for (const auto &[each, points] : partsOf(task)) {
+        if (each == id)
+            return points;
+    }
+    return 0.0;
 }
 
 Points pointsOf(const StepResult &step, const Task &task)
@@ -54,15 +76,15 @@ Points pointsOf(const StepResult &step, const Task &task)
         break;
     }
     // A check that is not in the lab brings nothing, whatever a report says.
+    const auto passed = [&](const QString &id) {
+        return step.report
+               && std::any_of(
+                   step.report->checks.begin(), step.report->checks.end(),
+                   [&](const CheckOutcome &each) { return each.id == id && each.passed; });
+    };
     double sum = 0.0;
-    for (const CheckSpec &check : task.checks) {
-        const auto passed = [&](const CheckOutcome &each) {
-            return each.id == check.id && each.passed;
-        };
-        if (step.report
-            && std::any_of(step.report->checks.begin(), step.report->checks.end(), passed))
-            sum += check.points;
-    }
+    for (const auto &[id, points] : partsOf(task))
+        sum += passed(id) ? points : 0.0;
     return {sum * pointScale(task), most};
 }
 

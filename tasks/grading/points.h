@@ -21,11 +21,16 @@ struct Points {
     double most = 0.0;
 };
 
-/// What a step can bring: what the lab says it is worth, else the points of its checks.
+/// What a step can bring: what the lab says it is worth, else the points of its checks and
+/// questions; of those that the teacher reads none, which the teacher gives.
 [[nodiscard]] double mostPoints(const Task &task);
 
 /// What a point of a check counts in the class, where the lab says what the step is worth.
 [[nodiscard]] double pointScale(const Task &task);
+
+/// What the check or question with that id is worth, before pointScale(); 0 if the step has none
+/// or the teacher gives its points.
+[[nodiscard]] double pointsInside(const Task &task, const QString &id);
 
 /// What a step brought: the points of the checks that passed; nothing handed in, no points.
 [[nodiscard]] Points pointsOf(const StepResult &step, const Task &task);

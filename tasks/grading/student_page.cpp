@@ -277,14 +277,10 @@ private:
                       .arg(escaped(StudentText::tr("The checks of this step")));
         for (const CheckOutcome &check : report.checks) {
             QString text = escaped(check.title);
-            if (!check.passed && !check.message.isEmpty())
+            if ((!check.passed || check.forTeacher) && !check.message.isEmpty())
                 text += QStringLiteral("<br><span class=\"muted\">%1</span>")
                             .arg(escaped(check.message));
-            const auto spec =
-                std::find_if(task.checks.begin(), task.checks.end(),
-                             [&](const CheckSpec &each) { return each.id == check.id; });
-            const double worth =
-                spec == task.checks.end() ? 0.0 : roundedPoints(spec->points * pointScale(task));
+            const double worth = roundedPoints(pointsInside(task, check.id) * pointScale(task));
             m_html +=
                 QStringLiteral("<tr><td aria-label=\"%1\">%2</td><td>%3</td>"
                                "<td class=\"number\">%4</td></tr>\n")

@@ -57,6 +57,8 @@ CheckOutcome readCheck(JsonFields json)
                        .unit = json.text("unit", nameLetters),
                        .variant = json.text("variant", nameLetters),
                        .line = lineIn(json)};
+    check.question = json.has("question") && json.flag("question");
+    check.forTeacher = json.has("for_teacher") && json.flag("for_teacher");
     if (json.has("step"))
         check.step = json.integer("step", 0, mostStep);
     if (json.has("points"))

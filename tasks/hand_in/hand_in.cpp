@@ -100,6 +100,8 @@ Result<HandIn> gatherHandIn(const Lab &lab, const QString &folder, const Sender 
     auto work = readWork(folder, lab);
     if (!work)
         return work.error();
+    if (!sender.number.isEmpty())
+        work->info.studentId = sender.number;
     work->info.labId = lab.id;
     work->info.labVersion = lab.version;
     work->info.labHash = lab.hash;

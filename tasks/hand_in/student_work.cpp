@@ -69,7 +69,7 @@ Result<WorkFiles> readWorkFiles(const QString &folder)
                      .file = folder};
     WorkFiles files;
     const std::pair<const char *, const char *> kinds[] = {
-        {"", "lab.lua"},    {"", "cradle.json"},   {"", "predictions.json"},
+        {"", "lab.lua"},    {"", "cradle.json"},   {"", "predictions.json"}, {"", "answers.json"},
         {"steps", "*.lua"}, {"presets", "*.json"}, {"notes", "*.md"}};
     for (const auto &[below, pattern] : kinds) {
         const QString start = *below ? QLatin1String(below) + QLatin1Char('/') : QString();
@@ -94,8 +94,11 @@ StudentWork workFrom(const WorkFiles &files, const Lab &lab)
             work.info = *read;
     }
     const auto guesses = predictionsFrom(files.value(QStringLiteral("predictions.json")));
+    const auto answers = answersFrom(files.value(QStringLiteral("answers.json")));
     for (const Task &task : lab.tasks) {
         StepWork step = stepFrom(files, task.id);
+        if (const auto answer = answers.find(task.id); answer != answers.end())
+            step.answers = answer->second;
         if (const auto guess = guesses.find(task.id); guess != guesses.end())
             step.guess = guess->second;
         work.steps[task.id] = std::move(step);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/lab.h"
+#include "tasks/questions/answers.h"
 #include "tasks/workspace/version.h"
 #include "tasks/workspace/workspace_info.h"
 
@@ -29,10 +30,14 @@ struct StepWork {
     std::optional<Preset> scene{};    ///< the student's own; none: that of the step
     QString note{};                   ///< Markdown
     Guess guess{};
+    Answers answers{};                   ///< to the step's questions
     std::vector<KeptProgram> versions{}; ///< the newest first
 
     /// Whether nothing was ever done.
-    [[nodiscard]] bool isEmpty() const { return !program && programFault.isEmpty() && !scene; }
+    [[nodiscard]] bool isEmpty() const
+    {
+        return !program && programFault.isEmpty() && !scene && answers.isEmpty();
+    }
 };
 
 /// All that a student did in a lab, wherever it lies; a plain value. Anybody may have written it.

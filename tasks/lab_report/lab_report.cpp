@@ -3,6 +3,7 @@
 #include "tasks/lab_report/lab_report.h"
 
 #include "tasks/judgement.h"
+#include "tasks/lab_reader.h"
 #include "tasks/lab_report/drawn_moment.h"
 #include "tasks/mode.h"
 #include "tasks/plain_text.h"
@@ -139,7 +140,8 @@ ToldStep tellStep(const Lab &lab, const StudentWork &all, int index, qint64 seed
         report.explanation = work.programFault;
         return told;
     }
-    const Submission submission(work.scene.value_or(task.preset), work.program);
+    Submission submission(work.scene.value_or(task.preset), work.program);
+    submission.answers = work.answers;
     const auto judged = judgeTask(lab, task, submission, seed);
     report.verdict = judged->passed  ? StepVerdict::Passed
                      : judged->error ? StepVerdict::Stopped
@@ -179,10 +181,11 @@ int LabReport::passedCount() const
     }));
 }
 
-LabReport makeLabReport(const Lab &lab, const StudentWork &work, qint64 seed, const QDateTime &when,
-                        const std::function<void(int, int)> &progress,
+LabReport makeLabReport(const Lab &given, const StudentWork &work, qint64 seed,
+                        const QDateTime &when, const std::function<void(int, int)> &progress,
                         const std::atomic_bool *cancelled)
 {
+    const Lab lab = forStudent(given, work.info.studentId);
     const int count = static_cast<int>(lab.tasks.size());
     std::vector<int> indices(lab.tasks.size());
     for (int i = 0; i < count; ++i)

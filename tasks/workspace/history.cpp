@@ -15,7 +15,7 @@ namespace {
 
 /// What of the folder is the student's work; all else there is nobody's business.
 constexpr std::pair<const char *, const char *> workFiles[] = {
-    {"", "lab.lua"},    {"", "cradle.json"},   {"", "predictions.json"},
+    {"", "lab.lua"},    {"", "cradle.json"},   {"", "predictions.json"}, {"", "answers.json"},
     {"steps", "*.lua"}, {"presets", "*.json"}, {"notes", "*.md"}};
 
 QStringList workPaths(const QString &folder)

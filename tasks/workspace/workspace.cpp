@@ -245,9 +245,9 @@ std::optional<Error> Workspace::replaceForeign(const Lab &lab, int index, bool c
     return save(taskId, text ? *text : startOf(lab, index));
 }
 
-std::optional<Error> Workspace::savePredictions(const QByteArray &text)
+std::optional<Error> Workspace::saveSaid(const QString &name, const QByteArray &text)
 {
-    const QString path = m_folder + QStringLiteral("/predictions.json");
+    const QString path = m_folder + QLatin1Char('/') + name;
     if (m_folder.isEmpty() || wasTakenOver() || m_readOnly
         || contentOf(path).value_or("{\n}\n") == text)
         return std::nullopt;

@@ -106,8 +106,8 @@ public:
     /// Keeps the note, as it was saved, as a version.
     std::optional<Error> keepNote(const QString &taskId);
 
-    /// Keeps predictions.json, if it says something else.
-    std::optional<Error> savePredictions(const QByteArray &text);
+    /// Keeps \p name (predictions.json, answers.json), if it says something else.
+    std::optional<Error> saveSaid(const QString &name, const QByteArray &text);
 
     [[nodiscard]] QString pathOf(const QString &taskId) const;
     [[nodiscard]] QString labPath() const;

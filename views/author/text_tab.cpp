@@ -7,6 +7,7 @@
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
+#include "views/author/questions_editor.h"
 #include "views/author/step_fields.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
@@ -44,6 +45,7 @@ TextTab::~TextTab()
     // The views before the renderer that they share.
     delete m_splitter;
     delete m_prediction;
+    delete m_questions;
 }
 
 void TextTab::makeLayout()
@@ -69,6 +71,7 @@ void TextTab::makeLayout()
     m_splitter->setSizes({500, 500});
 
     m_prediction = new PredictionEditor(m_renderer, this);
+    m_questions = new QuestionsEditor(m_renderer, this);
     m_fields = new StepFields(m_document, this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -76,6 +79,7 @@ void TextTab::makeLayout()
     column->addLayout(top);
     column->addWidget(m_splitter, 1);
     column->addWidget(m_prediction, 1);
+    column->addWidget(m_questions, 1);
     column->addWidget(m_fields);
 }
 
@@ -119,6 +123,8 @@ void TextTab::wire()
     });
     connect(m_figure, &QPushButton::clicked, this, &TextTab::figureRequested);
     connect(m_prediction, &PredictionEditor::edited, this, &TextTab::takePrediction);
+    connect(m_questions, &QuestionsEditor::edited, this, &TextTab::takeQuestions);
+    connect(&m_document, &AuthorDocument::opened, m_questions, &QuestionsEditor::forgetTexts);
     connect(&m_previewTimer, &QTimer::timeout, this, &TextTab::showPreview);
 }
 
@@ -140,11 +146,13 @@ void TextTab::reload()
     m_figure->setEnabled(!m_document.isReadOnly());
     m_hints->setReadOnly(m_document.isReadOnly());
     m_prediction->setReadOnly(m_document.isReadOnly());
-    const bool predicts = part() == PredictionPart;
-    m_splitter->setVisible(!predicts);
-    m_prediction->setVisible(predicts);
-    m_figure->setVisible(!predicts);
-    m_mode->setVisible(!predicts);
+    m_questions->setReadOnly(m_document.isReadOnly());
+    const bool writes = part() != PredictionPart && part() != QuestionsPart;
+    m_splitter->setVisible(writes);
+    m_prediction->setVisible(part() == PredictionPart);
+    m_questions->setVisible(part() == QuestionsPart);
+    m_figure->setVisible(writes);
+    m_mode->setVisible(writes);
     reloadForm();
     reloadText();
     m_loading = false;
@@ -159,6 +167,7 @@ void TextTab::reloadForm()
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
     m_prediction->showPrediction(form->prediction);
+    m_questions->showQuestions(form->questions, m_document.step());
     if (hints != m_shownHints) {
         m_shownHints = hints;
         m_hints->showHints(hints);
@@ -222,7 +231,7 @@ void TextTab::retranslate()
         }
     };
     setItems(m_part, {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
-                      tr("Prediction")});
+                      tr("Prediction"), tr("Questions that count")});
     setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
     m_mode->setAccessibleName(tr("Mode of the preview"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/questions/question.h"
 #include "views/author/author_document.h"
 #include "views/author/preview_folder.h"
 
@@ -20,6 +21,7 @@ class HintsList;
 class MarkdownEditor;
 class MarkdownView;
 class PredictionEditor;
+class QuestionsEditor;
 class StepFields;
 
 /// The texts of a step: instructions and hints in CommonMark and TeX beside what the student will
@@ -36,6 +38,7 @@ public:
     /// Writes the figure \p name of the step's folder into the text, where the cursor is.
     void insertFigure(const QString &name, const QString &description);
     void openPrediction(); ///< of the step
+    void openQuestions();
 
 signals:
     void figureRequested(); ///< the author wants the scene as a figure
@@ -45,7 +48,7 @@ protected:
 
 private:
     /// Which text is written.
-    enum Part { Instructions, Hints, CodeHints, PredictionPart };
+    enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart };
 
     void makeLayout();
     QWidget *makeEditorColumn();
@@ -60,6 +63,7 @@ private:
     void takeText(const QString &text);
     void takeHints(const QStringList &hints, int current);
     void takePrediction(const std::optional<Prediction> &prediction, const QString &field);
+    void takeQuestions(const std::vector<Question> &questions, const QString &field);
     [[nodiscard]] Part part() const;
     [[nodiscard]] QString path() const; ///< of the instructions, in the language
 
@@ -76,6 +80,7 @@ private:
     QPushButton *m_unknown = nullptr; ///< names that nothing is called
     MarkdownView *m_preview = nullptr;
     PredictionEditor *m_prediction = nullptr;
+    QuestionsEditor *m_questions = nullptr;
     StepFields *m_fields = nullptr;
     QStringList m_shownHints;
     bool m_loading = false;

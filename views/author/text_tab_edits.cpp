@@ -69,11 +69,30 @@ void TextTab::openPrediction()
     m_part->setCurrentIndex(PredictionPart);
 }
 
+void TextTab::openQuestions()
+{
+    m_part->setCurrentIndex(QuestionsPart);
+}
+
 void TextTab::insertFigure(const QString &name, const QString &description)
 {
     m_part->setCurrentIndex(Instructions);
     m_editor->insertParagraph(QStringLiteral("![%1](%2)").arg(description, name));
     m_editor->setFocus();
+}
+
+void TextTab::takeQuestions(const std::vector<Question> &questions, const QString &field)
+{
+    const LabFiles &files = m_document.files();
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->questions = questions;
+    const QString key = QStringLiteral("questions:%1:%2").arg(m_document.step(), field);
+    if (!m_document.edit(tr("Edit the questions"),
+                         withTask(files, m_document.step(), *form, m_document.language()),
+                         field.isEmpty() ? QString() : key))
+        reload();
 }
 
 } // namespace cradle

@@ -7,6 +7,7 @@
 #include "views/markdown_view.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/prediction_card.h"
+#include "views/task_pane/questions_card.h"
 #include "views/theme.h"
 
 #include <QAbstractButton>
@@ -79,6 +80,7 @@ void InstructionsPane::makeLayout()
     m_instructions = new MarkdownView(content, m_renderer);
     m_prediction = new PredictionCard(m_renderer, content);
     m_rest = new MarkdownView(content, m_renderer);
+    m_questions = new QuestionsCard(m_renderer, content);
     m_hints = new MarkdownView(content, m_renderer);
     m_nextHint = new QPushButton(this);
     setKind(m_nextHint, "link");
@@ -89,6 +91,7 @@ void InstructionsPane::makeLayout()
     card->addWidget(m_prediction);
     column->addLayout(card);
     column->addWidget(m_rest);
+    column->addWidget(m_questions);
     column->addWidget(m_hints);
     column->addStretch(1);
     for (MarkdownView *view : {m_instructions, m_rest, m_hints})
@@ -115,6 +118,7 @@ void InstructionsPane::makeLayout()
     connect(m_prediction, &PredictionCard::answered, this, &InstructionsPane::predicted);
     connect(m_prediction, &PredictionCard::outcomeRequested, this,
             &InstructionsPane::outcomeRequested);
+    connect(m_questions, &QuestionsCard::answered, this, &InstructionsPane::answered);
     connect(m_nextHint, &QPushButton::clicked, this, [this] {
         setHintsOpened(m_opened + 1);
         emit hintOpened(m_opened);
@@ -139,6 +143,7 @@ void InstructionsPane::showTask(const Task &task, int hintsOpened)
     m_rest->setMarkdown(start < 0 ? QString() : text.mid(start), folder);
     m_rest->setVisible(start >= 0);
     m_prediction->setPrediction(task.prediction);
+    m_questions->setQuestions(task.questions, folder);
     m_revealed = true; // only what is revealed before the student's eyes comes in sight
     m_scroll->verticalScrollBar()->setValue(0);
     m_opened = -1;
@@ -152,6 +157,11 @@ void InstructionsPane::setHintsOpened(int count)
         return;
     m_opened = bounded;
     showHints();
+}
+
+void InstructionsPane::setAnswers(const QJsonObject &answers)
+{
+    m_questions->setAnswers(answers);
 }
 
 void InstructionsPane::setGuess(const Guess &guess)

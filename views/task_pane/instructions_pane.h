@@ -15,8 +15,10 @@ namespace cradle {
 class FormulaRenderer;
 class MarkdownView;
 class PredictionCard;
+class QuestionsCard;
 
-/// The instructions of a step with its prediction, and below them its hints, opened one at a time.
+/// The instructions of a step with its prediction and questions, and below them its hints, opened
+/// one at a time.
 class InstructionsPane final : public QWidget
 {
     Q_OBJECT
@@ -28,6 +30,8 @@ public:
     void setHintsOpened(int count);
     /// What the student expects of the step; once it is revealed, it comes in sight.
     void setGuess(const Guess &guess);
+    /// What the student answers to its questions; after showTask().
+    void setAnswers(const QJsonObject &answers);
     /// Sets formulas; for other views that live no longer than this one.
     [[nodiscard]] FormulaRenderer *renderer() const { return m_renderer; }
     [[nodiscard]] int hintsOpened() const { return m_opened; }
@@ -37,6 +41,7 @@ signals:
     void stepRequested(const QString &taskId);
     void predicted(int answer); ///< from 0, or Guess::notSure
     void outcomeRequested();
+    void answered(const QString &question, const QJsonValue &answer); ///< see Answers
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -54,7 +59,8 @@ private:
     QScrollArea *m_scroll = nullptr;
     MarkdownView *m_instructions = nullptr; ///< all, or what stands before the prediction
     PredictionCard *m_prediction = nullptr;
-    MarkdownView *m_rest = nullptr;  ///< of the instructions, after the prediction
+    MarkdownView *m_rest = nullptr; ///< of the instructions, after the prediction
+    QuestionsCard *m_questions = nullptr;
     MarkdownView *m_hints = nullptr; ///< those that are open, below each other
     QPushButton *m_nextHint = nullptr;
     Task m_task;

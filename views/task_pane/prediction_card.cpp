@@ -3,6 +3,7 @@
 #include "views/task_pane/prediction_card.h"
 
 #include "views/markdown_view.h"
+#include "views/task_pane/answer_row.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/message_text.h"
 #include "views/theme.h"
@@ -108,35 +109,12 @@ void PredictionCard::makeAnswers()
             [this](int id) { emit answered(id - idOffset); });
 }
 
-/// A radio button does not break lines, so that a label beside it shows its text.
 QRadioButton *PredictionCard::addAnswer(QVBoxLayout *column, int answer)
 {
     auto *button = new QRadioButton;
-    button->setAccessibleName(textOf(answer));
-    QLabel *label = makeLabel("plain");
-    label->setText(withUnits(textOf(answer)));
-    label->setBuddy(button);
-    label->installEventFilter(this);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(6);
-    row->addWidget(button, 0, Qt::AlignTop);
-    row->addWidget(label, 1);
-    column->addLayout(row);
+    addAnswerRow(column, button, textOf(answer));
     m_group->addButton(button, answer + idOffset);
     return button;
-}
-
-/// A click on an answer's text chooses it.
-bool PredictionCard::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::MouseButtonRelease) {
-        if (const auto *label = qobject_cast<QLabel *>(watched)) {
-            label->buddy()->setFocus(Qt::MouseFocusReason);
-            static_cast<QRadioButton *>(label->buddy())->click();
-            return true;
-        }
-    }
-    return QFrame::eventFilter(watched, event);
 }
 
 QString PredictionCard::textOf(int answer) const

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/report_text.h"
 #include "views/icons.h"
 #include "views/task_pane/result_cards.h"
 #include "views/task_pane/result_pane.h"
@@ -20,7 +21,9 @@ void ResultPane::addSuccess(QVBoxLayout *column)
 {
     const auto count = static_cast<int>(m_report->checks.size());
     addText(column,
-            count == 1 ? tr("✓ Passed: the check") : tr("✓ Passed: all %1 checks").arg(count),
+            hasQuestions(*m_report) ? tr("✓ Passed: all %1 checks and answers").arg(count)
+            : count == 1            ? tr("✓ Passed: the check")
+                                    : tr("✓ Passed: all %1 checks").arg(count),
             "successTitle");
     for (const Remark &remark : m_report->remarks)
         addRemark(column, remark);

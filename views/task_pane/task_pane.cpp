@@ -52,6 +52,7 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_instructions, &InstructionsPane::stepRequested, this, &TaskPane::chooseById);
     connect(m_instructions, &InstructionsPane::hintOpened, this, &TaskPane::hintOpened);
     connect(m_instructions, &InstructionsPane::predicted, this, &TaskPane::predicted);
+    connect(m_instructions, &InstructionsPane::answered, this, &TaskPane::answered);
     connect(m_instructions, &InstructionsPane::outcomeRequested, this, &TaskPane::outcomeRequested);
     connect(m_result, &ResultPane::showMoment, this, &TaskPane::showMoment);
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
@@ -94,6 +95,11 @@ void TaskPane::showTask(const Task &task, int hintsOpened)
 void TaskPane::setHintsOpened(int count)
 {
     m_instructions->setHintsOpened(count);
+}
+
+void TaskPane::setAnswers(const QJsonObject &answers)
+{
+    m_instructions->setAnswers(answers);
 }
 
 void TaskPane::setGuess(const Guess &guess)

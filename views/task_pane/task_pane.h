@@ -33,6 +33,8 @@ public:
     void setHintsOpened(int count);
     /// What the student expects of the open step; after showTask().
     void setGuess(const Guess &guess);
+    /// What the student answers to its questions; after showTask().
+    void setAnswers(const QJsonObject &answers);
     /// Shows a report, or that there is none yet; ends setChecking and setStale.
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done = 0, int total = 0);
@@ -45,6 +47,7 @@ signals:
     void hintOpened(int count); ///< how many hints of the step are open now
     void predicted(int answer); ///< from 0, or Guess::notSure
     void outcomeRequested();    ///< of the prediction
+    void answered(const QString &question, const QJsonValue &answer); ///< see Answers
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
     void solutionRequested();

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/grading/judging_request.h"
+#include "tasks/lab_reader.h"
+#include "tasks/lab_report/lab_report.h"
+#include "tasks/lab_verifier.h"
+#include "tasks/questions/answers.h"
+#include "tasks/values/put_values.h"
+#include "tasks/workspace/workspace_info.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSet>
+#include <QTest>
+
+#include <cmath>
+
+using namespace cradle;
+
+/// Values that a lab names, in everything that is made of them.
+class TestLabValues : public QObject
+{
+    Q_OBJECT
+private slots:
+    void valuesAreMadeOfOneAnother();
+    void faultsAreNamedWithTheirPlace();
+    void textsProgramsAndScenesHaveThem();
+    void labWithoutValuesIsAsItIs();
+    void unknownNameIsAFaultOfItsFile();
+    void editOfASceneKeepsItsExpressions();
+    void drawnValueLiesOnItsGridAndStays();
+    void everybodyWhoJudgesDrawsTheSame();
+    void verifyTriesTenStudents();
+};
+
+namespace {
+
+/// The template's lab with members of lab.json and a text of its step.
+LabFiles labWith(const QJsonObject &members, const QByteArray &text = {})
+{
+    LabFiles files =
+        newLab(QStringLiteral("valued"), QStringLiteral("Valued"), QStringLiteral("en"));
+    QJsonObject json = QJsonDocument::fromJson(files.contents[QStringLiteral("lab.json")]).object();
+    for (auto it = members.begin(); it != members.end(); ++it)
+        json.insert(it.key(), it.value());
+    files.contents[QStringLiteral("lab.json")] = QJsonDocument(json).toJson();
+    if (!text.isEmpty())
+        files.contents[QStringLiteral("S1/instructions.md")] = text;
+    return files;
+}
+
+QJsonObject values(const QJsonObject &all)
+{
+    return {{QStringLiteral("values"), all}};
+}
+
+const QJsonObject range{
+    {QStringLiteral("from"), 0.6}, {QStringLiteral("to"), 0.9}, {QStringLiteral("step"), 0.05}};
+
+void edit(LabFiles &files, const char *path, const std::function<void(QJsonObject &)> &change)
+{
+    QByteArray &bytes = files.contents[QLatin1String(path)];
+    QJsonObject json = QJsonDocument::fromJson(bytes).object();
+    change(json);
+    bytes = QJsonDocument(json).toJson();
+}
+
+double k(const LabFiles &files, const QString &student)
+{
+    return valuesOf(files, {}, student).value(QStringLiteral("k"));
+}
+
+} // namespace
+
+void TestLabValues::valuesAreMadeOfOneAnother()
+{
+    const LabFiles files = labWith(values({{QStringLiteral("a"), QStringLiteral("2*b")},
+                                           {QStringLiteral("b"), QStringLiteral("c + 1")},
+                                           {QStringLiteral("c"), 0.5}}));
+    std::vector<Error> faults;
+    const Values all = valuesOf(files, QStringLiteral("S1"), {}, &faults);
+    QVERIFY(faults.empty());
+    QCOMPARE(all.value(QStringLiteral("a")), 3.0);
+}
+
+void TestLabValues::faultsAreNamedWithTheirPlace()
+{
+    const LabFiles files = labWith(values({{QStringLiteral("a"), QStringLiteral("2*b")},
+                                           {QStringLiteral("b"), QStringLiteral("2*a")},
+                                           {QStringLiteral("pi"), 3.0}}));
+    std::vector<Error> faults;
+    (void)valuesOf(files, {}, {}, &faults);
+    QCOMPARE(faults.size(), std::size_t(3));
+    QSet<QString> places;
+    for (const Error &fault : faults)
+        places.insert(fault.pointer);
+    QCOMPARE(places, (QSet<QString>{QStringLiteral("/values/a"), QStringLiteral("/values/b"),
+                                    QStringLiteral("/values/pi")}));
+}
+
+void TestLabValues::textsProgramsAndScenesHaveThem()
+{
+    LabFiles files = labWith(values({{QStringLiteral("g"), 9.81}, {QStringLiteral("d"), 0.42}}),
+                             "# Fall\n\nBy {{g}} m/s², twice {{2*g}}.\n");
+    files.contents[QStringLiteral("S1/solution.lua")] += "\n-- {{g}} {{1, 2}} {{nobody}}\n";
+    edit(files, "S1/task.json", [](QJsonObject &task) {
+        task.insert(QStringLiteral("title"), QStringLiteral("Fall by {{g}}"));
+        task.insert(QStringLiteral("values"),
+                    QJsonObject{{QStringLiteral("half"), QStringLiteral("d/2")}});
+        QJsonArray checks = task.value(QStringLiteral("checks")).toArray();
+        QJsonObject check = checks[0].toObject();
+        check.insert(QStringLiteral("title"), QStringLiteral("Half is {{half}}"));
+        checks[0] = check;
+        task.insert(QStringLiteral("checks"), checks);
+        task.insert(QStringLiteral("questions"),
+                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("q")},
+                                           {QStringLiteral("kind"), QStringLiteral("number")},
+                                           {QStringLiteral("title"), QStringLiteral("Q")},
+                                           {QStringLiteral("right"), QStringLiteral("2*g")}}});
+    });
+    edit(files, "S1/preset.json", [](QJsonObject &scene) {
+        QJsonArray circles = scene.value(QStringLiteral("circles")).toArray();
+        QJsonObject circle = circles[0].toObject();
+        circle.insert(QStringLiteral("position"),
+                      QJsonArray{QStringLiteral("1 + d*cos(pi/6)"), QStringLiteral("{{half}}")});
+        circles[0] = circle;
+        scene.insert(QStringLiteral("circles"), circles);
+    });
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QVERIFY(lab.ok());
+    QVERIFY2(lab->findings.empty(),
+             lab->findings.empty() ? "" : qPrintable(lab->findings[0].toString()));
+    const Task &task = lab->tasks[0];
+    QVERIFY(task.instructions.contains(QStringLiteral("By 9.81 m/s², twice 19.62.")));
+    QCOMPARE(task.title, QStringLiteral("Fall by 9.81"));
+    QCOMPARE(task.checks[0].title, QStringLiteral("Half is 0.21"));
+    QCOMPARE(task.preset.circles[0].body.position.x, 1.0 + 0.42 * std::sqrt(0.75));
+    QCOMPARE(task.preset.circles[0].body.position.y, 0.21);
+    QVERIFY(task.solution.contains(QStringLiteral("-- 9.81 {{1, 2}} {{nobody}}")));
+    QCOMPARE(task.questions[0].number, 19.62);
+    QVERIFY(!lab->drawnFrom);
+}
+
+void TestLabValues::labWithoutValuesIsAsItIs()
+{
+    const LabFiles files = labWith({}, "# A {{brace}} $\\frac{{a}}{{b}}$\n");
+    QCOMPARE(withValues(files, QStringLiteral("1")), files);
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QVERIFY(lab->findings.empty());
+}
+
+void TestLabValues::unknownNameIsAFaultOfItsFile()
+{
+    LabFiles files = labWith(values({{QStringLiteral("g"), 9.81}}), "# By {{gg}}\n");
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QCOMPARE(lab->findings.size(), std::size_t(1));
+    QCOMPARE(lab->findings[0].file, QStringLiteral("here/S1/instructions.md"));
+    QVERIFY(lab->findings[0].message.contains(QStringLiteral("no value called gg")));
+    QCOMPARE(lab->tasks.size(), std::size_t(1)); // the rest is there
+}
+
+void TestLabValues::editOfASceneKeepsItsExpressions()
+{
+    LabFiles files = labWith(values({{QStringLiteral("d"), 0.5}}));
+    edit(files, "S1/preset.json", [](QJsonObject &scene) {
+        scene.insert(QStringLiteral("restitution"), QStringLiteral("d + 0.25"));
+    });
+    const auto scene = presetOf(files, QStringLiteral("S1"));
+    QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+    QCOMPARE(scene->restitution, 0.75);
+    Preset changed = *scene;
+    changed.timestep = 0.01;
+    const auto written = withPreset(files, QStringLiteral("S1"), changed);
+    QVERIFY(written.ok());
+    const QByteArray text = written->contents.value(QStringLiteral("S1/preset.json"));
+    QVERIFY2(text.contains("d + 0.25"), text.constData());
+    QCOMPARE(*presetOf(*written, QStringLiteral("S1")), changed);
+}
+
+void TestLabValues::drawnValueLiesOnItsGridAndStays()
+{
+    const LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    QVERIFY(drawsValues(files));
+    QSet<QString> drawn;
+    for (int i = 0; i < 200; ++i) {
+        const double value = k(files, QString::number(i));
+        const double steps = (value - 0.6) / 0.05;
+        QVERIFY(value >= 0.6 && value <= 0.9);
+        QVERIFY(std::abs(steps - std::round(steps)) < 1e-9);
+        drawn.insert(QString::number(value));
+        QCOMPARE(k(files, QString::number(i)), value);
+    }
+    QCOMPARE(drawn.size(), 7); // 0.6, 0.65 … 0.9, written so
+    QVERIFY(drawn.contains(QStringLiteral("0.75")));
+    QCOMPARE(k(files, {}), 0.6);
+    LabFiles other = files;
+    edit(other, "lab.json",
+         [](QJsonObject &lab) { lab.insert(QStringLiteral("draw"), QStringLiteral("next year")); });
+    int different = 0;
+    for (int i = 0; i < 50; ++i)
+        different += k(files, QString::number(i)) != k(other, QString::number(i)) ? 1 : 0;
+    QVERIFY(different > 25);
+}
+
+void TestLabValues::everybodyWhoJudgesDrawsTheSame()
+{
+    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    edit(files, "S1/task.json", [](QJsonObject &task) {
+        task.insert(QStringLiteral("questions"),
+                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("k")},
+                                           {QStringLiteral("kind"), QStringLiteral("number")},
+                                           {QStringLiteral("title"), QStringLiteral("k")},
+                                           {QStringLiteral("right"), QStringLiteral("100*k")}}});
+    });
+    const Lab lab = *readLab(files, QStringLiteral("here"));
+    QVERIFY(lab.drawnFrom);
+    QString number = QStringLiteral("1");
+    for (int i = 2; k(files, number) == 0.6; ++i)
+        number = QString::number(i);
+    const QString answer = QString::number(100.0 * k(files, number));
+    const Lab own = forStudent(lab, number);
+    QCOMPARE(own.hash, lab.hash);
+    QCOMPARE(own.tasks[0].questions[0].number, 100.0 * k(files, number));
+    WorkspaceInfo info;
+    info.studentId = number;
+    WorkFiles work{{QStringLiteral("cradle.json"), textOf(info)},
+                   {QStringLiteral("steps/S1.lua"), own.tasks[0].solution.toUtf8()},
+                   {QStringLiteral("answers.json"),
+                    answersText({{QStringLiteral("S1"), {{QStringLiteral("k"), answer}}}})}};
+    StepResult result;
+    JudgingRequest request{.seed = 1, .steps = {own.tasks[0].id}, .files = work};
+    judgeWork(
+        lab, request, [] {}, [&](const StepResult &step) { result = step; });
+    QCOMPARE(result.status, StepResult::Status::Passed);
+    const LabReport told = makeLabReport(lab, workFrom(work, lab), 1, {});
+    QCOMPARE(told.steps[0].verdict, StepVerdict::Passed);
+    work.remove(QStringLiteral("cradle.json")); // nobody's: k is 0.6
+    request.files = work;
+    judgeWork(
+        lab, request, [] {}, [&](const StepResult &step) { result = step; });
+    QCOMPARE(result.status, StepResult::Status::Failed);
+}
+
+void TestLabValues::verifyTriesTenStudents()
+{
+    // With k = 0.6, which nobody's number draws, all is well; the starter moves with others.
+    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    files.contents[QStringLiteral("S1/solution.lua")] +=
+        "\nif {{k}} > 0.7 then error('too stiff') end\n";
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QVERIFY(lab.ok());
+    const auto verified = verifyLab(*lab);
+    QVERIFY(!verified[0].findings.empty());
+    bool told = false;
+    for (const LabFinding &finding : verified[0].findings)
+        told = told || finding.message.startsWith(QStringLiteral("with the values of the student"));
+    QVERIFY(told);
+}
+
+QTEST_GUILESS_MAIN(TestLabValues)
+
+#include "test_lab_values.moc"

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/questions/question.h"
+#include "views/author/refused_texts.h"
+
+#include <QWidget>
+
+#include <vector>
+
+QT_BEGIN_NAMESPACE
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QToolButton;
+QT_END_NAMESPACE
+
+namespace cradle {
+
+class FormulaRenderer;
+class MarkdownEditor;
+class QuestionsCard;
+
+/// The questions that a step counts: a list, the chosen one as a form, and beside it what the
+/// student sees of them.
+class QuestionsEditor final : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param renderer  sets formulas; outlives the editor
+    explicit QuestionsEditor(FormulaRenderer *renderer, QWidget *parent = nullptr);
+
+    void showQuestions(const std::vector<Question> &questions, const QString &step);
+    void setReadOnly(bool readOnly);
+    void forgetTexts() { m_texts.clear(); } ///< of another lab
+
+signals:
+    /// \param field  that was typed into; empty if a question or an answer came, went or moved
+    void edited(const std::vector<cradle::Question> &questions, const QString &field);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    enum Line { Title, Id, Points, Number, Tolerance, Unit, LineCount };
+
+    QWidget *makeList();
+    QWidget *makeForm();
+    QWidget *makeAnswers();
+    QWidget *makeCard(FormulaRenderer *renderer);
+    void wire();
+    void retranslate();
+    void showCurrent();
+    void showLines();
+    void showAnswers();
+    void enableButtons();
+    void add();
+    void remove();
+    void move(int by);
+    void addAnswer();
+    void removeAnswer();
+    void moveAnswer(int by);
+    void takeKind();
+    void takeLine(Line line);
+    void takeAnswers();
+    void tell(const QString &field);
+    [[nodiscard]] bool isShown(Line line) const;
+    [[nodiscard]] QString valueText(Line line) const;
+    [[nodiscard]] QString takeText(Line line, const QString &text);
+    [[nodiscard]] int at() const;
+    [[nodiscard]] Question &current() { return m_questions[static_cast<std::size_t>(at())]; }
+    [[nodiscard]] const Question &current() const
+    {
+        return m_questions[static_cast<std::size_t>(at())];
+    }
+
+    std::vector<Question> m_questions;
+    QString m_step;
+    RefusedTexts m_texts;
+    bool m_readOnly = false;
+    bool m_loading = false;
+    QLabel *m_heading = nullptr;
+    QListWidget *m_list = nullptr;
+    QToolButton *m_add = nullptr;
+    QToolButton *m_remove = nullptr;
+    QToolButton *m_up = nullptr;
+    QToolButton *m_down = nullptr;
+    QLabel *m_empty = nullptr;
+    QWidget *m_form = nullptr;
+    QFormLayout *m_rows = nullptr;
+    QLabel *m_kindCaption = nullptr;
+    QComboBox *m_kind = nullptr;
+    QLabel *m_captions[LineCount]{};
+    QLineEdit *m_lines[LineCount]{};
+    QLabel *m_textCaption = nullptr;
+    MarkdownEditor *m_text = nullptr;
+    QWidget *m_answersPart = nullptr;
+    QLabel *m_answersCaption = nullptr;
+    QListWidget *m_answers = nullptr;
+    QToolButton *m_addAnswer = nullptr;
+    QToolButton *m_removeAnswer = nullptr;
+    QToolButton *m_answerUp = nullptr;
+    QToolButton *m_answerDown = nullptr;
+    QLabel *m_refusal = nullptr;
+    QLabel *m_cardCaption = nullptr;
+    QuestionsCard *m_card = nullptr;
+};
+
+} // namespace cradle

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/questions_editor.h"
+
+#include "views/author/form_rows.h"
+#include "views/author/markdown_editor.h"
+#include "views/author/rows_list.h"
+#include "views/author/tool_buttons.h"
+#include "views/task_pane/questions_card.h"
+#include "views/theme.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+constexpr int textHeight = 84;     ///< px
+constexpr int answersHeight = 120; ///< px
+constexpr int listWidth = 200;     ///< px
+
+QScrollArea *scrolled(QWidget *widget)
+{
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(widget);
+    return scroll;
+}
+
+} // namespace
+
+QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
+    : QWidget(parent)
+{
+    auto *parts = new QSplitter(Qt::Horizontal, this);
+    parts->addWidget(makeList());
+    parts->addWidget(scrolled(makeForm()));
+    parts->addWidget(scrolled(makeCard(renderer)));
+    parts->setChildrenCollapsible(false);
+    parts->setSizes({listWidth, 400, 400});
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(parts);
+    retranslate();
+    wire();
+    showQuestions({}, {});
+}
+
+QWidget *QuestionsEditor::makeList()
+{
+    auto *side = new QWidget;
+    m_heading = makeHeading(side);
+    m_list = makeRowsList(QStringLiteral("questions"), side);
+    wrapRows(m_list);
+    m_add = makeIconButton(QStringLiteral("add"), side);
+    m_remove = makeIconButton(QStringLiteral("remove"), side);
+    m_up = makeIconButton(QStringLiteral("up"), side);
+    m_down = makeIconButton(QStringLiteral("down"), side);
+    side->setLayout(makeRowsColumn(m_heading, {m_up, m_down, m_add, m_remove}, m_list));
+    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
+    return side;
+}
+
+QWidget *QuestionsEditor::makeForm()
+{
+    auto *side = new QWidget;
+    m_empty = makeMutedText(side);
+    m_form = new QWidget(side);
+    m_kind = new QComboBox(m_form);
+    m_kind->setObjectName(QStringLiteral("questionKind"));
+    const char *const names[] = {"questionTitle",  "questionId",        "questionPoints",
+                                 "questionNumber", "questionTolerance", "questionUnit"};
+    for (int i = 0; i < LineCount; ++i) {
+        m_captions[i] = new QLabel(m_form);
+        m_lines[i] = new QLineEdit(m_form);
+        m_lines[i]->setObjectName(QLatin1String(names[i]));
+        m_captions[i]->setBuddy(m_lines[i]);
+    }
+    m_lines[Title]->setMaxLength(200); // as in task.schema.json
+    m_textCaption = new QLabel(m_form);
+    m_text = new MarkdownEditor(m_form);
+    m_text->setObjectName(QStringLiteral("questionText"));
+    m_text->document()->setDocumentMargin(6);
+    m_text->setFixedHeight(textHeight);
+    setKind(m_text, "field");
+    m_textCaption->setBuddy(m_text);
+    m_kindCaption = new QLabel(m_form);
+    m_kindCaption->setBuddy(m_kind);
+    m_rows = makeFormRows();
+    m_rows->addRow(m_kindCaption, m_kind);
+    m_rows->addRow(m_captions[Title], m_lines[Title]);
+    m_rows->addRow(m_textCaption, m_text);
+    for (const Line line : {Number, Unit, Tolerance})
+        m_rows->addRow(m_captions[line], m_lines[line]);
+    auto *column = new QVBoxLayout(m_form);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addLayout(m_rows);
+    column->addWidget(makeAnswers());
+    auto *foot = makeFormRows();
+    foot->addRow(m_captions[Points], m_lines[Points]);
+    foot->addRow(m_captions[Id], m_lines[Id]);
+    column->addLayout(foot);
+    m_refusal = makeRefusal(m_form);
+    column->addWidget(m_refusal);
+    auto *both = new QVBoxLayout(side);
+    both->setContentsMargins(12, 8, 12, 8);
+    both->addWidget(m_empty);
+    both->addWidget(m_form);
+    both->addStretch(1);
+    return side;
+}
+
+QWidget *QuestionsEditor::makeAnswers()
+{
+    m_answersPart = new QWidget(m_form);
+    m_answersCaption = makeMutedText(m_answersPart);
+    m_answers = makeRowsList(QStringLiteral("questionAnswers"), m_answersPart);
+    m_answers->setFixedHeight(answersHeight);
+    m_answers->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                               | QAbstractItemView::AnyKeyPressed);
+    m_addAnswer = makeIconButton(QStringLiteral("add"), m_answersPart);
+    m_removeAnswer = makeIconButton(QStringLiteral("remove"), m_answersPart);
+    m_answerUp = makeIconButton(QStringLiteral("up"), m_answersPart);
+    m_answerDown = makeIconButton(QStringLiteral("down"), m_answersPart);
+    setRowKeys(m_answers,
+               {.up = m_answerUp, .down = m_answerDown, .remove = m_removeAnswer, .rename = {}});
+    auto *top = new QHBoxLayout;
+    top->addWidget(m_answersCaption, 1);
+    for (QToolButton *button : {m_answerUp, m_answerDown, m_addAnswer, m_removeAnswer})
+        top->addWidget(button, 0, Qt::AlignBottom);
+    auto *column = new QVBoxLayout(m_answersPart);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(top);
+    column->addWidget(m_answers);
+    return m_answersPart;
+}
+
+QWidget *QuestionsEditor::makeCard(FormulaRenderer *renderer)
+{
+    auto *side = new QWidget;
+    m_cardCaption = makeMutedText(side);
+    m_card = new QuestionsCard(renderer, side);
+    m_card->setEnabled(false); // to be looked at
+    auto *column = new QVBoxLayout(side);
+    column->setContentsMargins(12, 8, 12, 8);
+    column->setSpacing(8);
+    column->addWidget(m_cardCaption);
+    column->addWidget(m_card);
+    column->addStretch(1);
+    return side;
+}
+
+} // namespace cradle
