@@ -12,6 +12,7 @@
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QTextList>
+#include <QTextTable>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@ constexpr double headingGap = 1.1;
 constexpr double itemGap = 0.2;
 constexpr double listIndent = 1.5;
 constexpr double codeScale = 0.92;
+constexpr float lineTint = 0.3F;  ///< share of the text's colour in the lines of tables
 constexpr float codeTint = 0.07F; ///< share of the text's colour in the background of code
 
 /// The words that name the two parts of a velocity, in every language of the instructions.
@@ -128,6 +130,34 @@ void frameCode(QTextDocument *document, const QColor &text)
     }
 }
 
+/// Thin lines between the cells, and room in them.
+void styleTables(QTextDocument *document, const QColor &text)
+{
+    const double size = fontSize(document->defaultFont());
+    QColor line = text;
+    line.setAlphaF(lineTint);
+    for (QTextFrame *frame : document->rootFrame()->childFrames()) {
+        auto *table = qobject_cast<QTextTable *>(frame);
+        if (!table)
+            continue;
+        QTextTableFormat format = table->format();
+        format.setBorder(1);
+        format.setBorderBrush(line);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderCollapse(true);
+        format.setCellSpacing(0);
+        format.setCellPadding(itemGap * size);
+        format.setBottomMargin(paragraphGap * size);
+        table->setFormat(format);
+        for (QTextBlock block = document->findBlock(table->firstPosition());
+             block.isValid() && block.position() <= table->lastPosition(); block = block.next()) {
+            QTextBlockFormat inside = block.blockFormat();
+            inside.setBottomMargin(0);
+            QTextCursor(block).setBlockFormat(inside);
+        }
+    }
+}
+
 } // namespace
 
 double fontSize(const QFont &font)
@@ -150,6 +180,7 @@ void styleMarkdown(QTextDocument *document, const QColor &text)
     setDistances(document);
     setFonts(document);
     frameCode(document, text);
+    styleTables(document, text);
 }
 
 } // namespace cradle

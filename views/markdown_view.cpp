@@ -6,6 +6,7 @@
 
 #include "views/bound_units.h"
 #include "views/formula_renderer.h"
+#include "views/list_numbers.h"
 #include "views/markdown_style.h"
 #include "views/picture_objects.h"
 
@@ -23,6 +24,10 @@ namespace cradle {
 namespace {
 
 constexpr int formulaProperty = PictureObjects::indexProperty + 1; ///< index into m_formulas
+
+/// CommonMark without HTML, and tables: MD_FLAG_TABLES of md4c, to which Qt hands it on.
+constexpr QTextDocument::MarkdownFeatures features =
+    QTextDocument::MarkdownFeatures::fromInt(QTextDocument::MarkdownNoHTML | 0x0100);
 
 // At equal x-height, the capitals and digits of TeX's font stand above those of most others, so
 // formulas are a little smaller than that.
@@ -72,7 +77,8 @@ void MarkdownView::rebuild()
         m_formulas.push_back({source, {}});
 
     document()->setDefaultFont(font());
-    document()->setMarkdown(text.markdown, QTextDocument::MarkdownNoHTML);
+    document()->setMarkdown(markListNumbers(text.markdown), features);
+    applyListNumbers(document());
     bindUnits(document());
     styleMarkdown(document(), palette().color(QPalette::Text));
     if (m_embedded)
