@@ -72,9 +72,11 @@ void AuthorWindow::openPath(const QString &path)
 {
     if (path.isEmpty())
         return;
-    const Result<QString> folder = labFolder(path);
+    const Result<QString> folder = labFolder(path, this);
     if (!folder)
         report(folder.error());
+    else if (folder->isEmpty())
+        return;
     else if (const auto error = open(*folder))
         report(*error);
 }

@@ -8,7 +8,9 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QUrl>
 #include <QWidget>
 
@@ -62,9 +64,30 @@ bool LabDrop::eventFilter(QObject *watched, QEvent *event)
     return true;
 }
 
-Result<QString> labFolder(const QString &path)
+Result<QString> labFolder(const QString &path, QWidget *asker)
 {
-    return QFileInfo(path).isDir() ? Result<QString>(path) : importLab(path);
+    if (QFileInfo(path).isDir())
+        return path;
+    const auto older = olderThan(path);
+    if (!older)
+        return importLab(path);
+    const auto named = [](const QString &version) {
+        return version.isEmpty() ? LabDrop::tr("no version")
+                                 : LabDrop::tr("version %1").arg(version);
+    };
+    QMessageBox box(QMessageBox::Question, LabDrop::tr("Another version"),
+                    LabDrop::tr("“%1” is there already with %2. The file has %3.")
+                        .arg(older->lab.title, named(older->lab.version), named(older->newVersion)),
+                    QMessageBox::Cancel, asker);
+    box.setInformativeText(LabDrop::tr("Both have one id, so what was passed in one counts as "
+                                       "passed in the other."));
+    auto *replace = box.addButton(LabDrop::tr("Replace it"), QMessageBox::AcceptRole);
+    auto *both = box.addButton(LabDrop::tr("Keep both"), QMessageBox::NoRole);
+    box.setDefaultButton(both);
+    box.exec();
+    if (box.clickedButton() == replace)
+        return importLab(path, userLabsFolder(), older->lab.folder);
+    return box.clickedButton() == both ? importLab(path) : Result<QString>(QString());
 }
 
 } // namespace cradle

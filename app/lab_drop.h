@@ -32,7 +32,9 @@ private:
     QWidget *m_window;
 };
 
-/// The folder of the lab at \p path: a file is unpacked to the user's labs first.
-Result<QString> labFolder(const QString &path);
+/// The folder of the lab at \p path: a file is unpacked to the user's labs first. Where another
+/// version of it is there, \p asker asks which is to stay.
+/// \return empty if that was cancelled
+Result<QString> labFolder(const QString &path, QWidget *asker);
 
 } // namespace cradle

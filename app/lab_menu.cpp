@@ -19,10 +19,11 @@ struct LabMenuText {
     Q_DECLARE_TR_FUNCTIONS(LabMenu)
 };
 
-void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const ListedLab &lab)
+/// \param told  whether its version is, by which labs of one id are told apart
+void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const ListedLab &lab, bool told)
 {
     // An ampersand in a title is no mnemonic.
-    QString title = lab.title;
+    QString title = told ? QStringLiteral("%1 · %2").arg(lab.title, lab.version) : lab.title;
     QAction *action = menu->addAction(title.replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setCheckable(true);
     action->setChecked(lab.folder == window.workbench().lab().folder);
@@ -39,13 +40,13 @@ void fill(MainWindow &window, QMenu *menu)
         delete old;
     auto *group = new QActionGroup(menu);
     for (const ListedLab &lab : shippedLabs(currentLanguage()))
-        addEntry(window, menu, group, lab);
+        addEntry(window, menu, group, lab, false);
     const std::vector<ListedLab> own = labsIn(userLabsFolder(), currentLanguage());
     if (own.empty())
         return;
     menu->addSeparator();
     for (const ListedLab &lab : own)
-        addEntry(window, menu, group, lab);
+        addEntry(window, menu, group, lab, !lab.version.isEmpty());
 }
 
 } // namespace

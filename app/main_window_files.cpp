@@ -46,9 +46,11 @@ void MainWindow::openLab(const QString &path)
             report(*error);
         return;
     }
-    const Result<QString> folder = labFolder(path);
+    const Result<QString> folder = labFolder(path, this);
     if (!folder)
         report(folder.error());
+    else if (folder->isEmpty())
+        return;
     else if (const auto error = m_workbench.openLab(*folder, currentLanguage()))
         report(*error);
 }

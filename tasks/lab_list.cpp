@@ -21,30 +21,30 @@ constexpr qint64 maxBytes = 256 * 1024;
 /// Of a menu that can still be used.
 constexpr std::size_t maxLabs = 100;
 
-/// The title in a JSON file that fits the schema; nullopt if there is no such file.
-std::optional<QString> titleIn(const QString &path, const QString &schema)
+/// A JSON file that fits the schema; empty if there is no such file.
+QJsonObject objectIn(const QString &path, const QString &schema)
 {
     // A pipe would keep the menu waiting.
     if (!QFileInfo(path).isFile())
-        return std::nullopt;
+        return {};
     const Result<QByteArray> text = readFile(path, maxBytes);
     if (!text)
-        return std::nullopt;
+        return {};
     const Result<QJsonObject> json = parseJson(*text, QStringLiteral(":/schemas/") + schema, path);
-    if (!json || !json->contains(QStringLiteral("title")))
-        return std::nullopt;
-    return json->value(QStringLiteral("title")).toString();
+    return json ? *json : QJsonObject();
 }
 
 std::optional<ListedLab> listedLab(const QString &folder, const QString &language)
 {
-    const auto own =
-        titleIn(folder + QStringLiteral("/lab.json"), QStringLiteral("lab.schema.json"));
-    if (!own)
+    const QJsonObject own =
+        objectIn(folder + QStringLiteral("/lab.json"), QStringLiteral("lab.schema.json"));
+    if (own.isEmpty())
         return std::nullopt;
-    const auto translated = titleIn(folder + QStringLiteral("/lab.%1.json").arg(language),
-                                    QStringLiteral("translation.schema.json"));
-    return ListedLab{translated.value_or(*own), folder};
+    const QJsonObject translated = objectIn(folder + QStringLiteral("/lab.%1.json").arg(language),
+                                            QStringLiteral("translation.schema.json"));
+    const auto text = [&](const char *key) { return own.value(QLatin1String(key)).toString(); };
+    return ListedLab{translated.value(QStringLiteral("title")).toString(text("title")), folder,
+                     text("id"), text("version")};
 }
 
 } // namespace

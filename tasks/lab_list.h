@@ -12,6 +12,8 @@ namespace cradle {
 struct ListedLab {
     QString title;  ///< in the language asked for, where the lab has it
     QString folder; ///< a path, or a resource path
+    QString id{};
+    QString version{}; ///< empty if the lab does not say
 };
 
 /// The labs that ship with the program, Lab 4.2 first.

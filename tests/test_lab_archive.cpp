@@ -30,6 +30,7 @@ private slots:
     void importsIntoAFolderOfItsName();
     void importsTheSameLabOnce();
     void nameThatIsTakenGetsANumber();
+    void updateIsToldAndReplaces();
     void refusedArchiveLeavesNothing_data();
     void refusedArchiveLeavesNothing();
     void labThatIsNoneIsNotPacked();
@@ -275,6 +276,27 @@ void TestLabArchive::nameThatIsTakenGetsANumber()
     const QString odd = folder.filePath(text(".hidden.cradle"));
     QVERIFY(!exportLab(newLab(text("other"), text("Other"), text("en")), odd));
     QCOMPARE(*importLab(odd, labs), labs + text("/other"));
+}
+
+void TestLabArchive::updateIsToldAndReplaces()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(text("small.cradle"));
+    const QString labs = folder.filePath(text("labs"));
+    QVERIFY(!exportLab(small(), path));
+    QVERIFY(!olderThan(path, labs));
+    const QString first = *importLab(path, labs);
+    QVERIFY(!olderThan(path, labs)); // the same is no update
+    LabFiles newer = withText(small(), text("S1/more.md"), text("More\n"));
+    QVERIFY(!exportLab(newer, path));
+    const auto older = olderThan(path, labs);
+    QVERIFY(older);
+    QCOMPARE(older->lab.folder, first);
+    QCOMPARE(*importLab(path, labs, older->lab.folder), first);
+    LabFiles there;
+    TAKE(there, readLabFiles(first));
+    QCOMPARE(differences(there, newer), QStringList());
+    QCOMPARE(everythingIn(labs), QStringList{text("small")});
 }
 
 void TestLabArchive::refusedArchiveLeavesNothing_data()

@@ -73,7 +73,27 @@ QString userLabsFolder()
            + QStringLiteral("/labs");
 }
 
-Result<QString> importLab(const QString &path, const QString &labs)
+std::optional<OlderLab> olderThan(const QString &path, const QString &labs)
+{
+    const Result<LabFiles> files = readLabArchive(path);
+    if (!files)
+        return std::nullopt;
+    const Result<Lab> lab = readLab(*files, path);
+    if (!lab)
+        return std::nullopt;
+    std::optional<OlderLab> older;
+    for (const ListedLab &each : labsIn(labs, lab->language)) {
+        if (each.id != lab->id)
+            continue;
+        if (holdsTheSame(each.folder, *files))
+            return std::nullopt;
+        if (!older)
+            older = OlderLab{each, lab->version};
+    }
+    return older;
+}
+
+Result<QString> importLab(const QString &path, const QString &labs, const QString &replaced)
 {
     const Result<LabFiles> files = readLabArchive(path);
     if (!files)
@@ -90,6 +110,16 @@ Result<QString> importLab(const QString &path, const QString &labs)
     const QString inside = unfinished.filePath(QStringLiteral("lab"));
     if (const auto error = saveLabFiles(*files, {}, inside))
         return *error;
+    if (!replaced.isEmpty()) {
+        // What gives way goes with the unfinished folder, and comes back if anything fails.
+        const QString old = unfinished.filePath(QStringLiteral("old"));
+        if (QDir().rename(replaced, old)) {
+            if (QDir().rename(inside, replaced))
+                return replaced;
+            QDir().rename(old, replaced);
+        }
+        return Error{.message = ArchiveText::tr("the lab cannot be put there"), .file = replaced};
+    }
     const QString name = folderName(path, lab->id);
     for (int number = 1; number < mostNames; ++number) {
         const QString folder =

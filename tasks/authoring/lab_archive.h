@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_files.h"
 #include "tasks/lab.h"
+#include "tasks/lab_list.h"
 
 namespace cradle {
 
@@ -47,7 +48,18 @@ Result<Lab> readLabOrArchive(const QString &path, const QString &language = QStr
 /// Unpacks an archive into a new folder of \p labs, all of it or nothing. The folder has the
 /// archive's name, or if another lab has that already, the name with a number; a lab that is
 /// there already with the same files is not unpacked again.
+/// \param replaced  folder of a lab that gives way to it, once all of it is there; empty: none does
 /// \return the folder
-Result<QString> importLab(const QString &path, const QString &labs = userLabsFolder());
+Result<QString> importLab(const QString &path, const QString &labs = userLabsFolder(),
+                          const QString &replaced = {});
+
+/// A lab of \p labs that an archive may be an update of: it has the same id and other files.
+struct OlderLab {
+    ListedLab lab{};
+    QString newVersion{}; ///< of the archive
+};
+/// \return nothing also if the archive cannot be read, or is there already
+[[nodiscard]] std::optional<OlderLab> olderThan(const QString &path,
+                                                const QString &labs = userLabsFolder());
 
 } // namespace cradle

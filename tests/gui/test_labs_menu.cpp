@@ -150,7 +150,7 @@ void TestLabsMenu::labsOfTheUserAreThereAtOnce()
                           "language": "en", "steps": ["drop"]})")
             > 0);
     lab.close();
-    QAction *entry = entryOf(open.window, QStringLiteral("Drop && more"));
+    QAction *entry = entryOf(open.window, QStringLiteral("Drop && more · 1.0"));
     QVERIFY(entry);
     entry->trigger();
     QCOMPARE(open.bench.lab().id, QStringLiteral("mine"));
