@@ -99,6 +99,8 @@ inline std::vector<AwkwardScene> awkwardScenes()
         {"two in touch, falling", boxed({quarter({0, 0}), quarter({0.5, 0})}, 1.0, down), 5.0, 40},
         {"two in touch, upright, falling", boxed({quarter({0, 0}), quarter({0, 0.5})}, 0.5, down),
          5.0, 400},
+        {"two in touch, upright, falling slowly",
+         boxed({quarter({0, -3.5}), quarter({0, -3.0})}, 0.5, {0, -0.5}), 20.0, 400},
         {"three in a row, both ends closing",
          boxed({quarter({-0.5, 0}, {1, 0}), quarter({0, 0}), quarter({0.5, 0}, {-1, 0})}), 1.0, 10},
         {"three in a row, one runs in",

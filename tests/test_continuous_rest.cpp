@@ -25,6 +25,7 @@ private slots:
     void aPlasticHitIsOneHit();
     void aPlasticHitAgainstTheWallEndsAtOnce();
     void pilingUpAtAWallWithoutGravityDoesNotOverlap();
+    void anOverlapShrinksSlowly();
     void threeThatStickTogetherDoNotOverlap_data();
     void threeThatStickTogetherDoNotOverlap();
 };
@@ -144,6 +145,26 @@ void TestContinuousRest::pilingUpAtAWallWithoutGravityDoesNotOverlap()
         }
     }
     QVERIFY2(run.hits.size() <= 500, QByteArray::number(qint64(run.hits.size())).constData());
+}
+
+void TestContinuousRest::anOverlapShrinksSlowly()
+{
+    // No run begins so, but rounding or another timing may leave it: a tenth goes in a step, and no
+    // more than a ten-thousandth of the radius, so that what is parted is not thrown.
+    Preset preset = scene({circle({0, -3.8}), circle({0, -3.4})}, lawsOf(CircleLaw::Impulse));
+    preset.gravity = {0, -g};
+    preset.restitution = 0.5;
+    Run run(preset);
+    const double most = 1e-4 * 0.2; // m in a step
+    double depth = 20.0 * most;
+    run.world.circles[1].position.y -= depth;
+    for (int step = 0; step < 60; ++step) {
+        run.steps(1);
+        depth -= std::min(0.1 * depth, most);
+        COMPARE_NEAR(-3.4 - run[1].position.y, depth, 1e-12);
+        COMPARE_NEAR(length(run[1].velocity), 0.0, 1.01 * most / dt);
+    }
+    QVERIFY(run.hits.empty());
 }
 
 void TestContinuousRest::threeThatStickTogetherDoNotOverlap_data()

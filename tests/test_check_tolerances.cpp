@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_library.h"
+
+#include "tests/programs.h"
+#include "tests/scenes.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+namespace {
+
+constexpr Vec2 down{0.0, -scenes::g};
+constexpr double h = scenes::dt;
+const Circle thrown{.position = {-1.0, 0.5}, .velocity = {1.5, 2.0}};
+
+/// Two circles thrown alike, x' = x + v h + c g h²; in the tenth step circle 1 goes wrong.
+Observation flight(double c, const std::function<void(Circle &)> &wrong)
+{
+    const auto program = [c, wrong, step = 0](Circles &circles, double dt) mutable {
+        for (Circle &each : circles) {
+            each.position += dt * each.velocity + c * dt * dt * down;
+            each.velocity += dt * down;
+        }
+        if (++step == 10)
+            wrong(circles.front());
+    };
+    return observed(scene({thrown, thrown}, down), 0.8, program);
+}
+
+Observation misplaced(double error)
+{
+    return flight(0.0, [error](Circle &c) { c.position.x += error; });
+}
+
+Observation misplacedOnParabola(double error)
+{
+    return flight(0.5, [error](Circle &c) { c.position.x += error; });
+}
+
+Observation hastened(double error)
+{
+    return flight(0.0, [error](Circle &c) { c.velocity.x += error; });
+}
+
+/// Circle 1 runs at 2 m/s into circle 2, which rests; they swap velocities when their rims are
+/// \p early apart, with \p errorA and \p errorB.
+Observation headOn(double early, double errorA, double errorB)
+{
+    const Circle one{.position = {-0.4 - 20.0 * h - early, 0.0}, .velocity = {2.0, 0.0}};
+    const Circle two{};
+    return observed(scene({one, two}), 0.5, [=](Circles &c, double dt) {
+        for (Circle &each : c)
+            each.position += dt * each.velocity;
+        const bool touch = c[1].position.x - c[0].position.x <= 0.4 + early + 1e-12;
+        if (touch && c[0].velocity.x > 1.0) {
+            c[0].velocity.x = errorA;
+            c[1].velocity.x = 2.0 + errorB;
+        }
+    });
+}
+
+Observation tooEarly(double error)
+{
+    return headOn(error, 0.0, 0.0);
+}
+
+Observation leavesTooFast(double error)
+{
+    return headOn(0.0, 0.0, error);
+}
+
+Observation staysTooFast(double error)
+{
+    return headOn(0.0, error, 0.0);
+}
+
+Observation losesEnergy(double error)
+{
+    return headOn(0.0, error, -error);
+}
+
+} // namespace
+
+using Wrong = Observation (*)(double);
+
+Q_DECLARE_METATYPE(Wrong)
+Q_DECLARE_METATYPE(cradle::CheckSpec)
+
+/// Every check bears what roundings do and nothing more: half of its tolerance is right, twice as
+/// much is wrong.
+class TestCheckTolerances : public QObject
+{
+    Q_OBJECT
+private slots:
+    void toleranceHasTwoSides_data();
+    void toleranceHasTwoSides();
+};
+
+void TestCheckTolerances::toleranceHasTwoSides_data()
+{
+    QTest::addColumn<CheckSpec>("spec");
+    QTest::addColumn<Wrong>("program");
+    QTest::addColumn<double>("borne");
+    const auto row = [](const char *name, const CheckSpec &spec, Wrong program, double borne) {
+        QTest::newRow(name) << spec << program << borne;
+        CheckSpec stated = spec; // the same with a tolerance of its own
+        stated.parameters.insert(QStringLiteral("tolerance"), 1e-5);
+        QTest::addRow("%s, stated", name) << stated << program << borne * 1e4;
+    };
+    // Of numbers near 0 it is absolute, of others a share: 1e-9 (1 + |v|).
+    const QJsonObject euler{{QStringLiteral("integrators"), QJsonArray{QStringLiteral("euler")}}};
+    const double t = 9.0 * h; // s: where the tenth step begins
+    const Vec2 speed = thrown.velocity + t * down;
+    const Vec2 place = thrown.position + t * thrown.velocity + 0.5 * t * (t - h) * down;
+    row("integrates, place", check("integrates", {0}, euler), misplaced,
+        1e-9 * (1.0 + std::hypot(place.x, place.y)));
+    row("integrates, velocity", check("integrates", {0}, euler), hastened,
+        1e-9 * (1.0 + std::hypot(speed.x, speed.y)));
+    row("closed form", check("closed_form", {0}), misplacedOnParabola, 1e-9);
+    row("together, place", check("together", {0, 1}), misplaced, 1e-9);
+    row("collides", check("collides", {0, 1}), staysTooFast, 1e-9);
+    row("collides, the other", check("collides", {0, 1}), leavesTooFast, 3e-9);
+    row("rebounds", check("rebounds", {0, 1}), leavesTooFast, 3e-9);
+    row("touches", check("touches", {0, 1}), tooEarly, 1e-9);
+    // Of m 2 m/s, and of ½ m (2 m/s)², which changes by 2 m/s times m and the error.
+    row("conserves momentum", check("conserves", {0, 1}), leavesTooFast, 2e-9);
+    row("conserves energy", check("conserves", {0, 1}, {{QStringLiteral("energy"), true}}),
+        losesEnergy, 1e-9);
+}
+
+void TestCheckTolerances::toleranceHasTwoSides()
+{
+    QFETCH(CheckSpec, spec);
+    QFETCH(Wrong, program);
+    QFETCH(double, borne);
+    VERIFY_ACCEPTED(judge(spec, program(0.0)));
+    VERIFY_ACCEPTED(judge(spec, program(0.5 * borne)));
+    QVERIFY(judge(spec, program(2.0 * borne)).has_value());
+}
+
+QTEST_APPLESS_MAIN(TestCheckTolerances)
+#include "test_check_tolerances.moc"
