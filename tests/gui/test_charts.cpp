@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/number_text.h"
@@ -162,7 +163,7 @@ void TestCharts::labelsNeverOverlap()
     }
     for (int i = 0; i < 12; ++i) {
         run(simulation, 20);
-        QTest::qWait(40); // longer than the views hold back
+        settle();
         for (const ChartPane *pane :
              {static_cast<ChartPane *>(&energy), static_cast<ChartPane *>(&momentum)}) {
             const auto labels = pane->plot().labels();
@@ -183,7 +184,7 @@ void TestCharts::labelsNameTheCurvesAndTheValueOfTheSum()
     chart.show();
     run(simulation, 130);
     simulation.seek(10);
-    QTest::qWait(40); // longer than the views hold back
+    settle();
     QStringList texts;
     for (const auto &[text, rect] : chart.plot().labels())
         texts.append(text);
@@ -216,7 +217,7 @@ void TestCharts::seriesHaveAtMostTwoPointsPerColumn()
     chart.resize(420, 260);
     chart.show();
     run(simulation, 3000);
-    QTest::qWait(40); // longer than the views hold back
+    settle();
     const auto columns = static_cast<qsizetype>(chart.plot().plotArea().width());
     QVERIFY(!chart.plot().chart()->series().isEmpty());
     for (const QAbstractSeries *series : chart.plot().chart()->series()) {
@@ -237,7 +238,7 @@ void TestCharts::clickAsksForThatTime()
     QTest::mouseClick(viewport, Qt::LeftButton, {}, {200, 60});
     QCOMPARE(asked.count(), 0); // nothing is recorded yet
     run(simulation, 120);
-    QTest::qWait(40); // longer than the views hold back
+    settle();
     const QRectF area = chart.plot().plotArea();
     const QPoint middle = area.center().toPoint();
     QTest::mouseClick(viewport, Qt::LeftButton, {}, middle);
@@ -267,10 +268,10 @@ void TestCharts::pastIsShownBeforeTheMoment()
     chart.resize(420, 260);
     chart.show();
     run(simulation, 1800);
-    QTest::qWait(60); // longer than the views hold back
+    settle();
     for (const qint64 index : {900, 1100, 1500, 600}) {
         simulation.seek(index);
-        QTest::qWait(60); // longer than the views hold back
+        settle();
         const QRectF area = chart.plot().plotArea();
         const double from = chart.plot().timeAt(area.left());
         const double part = (simulation.time() - from) / TimeWindow::lastSeconds;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 
 #include "model/measurements.h"
@@ -71,7 +72,7 @@ void TestEnergyChart::errorToTheExactMotionIsACurve()
     chart.resize(420, 260);
     chart.show();
     run(simulation, 30);
-    QTest::qWait(60); // longer than the views hold back
+    settle();
     QVERIFY(!curveOf(chart, QStringLiteral("more than exact")));
     simulation.setShadowed(true);
     run(simulation, 30);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "views/charts/hits_model.h"
 #include "views/charts/values_model.h"
 #include "views/values_table.h"
@@ -111,7 +112,7 @@ void TestValuesPane::sentenceLeavesTheTableFree()
     for (const int height : {400, 260, 200, 160, 140}) {
         pane.resize(356, height);
         pane.show();
-        QTest::qWait(60); // longer than the views hold back
+        settle();
         QVERIFY2(!sentence->geometry().intersects(table->geometry()),
                  qPrintable(QString::number(height)));
         const bool isWhole = sentence->text() == pane.hitSentence();
@@ -164,7 +165,7 @@ void TestValuesPane::hitSeeksToItsFrame()
     pane.show();
     run(simulation, 130);
     pane.tabs().setCurrentIndex(1);
-    QTest::qWait(40); // longer than the views hold back
+    settle();
     QCOMPARE(pane.tabs().tabText(1), QStringLiteral("Hits 1"));
     auto *table = qobject_cast<QTableView *>(pane.tabs().currentWidget());
     QSignalSpy asked(&pane, &ValuesPane::seekRequested);

@@ -21,6 +21,8 @@ public:
     FrameThrottle(const Simulation &simulation, QWidget *view);
 
     void request(); ///< something changed; due() comes at once or soon
+    /// Whether due() is still to come.
+    [[nodiscard]] bool isHoldingBack() const { return m_dirty && m_view->isVisible(); }
 
 signals:
     void due();
