@@ -31,11 +31,12 @@ struct SchemaText {
 struct ReadySchema {
     QJsonObject json{};
     valijson::Schema schema{};
+    valijson::Validator validator{}; ///< it keeps the patterns that it has made ready
 };
 
 /// Each is made ready once in a thread: for the many files of a lab that takes longer than all
 /// else.
-const ReadySchema &schemaAt(const QString &resource)
+ReadySchema &schemaAt(const QString &resource)
 {
     thread_local std::map<QString, ReadySchema> schemas;
     const auto found = schemas.find(resource);
@@ -208,14 +209,14 @@ Result<QJsonObject> parseJson(const QByteArray &text, const QString &schemaResou
     if (fault.error != QJsonParseError::NoError)
         return syntaxError(text, fault, source);
 
-    const ReadySchema &schema = schemaAt(schemaResource);
+    ReadySchema &schema = schemaAt(schemaResource);
     if (const auto newer = newerFormat(document.object(), schema.json, source))
         return *newer;
     const QJsonValue value =
         document.isObject() ? QJsonValue(document.object()) : QJsonValue(document.array());
     valijson::ValidationResults results;
     const valijson::adapters::QtJsonAdapter target(value);
-    if (valijson::Validator().validate(schema.schema, target, &results))
+    if (schema.validator.validate(schema.schema, target, &results))
         return document.object();
 
     // The deepest place says most: an error inside a branch of anyOf is reported there too.

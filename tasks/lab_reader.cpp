@@ -276,18 +276,29 @@ int Lab::indexOf(const QString &taskId) const
 
 Result<Lab> readLab(const QString &folder, const QString &language)
 {
+    auto read = readLabWithFiles(folder, language);
+    return read ? Result<Lab>(std::move(read->lab)) : Result<Lab>(read.error());
+}
+
+Result<ReadLab> readLabWithFiles(const QString &folder, const QString &language)
+{
+    std::vector<Error> faults;
+    LabFiles files;
     // What is no lab may be a whole disk: then nothing else is read.
     const QFileInfo index(folder + QStringLiteral("/lab.json"));
-    if (QFileInfo(folder).isDir() && !index.exists() && !index.isSymLink())
-        return readLab(LabFiles{}, folder, language);
-    std::vector<Error> faults;
-    const Result<LabFiles> files = readLabFiles(folder, &faults);
-    if (!files) {
-        Error error = files.error();
-        error.file += QStringLiteral("/lab.json");
-        return error;
+    if (!QFileInfo(folder).isDir() || index.exists() || index.isSymLink()) {
+        auto there = readLabFiles(folder, &faults);
+        if (!there) {
+            Error error = there.error();
+            error.file += QStringLiteral("/lab.json");
+            return error;
+        }
+        files = std::move(*there);
     }
-    return readWithValues(*files, folder, language, {}, std::move(faults));
+    auto lab = readWithValues(files, folder, language, {}, std::move(faults));
+    if (!lab)
+        return lab.error();
+    return ReadLab{std::move(files), std::move(*lab)};
 }
 
 Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString &language,

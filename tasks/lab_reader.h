@@ -16,6 +16,16 @@ inline constexpr char bouncingBallLab[] = ":/labs/bouncing-ball";
 /// \return an error if there is no lab.json that can be read
 Result<Lab> readLab(const QString &folder, const QString &language = QStringLiteral("en"));
 
+/// A lab with the files that it was read from.
+struct ReadLab {
+    LabFiles files{};
+    Lab lab{};
+};
+
+/// readLab() that gives the files, too, for who else is to read the same.
+Result<ReadLab> readLabWithFiles(const QString &folder,
+                                 const QString &language = QStringLiteral("en"));
+
 /// The same of files that are at hand: of an author's unsaved lab, or of an archive.
 /// \param folder   where they lie or will lie, for messages and pictures
 /// \param student  number of the one for whom values are drawn; empty: the first of each range

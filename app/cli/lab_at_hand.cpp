@@ -9,17 +9,31 @@
 
 namespace cradle::cli {
 
-Result<LabAtHand> readLabAtHand(const QString &path, const QString &language)
+namespace {
+
+Result<ReadLab> read(const QString &path, const QString &language)
 {
-    auto lab = readLabOrArchive(path, language);
-    if (!lab)
-        return lab.error();
-    for (const Error &finding : lab->findings)
-        QTextStream(stderr) << finding.toString() << Qt::endl;
-    auto files = isLabArchive(path) ? readLabArchive(path) : readLabFiles(path);
+    if (!isLabArchive(path))
+        return readLabWithFiles(path, language);
+    auto files = readLabArchive(path);
     if (!files)
         return files.error();
-    return LabAtHand{path, language, std::move(*files), std::move(*lab)};
+    auto lab = readLab(*files, path, language);
+    if (!lab)
+        return lab.error();
+    return ReadLab{std::move(*files), std::move(*lab)};
+}
+
+} // namespace
+
+Result<LabAtHand> readLabAtHand(const QString &path, const QString &language)
+{
+    auto there = read(path, language);
+    if (!there)
+        return there.error();
+    for (const Error &finding : there->lab.findings)
+        QTextStream(stderr) << finding.toString() << Qt::endl;
+    return LabAtHand{path, language, std::move(there->files), std::move(there->lab)};
 }
 
 } // namespace cradle::cli

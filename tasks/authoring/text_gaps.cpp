@@ -107,8 +107,9 @@ std::vector<Error> textGaps(const LabFiles &files)
         for (const QString &language : languages.mid(1)) {
             const QString translated = translatedPath(path, language);
             QStringList missing = missingIn(objectIn(files, translated), task, mistakes);
-            if (!files.contents.contains(instructionsPath(files, step, language)))
-                missing.append(QStringLiteral("instructions.%1.md").arg(language));
+            const QString text = QStringLiteral("instructions.%1.md").arg(language);
+            if (!files.contents.contains(step + QLatin1Char('/') + text))
+                missing.append(text);
             if (!missing.isEmpty())
                 gaps.push_back({.message = GapsText::tr("not in this language yet: %1")
                                                .arg(missing.join(QStringLiteral(", "))),
