@@ -1001,10 +1001,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>das ist kein Text in UTF-8, was richtig wäre</translation>
     </message>
     <message>
-        <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1.</source>
-        <translation>Lässt eine Szene laufen, nach ihren Gesetzen oder mit einem Programm, und schreibt, was geschieht: Tabellen, oder ohne sie eine Zusammenfassung. Hält das Programm an, so steht in der Fehlerausgabe, warum, als DATEI:ZEILE: Meldung; die Tabellen reichen bis dorthin, und der Rückgabewert ist 1.</translation>
-    </message>
-    <message>
         <source>a program that moves the circles; what it prints goes to standard error, what it plots and draws is dropped, its hits are inferred</source>
         <translation>ein Programm, das die Kreise bewegt; was es mit print ausgibt, geht in die Fehlerausgabe, was es mit plot und draw zeichnet, fällt weg, seine Stöße werden erschlossen</translation>
     </message>
@@ -1330,6 +1326,54 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>--language %1: en or de is right</source>
         <translation>--language %1: Richtig ist en oder de</translation>
     </message>
+    <message>
+        <source>an object with an answer for each id of a question is right</source>
+        <translation>richtig ist ein Objekt mit einer Antwort zu jeder Kennung einer Frage</translation>
+    </message>
+    <message>
+        <source>the answers to the step&apos;s questions: {&quot;ID&quot;: ANSWER}</source>
+        <translation>die Antworten auf die Fragen des Schritts: {&quot;KENNUNG&quot;: ANTWORT}</translation>
+    </message>
+    <message>
+        <source>number of the student for whom the lab draws its values</source>
+        <translation>Nummer der Person, für die das Praktikum seine Werte zieht</translation>
+    </message>
+    <message>
+        <source>the language</source>
+        <translation>die Sprache</translation>
+    </message>
+    <message>
+        <source>--language %1: the results are in the language %2, in which they were judged</source>
+        <translation>--language %1: Die Ergebnisse sind in der Sprache %2, in der geurteilt wurde</translation>
+    </message>
+    <message>
+        <source>of the pages and of what students are told: en or de; en without it</source>
+        <translation>der Seiten und dessen, was Studierende lesen: en oder de; ohne dies en</translation>
+    </message>
+    <message>
+        <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>
+        <translation>Lässt eine Szene laufen, nach ihren Gesetzen oder mit einem Programm, und schreibt, was geschieht: Tabellen, oder ohne sie eine Zusammenfassung. Hält das Programm an, so steht in der Fehlerausgabe, warum, als DATEI:ZEILE: Meldung; die Tabellen reichen bis dorthin, und der Rückgabewert ist 1. Strg+C beendet den Lauf: Was geschrieben wird, reicht bis dorthin, und der Rückgabewert ist 130.</translation>
+    </message>
+    <message>
+        <source>stopped at %1 s</source>
+        <translation>angehalten bei %1 s</translation>
+    </message>
+    <message>
+        <source>%1 % of the run; Ctrl+C ends it here</source>
+        <translation>%1 % des Laufs; Strg+C beendet ihn hier</translation>
+    </message>
+    <message>
+        <source>of the summary: text, or json, which is written beside tables, too</source>
+        <translation>der Zusammenfassung: text, oder json, das auch neben Tabellen geschrieben wird</translation>
+    </message>
+    <message>
+        <source>a table and the summary cannot both go to standard output; a file for the table is right</source>
+        <translation>eine Tabelle und die Zusammenfassung können nicht beide in die Standardausgabe; richtig ist eine Datei für die Tabelle</translation>
+    </message>
+    <message>
+        <source>contacts merged from %1 s on</source>
+        <translation>Kontakte ab %1 s zusammengefasst</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -1396,6 +1440,49 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 
 - Geh auf der Zeitleiste zu den Schlägen zurück und mit → und ← Schritt für Schritt hindurch.
 - Setze die Stoßzahl auf 1: Das Bett wird zu einem Gas unter einem Kolben und wirft ihn zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>Expression</name>
+    <message>
+        <source>“%1” is not expected there</source>
+        <translation>„%1“ wird dort nicht erwartet</translation>
+    </message>
+    <message>
+        <source>it comes to no finite number</source>
+        <translation>es ergibt keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is no number: %2</source>
+        <translation>„%1“ ist keine Zahl: %2</translation>
+    </message>
+    <message>
+        <source>it is too deep</source>
+        <translation>es ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a closing parenthesis is missing</source>
+        <translation>es fehlt eine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>something is missing at its end</source>
+        <translation>am Ende fehlt etwas</translation>
+    </message>
+    <message>
+        <source>there is no value called %1</source>
+        <translation>es gibt keinen Wert namens %1</translation>
+    </message>
+    <message>
+        <source>a parenthesis behind %1 is missing</source>
+        <translation>hinter %1 fehlt eine Klammer</translation>
+    </message>
+    <message>
+        <source>a comma and another number are missing</source>
+        <translation>es fehlen ein Komma und noch eine Zahl</translation>
+    </message>
+    <message>
+        <source>an expression of at most %1 characters is right</source>
+        <translation>richtig ist ein Ausdruck von höchstens %1 Zeichen</translation>
     </message>
 </context>
 <context>
@@ -2693,6 +2780,122 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>FormulaWords</name>
+    <message>
+        <source>times</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>is at most</source>
+        <translation>ist höchstens</translation>
+    </message>
+    <message>
+        <source>is at least</source>
+        <translation>ist mindestens</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>ist nicht</translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation>ist etwa</translation>
+    </message>
+    <message>
+        <source>becomes</source>
+        <translation>wird zu</translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation>plus oder minus</translation>
+    </message>
+    <message>
+        <source>the sum of</source>
+        <translation>die Summe von</translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation>unendlich</translation>
+    </message>
+    <message>
+        <source>perpendicular</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>plus</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>minus</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>durch</translation>
+    </message>
+    <message>
+        <source>is less than</source>
+        <translation>ist kleiner als</translation>
+    </message>
+    <message>
+        <source>is more than</source>
+        <translation>ist größer als</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Betragsstrich</translation>
+    </message>
+    <message>
+        <source>sub %1</source>
+        <translation>Index %1</translation>
+    </message>
+    <message>
+        <source>squared</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>cubed</source>
+        <translation>hoch drei</translation>
+    </message>
+    <message>
+        <source>to the power of %1</source>
+        <translation>hoch %1</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <comment>a fraction</comment>
+        <translation>%1 durch %2</translation>
+    </message>
+    <message>
+        <source>the square root of %1</source>
+        <translation>Wurzel aus %1</translation>
+    </message>
+    <message>
+        <source>vector %1</source>
+        <translation>Vektor %1</translation>
+    </message>
+    <message>
+        <source>unit vector %1</source>
+        <translation>Einheitsvektor %1</translation>
+    </message>
+</context>
+<context>
     <name>Ghost</name>
     <message>
         <source>exact</source>
@@ -2995,10 +3198,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Checks and time on the way</source>
         <translation>Prüfungen und Zeit unterwegs</translation>
-    </message>
-    <message>
-        <source>Of those who handed in a history. Minutes are those in which the program changed; who thinks on paper shows none.</source>
-        <translation>Von denen, die einen Verlauf abgegeben haben. Als Minuten zählen die, in denen sich das Programm änderte; wer auf Papier denkt, zeigt keine.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -3363,6 +3562,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
         <translation>Ein Schritt ist so viel wert, wie das Praktikum sagt, sonst so viel wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
     </message>
+    <message>
+        <source>Of those who handed in a history, as it says itself. Minutes are those in which the program changed, without pauses of more than ten; who thinks on paper shows none. A history of commits alone tells no checks.</source>
+        <translation>Von denen, die einen Verlauf abgegeben haben, wie er es selbst sagt. Minuten sind die, in denen sich das Programm änderte, ohne Pausen von mehr als zehn; wer auf Papier denkt, zeigt keine. Ein Verlauf nur aus Commits sagt nichts von Prüfungen.</translation>
+    </message>
+    <message>
+        <source>the history is too large to be looked at</source>
+        <translation>der Verlauf ist zu groß, um angesehen zu werden</translation>
+    </message>
 </context>
 <context>
     <name>HandIn</name>
@@ -3718,6 +3925,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>the program is there whole, too; one of the two files is right</source>
         <translation>das Programm ist auch ganz da; richtig ist eine der beiden Dateien</translation>
     </message>
+    <message>
+        <source>a name of letters, digits and underscores that means nothing else is right</source>
+        <translation>richtig ist ein Name aus Buchstaben, Ziffern und Unterstrichen, der nichts anderes bedeutet</translation>
+    </message>
+    <message>
+        <source>a range from the least to the most, with a step that is greater than 0, is right</source>
+        <translation>richtig ist ein Bereich vom Kleinsten zum Größten mit einer Schrittweite größer als 0</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -3911,6 +4126,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>%1 differs in more than its mistake: it has “%2” where the solution has “%3”</source>
         <translation>%1 unterscheidet sich in mehr als seinem Fehler: Dort steht „%2“, in der Lösung „%3“</translation>
+    </message>
+    <message>
+        <source>with the values of the student %1: %2</source>
+        <translation>mit den Werten der Nummer %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4330,14 +4549,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>diesen Schritt öffnen</translation>
     </message>
     <message>
-        <source>speak this language: en or de</source>
-        <translation>diese Sprache sprechen: en oder de</translation>
-    </message>
-    <message>
-        <source>system, light or dark</source>
-        <translation>system, light oder dark</translation>
-    </message>
-    <message>
         <source>draw the window into this file and quit</source>
         <translation>das Fenster in diese Datei zeichnen und beenden</translation>
     </message>
@@ -4360,14 +4571,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>the lab or the scene to open; without it Lab 4.2</source>
         <translation>das Lab oder die Szene, die geöffnet wird; ohne Angabe Lab 4.2</translation>
-    </message>
-    <message>
-        <source>cradle: --language %1: en or de is right</source>
-        <translation>cradle: --language %1: richtig ist en oder de</translation>
-    </message>
-    <message>
-        <source>cradle: --theme %1: system, light or dark is right</source>
-        <translation>cradle: --theme %1: richtig ist system, light oder dark</translation>
     </message>
     <message>
         <source>--at %1: a number of seconds from 0 to %2 is right</source>
@@ -4420,6 +4623,30 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>%1 cannot be written: %2</source>
         <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>speak this language, such as en or de</source>
+        <translation>diese Sprache sprechen, etwa en oder de</translation>
+    </message>
+    <message>
+        <source>system, light, dark or high-contrast</source>
+        <translation>system, light, dark oder high-contrast</translation>
+    </message>
+    <message>
+        <source>of texts, %: 100 to 200</source>
+        <translation>der Texte, %: 100 bis 200</translation>
+    </message>
+    <message>
+        <source>cradle: --language %1: one of %2 is right</source>
+        <translation>cradle: --language %1: richtig ist eine von %2</translation>
+    </message>
+    <message>
+        <source>cradle: --theme %1: system, light, dark or high-contrast is right</source>
+        <translation>cradle: --theme %1: richtig ist system, light, dark oder high-contrast</translation>
+    </message>
+    <message>
+        <source>cradle: --text-size %1: a number from 100 to 200 is right</source>
+        <translation>cradle: --text-size %1: richtig ist eine Zahl von 100 bis 200</translation>
     </message>
 </context>
 <context>
@@ -4707,6 +4934,42 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Into the &amp;program</source>
         <translation>Ins &amp;Programm</translation>
+    </message>
+    <message>
+        <source>Scene &amp;alone</source>
+        <translation>Szene &amp;allein</translation>
+    </message>
+    <message>
+        <source>Presen&amp;tation</source>
+        <translation>&amp;Vorführung</translation>
+    </message>
+    <message>
+        <source>Large texts and high contrast; Page Up and Page Down go from hit to hit, B makes it black, Esc ends it</source>
+        <translation>Große Texte und hoher Kontrast; Bild auf und Bild ab gehen von Stoß zu Stoß, B macht schwarz, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Scene in a &amp;window of its own</source>
+        <translation>Szene in einem eigenen &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze of texts</source>
+        <translation>&amp;Größe der Texte</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Lua for C# people</source>
+        <translation>&amp;Lua für Leute, die C# können</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
     </message>
 </context>
 <context>
@@ -5055,6 +5318,109 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>Questions</name>
+    <message>
+        <source>“%1” is no number; one like 0.75 is asked for</source>
+        <translation>„%1“ ist keine Zahl; gefragt ist eine wie 0.75</translation>
+    </message>
+    <message>
+        <source>“%1” is no number with a unit; one like 3.2 kg is asked for</source>
+        <translation>„%1“ ist keine Zahl mit Einheit; gefragt ist eine wie 3.2 kg</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit that is known</source>
+        <translation>„%1“ ist keine bekannte Einheit</translation>
+    </message>
+    <message>
+        <source>the number is right; its unit is missing</source>
+        <translation>die Zahl stimmt; ihre Einheit fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is not right, and its unit is missing</source>
+        <translation>%1 stimmt nicht, und die Einheit fehlt</translation>
+    </message>
+    <message>
+        <source>the number is right, but not its unit: what is asked for is not measured in %1</source>
+        <translation>die Zahl stimmt, aber nicht ihre Einheit: Wonach gefragt ist, wird nicht in %1 gemessen</translation>
+    </message>
+    <message>
+        <source>%1 is not right: what is asked for is not measured in %2</source>
+        <translation>%1 stimmt nicht: Wonach gefragt ist, wird nicht in %2 gemessen</translation>
+    </message>
+    <message>
+        <source>the number is right, but not in %1</source>
+        <translation>die Zahl stimmt, aber nicht in %1</translation>
+    </message>
+    <message>
+        <source>%1 is not right</source>
+        <translation>%1 stimmt nicht</translation>
+    </message>
+    <message>
+        <source>one that is chosen is not right, and a right one is missing</source>
+        <translation>eine gewählte Antwort stimmt nicht, und eine richtige fehlt</translation>
+    </message>
+    <message>
+        <source>one that is chosen is not right</source>
+        <translation>eine gewählte Antwort stimmt nicht</translation>
+    </message>
+    <message>
+        <source>all that is chosen is right, but not all that is right is chosen</source>
+        <translation>alles Gewählte stimmt, aber nicht alles Richtige ist gewählt</translation>
+    </message>
+    <message>
+        <source>not all of them are in the order</source>
+        <translation>es sind nicht alle in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>it does not begin with what is first</source>
+        <translation>sie beginnt nicht mit dem Ersten</translation>
+    </message>
+    <message>
+        <source>the order is right up to number %1, and not behind it</source>
+        <translation>die Reihenfolge stimmt bis Nummer %1 und dahinter nicht</translation>
+    </message>
+    <message>
+        <source>the answer that is chosen is not right</source>
+        <translation>die gewählte Antwort stimmt nicht</translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation>noch nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>for the teacher to read, who may give up to %1 points: %2</source>
+        <translation>liest die Lehrkraft, die bis zu %1 Punkte geben kann: %2</translation>
+    </message>
+    <message>
+        <source>a list of two to eight answers is right</source>
+        <translation>richtig ist eine Liste von zwei bis acht Antworten</translation>
+    </message>
+    <message>
+        <source>the right answers by their numbers from 1 are missing</source>
+        <translation>es fehlen die richtigen Antworten mit ihren Nummern ab 1</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1, for there are so many answers, is right</source>
+        <translation>eine Zahl von 1 bis %1 ist richtig, denn so viele Antworten gibt es</translation>
+    </message>
+    <message>
+        <source>one right answer; for more of them the kind is several</source>
+        <translation>eine richtige Antwort; für mehrere ist die Art several</translation>
+    </message>
+    <message>
+        <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
+        <translation>%1 ist keine Einheit; richtig ist eine wie m/s, kg m/s, N s, J, ° oder %</translation>
+    </message>
+    <message>
+        <source>another check or question has the id %1 already; an id of its own is right</source>
+        <translation>eine andere Prüfung oder Frage hat schon die Kennung %1; richtig ist eine eigene</translation>
+    </message>
+    <message>
+        <source>the right number is missing</source>
+        <translation>die richtige Zahl fehlt</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message>
         <source>in the scene: %1</source>
@@ -5107,6 +5473,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Look at %1:%2</source>
         <translation>Sieh dir %1:%2 an</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: %2 of %3 checks and answers failed</source>
+        <translation>%1 nicht bestanden: %2 von %3 Prüfungen und Antworten schlugen fehl</translation>
     </message>
 </context>
 <context>
@@ -5370,10 +5740,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>ein Objekt mit count und radius und nach Wunsch rms_speed, density, seed</translation>
     </message>
     <message>
-        <source>an object with format, id, title, version, language and steps</source>
-        <translation>ein Objekt mit format, id, title, version, language und steps</translation>
-    </message>
-    <message>
         <source>an object with format, name, square, gravity, restitution, timestep, laws and circles</source>
         <translation>ein Objekt mit format, name, square, gravity, restitution, timestep, laws und circles</translation>
     </message>
@@ -5522,10 +5888,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>ein Objekt mit question, answers und outcome</translation>
     </message>
     <message>
-        <source>an object with title, hints, code_hints, prediction, checks, mistakes and remarks</source>
-        <translation>ein Objekt mit title, hints, code_hints, prediction, checks, mistakes und remarks</translation>
-    </message>
-    <message>
         <source>the number of the answer that comes true, from 1</source>
         <translation>die Nummer der Antwort, die zutrifft, ab 1</translation>
     </message>
@@ -5542,16 +5904,96 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>ein Feld wie gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing oder circles/1/velocity</translation>
     </message>
     <message>
-        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, moves, extra and locked</source>
-        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, moves, extra und locked</translation>
-    </message>
-    <message>
         <source>one of program, laws, either</source>
         <translation>eines von program, laws, either</translation>
     </message>
     <message>
         <source>what the step is worth, a number from 0 to 1000</source>
         <translation>was der Schritt wert ist, eine Zahl von 0 bis 1000</translation>
+    </message>
+    <message>
+        <source>a list of questions</source>
+        <translation>eine Liste von Fragen</translation>
+    </message>
+    <message>
+        <source>a list of two to eight answers</source>
+        <translation>eine Liste von zwei bis acht Antworten</translation>
+    </message>
+    <message>
+        <source>a number or an expression, the number of an answer from 1, or a list of such numbers</source>
+        <translation>eine Zahl oder ein Ausdruck, die Nummer einer Antwort ab 1 oder eine Liste solcher Nummern</translation>
+    </message>
+    <message>
+        <source>a number, an expression like 2*k, or an object with from, to and step</source>
+        <translation>eine Zahl, ein Ausdruck wie 2*k oder ein Objekt mit from, to und step</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 200 characters</source>
+        <translation>ein Text von 1 bis 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>a text of at most 200 characters; another draws other values</source>
+        <translation>ein Text von höchstens 200 Zeichen; ein anderer zieht andere Werte</translation>
+    </message>
+    <message>
+        <source>a unit like m/s of at most 40 characters</source>
+        <translation>eine Einheit wie m/s von höchstens 40 Zeichen</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, questions, values, moves, extra and locked</source>
+        <translation>ein Objekt mit format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, questions, values, moves, extra und locked</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, version, language, values, draw and steps</source>
+        <translation>ein Objekt mit format, id, title, version, language, values, draw und steps</translation>
+    </message>
+    <message>
+        <source>an object with id, kind, title, text, answers, right, unit, tolerance and points</source>
+        <translation>ein Objekt mit id, kind, title, text, answers, right, unit, tolerance und points</translation>
+    </message>
+    <message>
+        <source>an object with numbers, expressions, or ranges with from, to and step, by their names</source>
+        <translation>ein Objekt mit Zahlen, Ausdrücken oder Bereichen mit from, to und step, nach ihren Namen</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the questions by their id</source>
+        <translation>ein Objekt mit den Texten der Fragen nach ihrer Kennung</translation>
+    </message>
+    <message>
+        <source>an object with title, hints, code_hints, prediction, checks, questions, mistakes and remarks</source>
+        <translation>ein Objekt mit title, hints, code_hints, prediction, checks, questions, mistakes und remarks</translation>
+    </message>
+    <message>
+        <source>an object with title, text and answers</source>
+        <translation>ein Objekt mit title, text und answers</translation>
+    </message>
+    <message>
+        <source>from one to the next, a number greater than 0</source>
+        <translation>von einem zum nächsten, eine Zahl größer als 0</translation>
+    </message>
+    <message>
+        <source>how far off is still right, a number from 0</source>
+        <translation>wie weit daneben noch richtig ist, eine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>one of number, one, several, order, text</source>
+        <translation>eines von number, one, several, order, text</translation>
+    </message>
+    <message>
+        <source>the least, a number</source>
+        <translation>das Kleinste, eine Zahl</translation>
+    </message>
+    <message>
+        <source>the most, a number</source>
+        <translation>das Größte, eine Zahl</translation>
+    </message>
+    <message>
+        <source>the number of an answer, from 1</source>
+        <translation>die Nummer einer Antwort, ab 1</translation>
+    </message>
+    <message>
+        <source>what a right answer is worth, a number from 0 to 1000</source>
+        <translation>was eine richtige Antwort wert ist, eine Zahl von 0 bis 1000</translation>
     </message>
 </context>
 <context>
@@ -7109,6 +7551,25 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::ClipboardActions</name>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>A&amp;lles auswählen</translation>
+    </message>
+</context>
+<context>
     <name>cradle::CodeActions</name>
     <message>
         <source>Run code</source>
@@ -7883,6 +8344,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Work to hand in (*.cradle-work)</source>
         <translation>Arbeit zum Abgeben (*.cradle-work)</translation>
     </message>
+    <message>
+        <source>The values of this lab were drawn by this number</source>
+        <translation>Mit dieser Nummer wurden die Werte dieses Praktikums gezogen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::HintsList</name>
@@ -8110,6 +8575,37 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::LabDrop</name>
+    <message>
+        <source>no version</source>
+        <translation>ohne Version</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Another version</source>
+        <translation>Eine andere Version</translation>
+    </message>
+    <message>
+        <source>“%1” is there already with %2. The file has %3.</source>
+        <translation>„%1“ ist schon da: %2. Die Datei: %3.</translation>
+    </message>
+    <message>
+        <source>Both have one id, so what was passed in one counts as passed in the other.</source>
+        <translation>Beide haben dieselbe Kennung; was in der einen bestanden ist, gilt auch in der anderen als bestanden.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Beide behalten</translation>
+    </message>
+</context>
+<context>
     <name>cradle::LanguageBox</name>
     <message>
         <source>Texts in %1</source>
@@ -8271,10 +8767,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Eine eigene Szene</translation>
     </message>
     <message>
-        <source>Read the step on the left, set the values below the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, setze die Werte unter der Szene, drücke Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
-    </message>
-    <message>
         <source>This is a scene of the check, at the moment where it went wrong.</source>
         <translation>Das ist eine Szene der Prüfung, in dem Moment, in dem sie schiefging.</translation>
     </message>
@@ -8329,10 +8821,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Nothing hits anything within the next minute.</source>
         <translation>In der nächsten Minute stößt nichts zusammen.</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, write your program below the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, schreib unter der Szene dein Programm, drücke Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
     </message>
     <message>
         <source>Explore</source>
@@ -8588,6 +9076,108 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Your name:</source>
         <translation>Dein Name:</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Ihre Nummer</translation>
+    </message>
+    <message>
+        <source>This lab draws its values for each student by the number that you hand in with.
+Your number:</source>
+        <translation>Dieses Praktikum zieht seine Werte für jede Person anhand der Nummer, mit der Sie abgeben.
+Ihre Nummer:</translation>
+    </message>
+    <message>
+        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
+        <translation>Die Werte dieses Praktikums gelten für niemanden, bis Sie Ihre Nummer angeben: Öffnen Sie es dazu noch einmal.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
+        <translation>Lies links den Schritt, schreib in der Mitte dein Programm, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
+        <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Zeig mir alles</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>Der Schritt</translation>
+    </message>
+    <message>
+        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
+        <translation>Hier steht, was zu tun ist und warum. Die Punkte sind die Schritte des Praktikums; unter dem Text warten Hinweise.</translation>
+    </message>
+    <message>
+        <source>Your program</source>
+        <translation>Dein Programm</translation>
+    </message>
+    <message>
+        <source>The scene in numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
+        <translation>Du behältst ein Programm durch alle Schritte. Es wird gespeichert und läuft, während du schreibst; F1 erklärt das Wort an der Schreibmarke.</translation>
+    </message>
+    <message>
+        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
+        <translation>Welt, Gesetze und Kreise: Was du hier oder durch Ziehen in der Szene änderst, beginnt den Lauf von vorn.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
+        <translation>Was deine Kreise tun. Bei einem Stoß zeigen Pfeile die Teile der Geschwindigkeiten längs und quer zur Normalen.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
+        <translation>Impuls und Energie desselben Laufs. Zeig auf eine Kurve, um ihre Zahlen zu sehen; jeder Stoß ist markiert.</translation>
+    </message>
+    <message>
+        <source>Any moment again</source>
+        <translation>Jeder Augenblick noch einmal</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
+        <translation>Zieh zu einem beliebigen Augenblick des Laufs, oder drück Nächster Stoß. Die Leertaste startet und hält an.</translation>
+    </message>
+    <message>
+        <source>Run and check</source>
+        <translation>Starten und prüfen</translation>
+    </message>
+    <message>
+        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
+        <translation>Starten, um zuzusehen; Prüfen, wenn du fertig bist: Es sagt, was richtig ist, was nicht, und warum.</translation>
+    </message>
+    <message>
+        <source>:/help/lua-for-csharp.md</source>
+        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-for-csharp.de.md</translation>
+    </message>
+    <message>
+        <source>Lua for C# people</source>
+        <translation>Lua für Leute, die C# können</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MarkdownView</name>
+    <message>
+        <source>(a picture)</source>
+        <translation>(ein Bild)</translation>
     </message>
 </context>
 <context>
@@ -9275,6 +9865,251 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::QuestionField</name>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number with its unit</source>
+        <translation>eine Zahl mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>In a few sentences, for the teacher</source>
+        <translation>In ein paar Sätzen, für die Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::QuestionsCard</name>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>The check counts your answers.</source>
+        <translation>Die Prüfung zählt Ihre Antworten.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 points)</source>
+        <translation>%1 (%2 Punkte)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::QuestionsEditor</name>
+    <message>
+        <source>Questions · %1</source>
+        <translation>Fragen · %1</translation>
+    </message>
+    <message>
+        <source>Answers in the right order; students find them in another</source>
+        <translation>Antworten in der richtigen Reihenfolge; gezeigt werden sie in einer anderen</translation>
+    </message>
+    <message>
+        <source>Answers; mark the right one</source>
+        <translation>Antworten; markieren Sie die richtige</translation>
+    </message>
+    <message>
+        <source>Answers; mark all that are right</source>
+        <translation>Antworten; markieren Sie alle richtigen</translation>
+    </message>
+    <message>
+        <source>A new question</source>
+        <translation>Eine neue Frage</translation>
+    </message>
+    <message>
+        <source>What is asked?</source>
+        <translation>Wonach wird gefragt?</translation>
+    </message>
+    <message>
+        <source>The first answer</source>
+        <translation>Die erste Antwort</translation>
+    </message>
+    <message>
+        <source>The second answer</source>
+        <translation>Die zweite Antwort</translation>
+    </message>
+    <message>
+        <source>A title of 1 to 200 characters is right</source>
+        <translation>Richtig ist ein Titel von 1 bis 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots and dashes is right</source>
+        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten und Strichen</translation>
+    </message>
+    <message>
+        <source>Another question has this id already</source>
+        <translation>Eine andere Frage hat diese Kennung schon</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
+    </message>
+    <message>
+        <source>Tolerance: a number from 0 is right</source>
+        <translation>Toleranz: Richtig ist eine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
+        <translation>%1 ist keine Einheit; richtig ist eine wie m/s, kg m/s, N s, J, ° oder %</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Noch eine Antwort</translation>
+    </message>
+    <message>
+        <source>Questions of the step</source>
+        <translation>Fragen des Schritts</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Frage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the question</source>
+        <translation>Frage entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Move the question up</source>
+        <translation>Frage nach oben</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Move the question down</source>
+        <translation>Frage nach unten</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
+    </message>
+    <message>
+        <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
+        <translation>Dieser Schritt stellt keine Frage, die zählt. Fügen Sie mit dem Plus eine hinzu: eine Zahl mit ihrer Einheit, eine Auswahl, eine Reihenfolge oder einen Text, den Sie selbst lesen.</translation>
+    </message>
+    <message>
+        <source>A number</source>
+        <translation>Eine Zahl</translation>
+    </message>
+    <message>
+        <source>One choice</source>
+        <translation>Eine Auswahl</translation>
+    </message>
+    <message>
+        <source>Several choices</source>
+        <translation>Mehrere Auswahlen</translation>
+    </message>
+    <message>
+        <source>An order</source>
+        <translation>Eine Reihenfolge</translation>
+    </message>
+    <message>
+        <source>A text for the teacher</source>
+        <translation>Ein Text für die Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Kind of the question</source>
+        <translation>Art der Frage</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Right number</source>
+        <translation>Richtige Zahl</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Reports name the question by it</source>
+        <translation>Berichte nennen die Frage so</translation>
+    </message>
+    <message>
+        <source>What a right answer is worth; of a text, what you may give</source>
+        <translation>Was eine richtige Antwort wert ist; bei einem Text, was Sie geben können</translation>
+    </message>
+    <message>
+        <source>A number, or an expression like 2*9.81*5</source>
+        <translation>Eine Zahl oder ein Ausdruck wie 2*9.81*5</translation>
+    </message>
+    <message>
+        <source>How far off is still right, in the unit</source>
+        <translation>Wie weit daneben noch richtig ist, in der Einheit</translation>
+    </message>
+    <message>
+        <source>Such as m/s, kg m/s, N s, J, ° or %; answers in other units of the same kind are converted</source>
+        <translation>Etwa m/s, kg m/s, N s, J, ° oder %; Antworten in anderen Einheiten derselben Art werden umgerechnet</translation>
+    </message>
+    <message>
+        <source>What is asked</source>
+        <translation>Wonach gefragt wird</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Antwort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the answer</source>
+        <translation>Antwort entfernen</translation>
+    </message>
+    <message>
+        <source>Move the answer up</source>
+        <translation>Antwort nach oben</translation>
+    </message>
+    <message>
+        <source>Move the answer down</source>
+        <translation>Antwort nach unten</translation>
+    </message>
+    <message>
+        <source>What the student sees, answered rightly</source>
+        <translation>Was zu sehen ist, richtig beantwortet</translation>
+    </message>
+</context>
+<context>
     <name>cradle::RemarkEditor</name>
     <message>
         <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
@@ -9383,10 +10218,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Commit-Nachricht</translation>
     </message>
     <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
         <source>Copy the commit message</source>
         <translation>Die Commit-Nachricht kopieren</translation>
     </message>
@@ -9433,6 +10264,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>on %1 at %2</source>
         <translation>am %1 um %2</translation>
+    </message>
+    <message>
+        <source>✓ Passed: all %1 checks and answers</source>
+        <translation>✓ Bestanden: alle %1 Prüfungen und Antworten</translation>
+    </message>
+    <message>
+        <source>Compare with the reference ▸</source>
+        <translation>Mit der Referenz vergleichen ▸</translation>
     </message>
 </context>
 <context>
@@ -9631,10 +10470,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Add a circle: Edit → Add circle (Ctrl+Shift+N)</source>
         <translation>Füge einen Kreis hinzu: Bearbeiten → Kreis hinzufügen (Strg+Umschalt+N)</translation>
     </message>
-    <message>
-        <source>%1 at %2 m</source>
-        <translation>%1 bei %2 m</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -9688,6 +10523,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Start a new run from here</source>
         <translation>Neuer Lauf ab hier</translation>
+    </message>
+    <message>
+        <source>contacts merged from %1 s on</source>
+        <translation>Kontakte ab %1 s zusammengefasst</translation>
+    </message>
+    <message>
+        <source>%1 at %2 m with %3 m/s, radius %4 m</source>
+        <translation>%1 bei %2 m mit %3 m/s, Radius %4 m</translation>
     </message>
 </context>
 <context>
@@ -10089,6 +10932,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <source>Edit the prediction</source>
         <translation>Vorhersage ändern</translation>
     </message>
+    <message>
+        <source>Questions that count</source>
+        <translation>Fragen, die zählen</translation>
+    </message>
+    <message>
+        <source>Edit the questions</source>
+        <translation>Fragen ändern</translation>
+    </message>
 </context>
 <context>
     <name>cradle::Timeline</name>
@@ -10123,6 +10974,33 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>program stopped</source>
         <translation>Programm hielt an</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Tour</name>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Tour of the window</source>
+        <translation>Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>%1 of %2 · %3</source>
+        <translation>%1 von %2 · %3</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Anfangen</translation>
+    </message>
+    <message>
+        <source>Next ▸</source>
+        <translation>Weiter ▸</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
@@ -10235,6 +11113,19 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Back to the collision before, or to the start</source>
         <translation>Zurück zum vorigen Stoß oder zum Anfang</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <comment>search</comment>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End the search and go back to where it began</source>
+        <translation>Die Suche beenden und dorthin zurückgehen, wo sie begann</translation>
+    </message>
+    <message>
+        <source>Progress of the search for a hit</source>
+        <translation>Fortschritt der Suche nach einem Stoß</translation>
     </message>
 </context>
 <context>
