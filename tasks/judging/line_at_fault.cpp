@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace cradle {
 
@@ -22,11 +23,31 @@ constexpr qint64 later = 2;
 /// Of velocities: a step earlier or later gravity has changed a little.
 constexpr double near = 0.03;
 
-/// The circles some steps after the moment; nothing if the program stops.
-std::vector<Circle> after(const QString &program, const Moment &moment, qint64 steps)
+/// Steps before the moment, in which what a program keeps from one step to the next has settled.
+constexpr qint64 settling = 3;
+
+/// The states of a program step by step, the first before any step; they end where it stops.
+std::vector<World> statesOf(const QString &program, const Moment &moment, qint64 steps)
 {
     Probe probe(&program, moment.stage);
-    for (qint64 k = 0; k < steps; ++k) {
+    std::vector<World> states;
+    if (!probe.runs())
+        return states;
+    states.push_back(probe.world());
+    while (static_cast<qint64>(states.size()) <= steps && probe.step())
+        states.push_back(probe.world());
+    return states;
+}
+
+/// The circles after so many steps, also of a program that begins in the midst, at \p start;
+/// nothing if it stops.
+std::vector<Circle> after(const QString &program, const Moment &moment, qint64 steps,
+                          const World *start = nullptr)
+{
+    Probe probe(&program, moment.stage);
+    if (start)
+        probe.place(*start);
+    for (qint64 k = start ? start->step : 0; k < steps; ++k) {
         if (!probe.step())
             return {};
     }
@@ -40,8 +61,15 @@ public:
     explicit Look(const FaultQuery &query)
         : m_moment(query.moment)
         , m_steps(query.moment.step + (query.moment.isPosition ? 0 : later))
-        , m_wanted(after(query.reference, query.moment, m_steps))
     {
+        const std::vector<World> right = statesOf(query.reference, m_moment, m_steps);
+        if (isWhole(right)) {
+            m_wanted = right.back().circles;
+            const qint64 start = m_moment.step - 1 - settling;
+            if (start > settling && goesOn(query.reference, right, start)
+                && goesOn(query.program, statesOf(query.program, m_moment, m_steps), start))
+                m_start = right[static_cast<std::size_t>(start)];
+        }
         const double h = query.moment.stage.preset.timestep;
         m_slack = query.moment.isPosition
                       ? 1e-7 + 0.4 * length(query.moment.stage.preset.gravity) * h * h
@@ -50,20 +78,43 @@ public:
 
     [[nodiscard]] bool isRight(const QString &program) const
     {
-        const std::vector<Circle> made = after(program, m_moment, m_steps);
+        // Who does the same all the way does it from the midst of the way, which is soon seen.
+        return (!m_start || isNear(after(program, m_moment, m_steps, &*m_start), 2.0))
+               && isNear(after(program, m_moment, m_steps), 1.0);
+    }
+
+private:
+    [[nodiscard]] bool isWhole(const std::vector<World> &states) const
+    {
+        return static_cast<qint64>(states.size()) == m_steps + 1;
+    }
+
+    /// Whether a program that begins in the midst of its own run goes on as that did: it keeps
+    /// nothing to itself.
+    [[nodiscard]] bool goesOn(const QString &program, const std::vector<World> &states,
+                              qint64 start) const
+    {
+        return isWhole(states)
+               && after(program, m_moment, m_steps, &states[static_cast<std::size_t>(start)])
+                      == states.back().circles;
+    }
+
+    /// Whether the circles of the moment are where, and as fast as, they should be.
+    [[nodiscard]] bool isNear(const std::vector<Circle> &made, double tolerance) const
+    {
         return !made.empty() && made.size() == m_wanted.size()
                && std::all_of(m_moment.circles.begin(), m_moment.circles.end(), [&](int i) {
                       const Circle &a = made[static_cast<std::size_t>(i)];
                       const Circle &b = m_wanted[static_cast<std::size_t>(i)];
-                      return isAlike(a.velocity, b.velocity, near)
-                             && length(a.position - b.position) < m_slack;
+                      return isAlike(a.velocity, b.velocity, tolerance * near)
+                             && length(a.position - b.position) < tolerance * m_slack;
                   });
     }
 
-private:
     const Moment &m_moment;
     qint64 m_steps;
-    std::vector<Circle> m_wanted;
+    std::vector<Circle> m_wanted{};
+    std::optional<World> m_start{}; ///< in the midst of the reference's run, if one may begin there
     double m_slack = 0.0;
 };
 

@@ -33,6 +33,8 @@ public:
     {
         return m_world.circles[static_cast<std::size_t>(i)];
     }
+    /// Goes on from \p world, which has as many circles.
+    void place(const World &world) { m_world = world; }
     /// Makes one step. \return false if the program stopped with an error
     bool step();
     /// What its program has worked so far, in instructions; 0 for laws.
