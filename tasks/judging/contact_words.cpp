@@ -99,7 +99,8 @@ private:
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
             return !own;
-        const PairHit &hit = m_own.contacts.front();
+        PairHit hit = m_own.contacts.front();
+        hit.step = right ? m_right.contacts.front().step : hit.step;
         const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
                                        [](const PairHit &h) { return h.held; });
         if (right && held != m_own.contacts.end())

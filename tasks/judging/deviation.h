@@ -23,6 +23,7 @@ enum class Suspect {
     Formula,  ///< the numbers that it works out
     Question, ///< when, or where
     Masses,   ///< what it works out for the circles
+    Copy,     ///< a value of the scene that it copied before it was set
     Omission, ///< something that is not there
 };
 
@@ -32,6 +33,8 @@ struct LawDeviation {
     QString message{}; ///< a headline, an empty line, what was measured; CommonMark
     Moment moment{};
     Suspect suspect = Suspect::Answer;
+    int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
+    QString family{}; ///< what may become of it when some of it is mended; empty: only the same
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

@@ -97,14 +97,17 @@ private:
                               moment(false, g)};
         const auto [headline, where] = fallWords(p);
         const double h = m_ground.timesteps[shownTimestep(p)];
-        return FlightSaid{
-            headline,
-            FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
-                           "step of %3 s; it should change by %4 m/s.")
-                    .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration), briefTimestep(h),
-                         brief(h * m_right.at(g, h, m_i).acceleration))
-                + QLatin1Char(' ') + where,
-            moment(false, g)};
+        FlightSaid fault{headline,
+                         FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
+                                        "step of %3 s; it should change by %4 m/s.")
+                                 .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration),
+                                      briefTimestep(h),
+                                      brief(h * m_right.at(g, h, m_i).acceleration))
+                             + QLatin1Char(' ') + where,
+                         moment(false, g)};
+        if (p.kind == TimestepPattern::Kind::Constant && std::abs(p.value) < wrong)
+            fault.suspect = Suspect::Omission;
+        return fault;
     }
 
     /// Whether gravity changes the place at once, and the velocity not at all.
@@ -176,7 +179,9 @@ private:
                            "the moment when it was made: before or after `on_load` has "
                            "set it?")
                 .arg(brief(right), brief(own.accelerations[i])),
-            {{m_ground.own, false}, 1, {m_i}, false}};
+            {{m_ground.own, false}, 1, {m_i}, false},
+            false,
+            Suspect::Copy};
     }
 };
 

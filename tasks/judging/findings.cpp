@@ -214,48 +214,95 @@ private:
     {
         if (!m_submission.script || deviation.moment.start)
             return;
-        const int proven = provenLine(deviation);
-        const int line =
-            proven != 0 ? proven : guessedLine(*m_submission.script, deviation, finding.line);
+        const RanLines ran = ranLines(*m_submission.script, deviation.moment);
+        const int proven = provenLine(deviation, ran, finding.line);
+        const int line = proven != 0 ? proven
+                                     : guessedLine(*m_submission.script, deviation, ran,
+                                                   finding.line, finding.calls);
         if (line == finding.line)
             return;
         finding.line = line;
         finding.calls.clear();
     }
 
-    [[nodiscard]] int provenLine(const LawDeviation &deviation) const
+    [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last) const
     {
         const Moment &moment = deviation.moment;
         if (!m_provesLines || moment.circles.empty() || m_findings.size() >= mostProven)
             return 0;
         const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
-        const std::vector<LawDeviation> before = deviationsOf(m_own, aspect);
-        return lineAtFault(
-            {*m_submission.script, m_task.solution, moment, [&](const QString &program) {
-                 const MeasuredLaws laws(&program, m_ground);
-                 return seesAsMuch(laws, aspect)
-                            ? mendingOf(deviation, before, deviationsOf(laws, aspect))
-                            : Mending::None;
-             }});
+        const std::vector<LawDeviation> before = besides(m_own, aspect);
+        return lineAtFault({*m_submission.script, m_task.solution, moment, ran, deviation.suspect,
+                            last, aspect != Aspect::Motion, [&](const QString &program) {
+                                const MeasuredLaws laws(&program, m_ground);
+                                return seesAsMuch(laws, aspect)
+                                           ? mendingOf(deviation, before, besides(laws, aspect))
+                                           : Mending::None;
+                            }});
     }
 
-    /// What became of \p fault: gone, or less of it, with nothing new instead.
+    /// What is said of an aspect, and of that beside it which a change may spoil.
+    [[nodiscard]] std::vector<LawDeviation> besides(const MeasuredLaws &laws, Aspect aspect) const
+    {
+        std::vector<LawDeviation> found = deviationsOf(laws, aspect);
+        if (aspect == Aspect::Response || aspect == Aspect::Contact) {
+            const Aspect other = aspect == Aspect::Contact ? Aspect::Response : Aspect::Contact;
+            for (LawDeviation &deviation : deviationsOf(laws, other))
+                found.push_back(std::move(deviation));
+        }
+        return found;
+    }
+
+    /// What became of \p fault: gone, or shown by fewer scenes, with nothing new instead.
     static Mending mendingOf(const LawDeviation &fault, const std::vector<LawDeviation> &before,
                              const std::vector<LawDeviation> &left)
     {
-        const auto hasHeadline = [](const std::vector<LawDeviation> &all, const QString &line) {
-            return std::any_of(all.begin(), all.end(),
-                               [&](const LawDeviation &d) { return headlineOf(d) == line; });
-        };
-        if (!hasHeadline(left, headlineOf(fault)))
+        const QStringList known = keysOf(before);
+        const QStringList now = keysOf(left);
+        if (std::any_of(now.begin(), now.end(),
+                        [&](const QString &key) { return !known.contains(key); }))
+            return Mending::None;
+        const QStringList own = keysOf({fault});
+        if (std::none_of(own.begin(), own.end(),
+                         [&](const QString &key) { return now.contains(key); }))
             return Mending::All;
-        const bool isNew = std::any_of(left.begin(), left.end(), [&](const LawDeviation &d) {
-            return !hasHeadline(before, headlineOf(d));
-        });
-        const bool isSame = std::any_of(left.begin(), left.end(), [&](const LawDeviation &d) {
-            return d.message == fault.message;
-        });
-        return isNew || isSame ? Mending::None : Mending::Part;
+        return shownIn(left, own) < shownIn(before, own) ? Mending::Part : Mending::None;
+    }
+
+    /// What is wrong, and whose: a headline without the walls where it is, for each circle.
+    static QStringList keysOf(const std::vector<LawDeviation> &deviations)
+    {
+        QStringList keys;
+        for (const LawDeviation &deviation : deviations) {
+            const QString line = deviation.message.section(QLatin1Char('\n'), 0, 0);
+            const bool both = line.contains(circleNames({0, 1}, 2), Qt::CaseInsensitive);
+            QString stem = deviation.family.isEmpty() ? line : deviation.family;
+            for (const std::vector<int> &circles :
+                 {std::vector{0, 1}, std::vector{0}, std::vector{1}})
+                stem.remove(circleNames(circles, 2), Qt::CaseInsensitive);
+            stem = stem.section(QLatin1Char(':'), 0, 0).section(QLatin1String(" ("), 0, 0);
+            for (const int circle : {0, 1}) {
+                const QString name = circleNames({circle}, 2);
+                if (both || line.contains(name, Qt::CaseInsensitive))
+                    keys.append(stem + name);
+            }
+            if (!both && !line.contains(circleNames({0}, 2), Qt::CaseInsensitive)
+                && !line.contains(circleNames({1}, 2), Qt::CaseInsensitive))
+                keys.append(stem);
+        }
+        return keys;
+    }
+
+    static int shownIn(const std::vector<LawDeviation> &deviations, const QStringList &keys)
+    {
+        int shown = 0;
+        for (const LawDeviation &deviation : deviations) {
+            const QStringList own = keysOf({deviation});
+            if (std::any_of(own.begin(), own.end(),
+                            [&](const QString &key) { return keys.contains(key); }))
+                shown += deviation.shown;
+        }
+        return shown;
     }
 
     /// Whether as much can be told of a changed program: what cannot be measured is not mended.
@@ -271,11 +318,6 @@ private:
         if (aspect == Aspect::Walls)
             return laws.walls().judged == m_own.walls().judged;
         return aspect == Aspect::Motion || laws.pair().isJudged;
-    }
-
-    static QString headlineOf(const LawDeviation &deviation)
-    {
-        return deviation.message.section(QLatin1Char('\n'), 0, 0);
     }
 
     /// Findings whose line is proven; those behind wait until the first are mended.

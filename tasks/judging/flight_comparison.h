@@ -23,6 +23,7 @@ struct FlightSaid {
     QString body;
     Moment moment{};
     bool isMethod = false; ///< it is about the integrator
+    Suspect suspect = Suspect::Answer;
 };
 
 /// The flight of one circle beside that of the reference.

@@ -124,7 +124,10 @@ private:
                                              "its own part of the velocity."),
                         true);
         const auto [headline, where] = wayWords(other);
-        return said(headline, seen + QLatin1Char(' ') + where, true);
+        FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
+        if (other.kind == Kind::Constant && other.value == 0.0)
+            fault.suspect = Suspect::Omission;
+        return fault;
     }
 
     /// A way that is no share of the own velocity.
@@ -293,7 +296,7 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
         deviations.push_back({Aspect::Motion,
                               headline + QStringLiteral("\n\n")
                                   + withNames(said.body, circles, ground.flights.size()),
-                              said.moment});
+                              said.moment, said.suspect});
     }
     if (together)
         deviations.push_back(*together);

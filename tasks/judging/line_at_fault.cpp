@@ -17,7 +17,8 @@ namespace cradle {
 namespace {
 
 /// Changed programs that pass the first look and are measured.
-constexpr int mostMeasured = 6;
+constexpr int mostMeasured = 7;
+constexpr int mostOfALine = 3;
 /// Steps after the moment, in which an answer that comes a step later has come.
 constexpr qint64 later = 2;
 /// Of velocities: a step earlier or later gravity has changed a little.
@@ -63,27 +64,37 @@ public:
         , m_steps(query.moment.step + (query.moment.isPosition ? 0 : later))
     {
         const std::vector<World> right = statesOf(query.reference, m_moment, m_steps);
-        if (isWhole(right)) {
-            m_wanted = right.back().circles;
+        const std::vector<World> theirs = statesOf(query.program, m_moment, m_steps);
+        if (isWhole(right) && isWhole(theirs)) {
+            m_whole = {right.back().circles, theirs.back().circles};
             const qint64 start = m_moment.step - 1 - settling;
             if (start > settling && goesOn(query.reference, right, start)
-                && goesOn(query.program, statesOf(query.program, m_moment, m_steps), start))
+                && goesOn(query.program, theirs, start)) {
                 m_start = right[static_cast<std::size_t>(start)];
+                m_late = {m_whole.wanted, after(query.program, m_moment, m_steps, &*m_start)};
+            }
         }
         const double h = query.moment.stage.preset.timestep;
-        m_slack = query.moment.isPosition
+        m_slack = query.moment.isPosition && !query.isHit
                       ? 1e-7 + 0.4 * length(query.moment.stage.preset.gravity) * h * h
                       : 0.2;
     }
 
+    /// The circles that are wrong do what is asked; the others may go on as they did.
     [[nodiscard]] bool isRight(const QString &program) const
     {
         // Who does the same all the way does it from the midst of the way, which is soon seen.
-        return (!m_start || isNear(after(program, m_moment, m_steps, &*m_start), 2.0))
-               && isNear(after(program, m_moment, m_steps), 1.0);
+        return (!m_start || isNear(after(program, m_moment, m_steps, &*m_start), m_late, 2.0))
+               && isNear(after(program, m_moment, m_steps), m_whole, 1.0);
     }
 
 private:
+    /// What there is in the end.
+    struct Ends {
+        std::vector<Circle> wanted{};
+        std::vector<Circle> was{}; ///< of the program itself
+    };
+
     [[nodiscard]] bool isWhole(const std::vector<World> &states) const
     {
         return static_cast<qint64>(states.size()) == m_steps + 1;
@@ -94,99 +105,104 @@ private:
     [[nodiscard]] bool goesOn(const QString &program, const std::vector<World> &states,
                               qint64 start) const
     {
-        return isWhole(states)
-               && after(program, m_moment, m_steps, &states[static_cast<std::size_t>(start)])
-                      == states.back().circles;
+        return after(program, m_moment, m_steps, &states[static_cast<std::size_t>(start)])
+               == states.back().circles;
     }
 
-    /// Whether the circles of the moment are where, and as fast as, they should be.
-    [[nodiscard]] bool isNear(const std::vector<Circle> &made, double tolerance) const
+    [[nodiscard]] bool isNear(const std::vector<Circle> &made, const Ends &ends,
+                              double tolerance) const
     {
-        return !made.empty() && made.size() == m_wanted.size()
-               && std::all_of(m_moment.circles.begin(), m_moment.circles.end(), [&](int i) {
-                      const Circle &a = made[static_cast<std::size_t>(i)];
-                      const Circle &b = m_wanted[static_cast<std::size_t>(i)];
-                      return isAlike(a.velocity, b.velocity, tolerance * near)
-                             && length(a.position - b.position) < tolerance * m_slack;
-                  });
+        if (made.empty() || made.size() != ends.wanted.size() || made.size() != ends.was.size())
+            return false;
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const auto &wrong = m_moment.circles;
+            const bool isWrong =
+                std::find(wrong.begin(), wrong.end(), static_cast<int>(i)) != wrong.end();
+            if (!isLike(made[i], ends.wanted[i], tolerance)
+                && (isWrong || !isLike(made[i], ends.was[i], tolerance)))
+                return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool isLike(const Circle &a, const Circle &b, double tolerance) const
+    {
+        return isAlike(a.velocity, b.velocity, tolerance * near)
+               && length(a.position - b.position) < tolerance * m_slack;
     }
 
     const Moment &m_moment;
     qint64 m_steps;
-    std::vector<Circle> m_wanted{};
+    Ends m_whole{};
     std::optional<World> m_start{}; ///< in the midst of the reference's run, if one may begin there
+    Ends m_late{};                  ///< of runs that begin there
     double m_slack = 0.0;
 };
 
-/// The lines that run at the moment, and those that work out what circles keep, such as masses.
-std::set<int> suspects(const FaultQuery &query)
+/// The lines that only the moment needs, then others that run at it, then those that work out what
+/// circles keep, such as masses; of the first those that a teacher would look at before others.
+std::vector<int> suspects(const FaultQuery &query)
 {
-    Probe probe(&query.program, query.moment.stage);
-    for (qint64 k = 1; k < query.moment.step; ++k) {
-        if (!probe.step())
-            return {};
+    const QStringList rows = query.program.split(QLatin1Char('\n'));
+    std::vector<int> lines;
+    const auto add = [&](int line) {
+        if (std::find(lines.begin(), lines.end(), line) == lines.end())
+            lines.push_back(line);
+    };
+    static const QRegularExpression comparison(QStringLiteral("[<>]"));
+    for (const int line : query.ran.now) {
+        if (query.suspect == Suspect::Question && rows[line - 1].contains(comparison))
+            add(line);
     }
-    const std::vector<int> ran = probe.lines();
-    std::set<int> lines(ran.begin(), ran.end());
+    if (query.suspect == Suspect::Answer && query.ran.now.contains(query.last))
+        add(query.last);
+    static const QRegularExpression masses(QStringLiteral("radius|density|mass"));
+    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
+        if (query.suspect == Suspect::Masses && rows[line - 1].contains(masses)
+            && !rows[line - 1].contains(comparison))
+            add(line);
+    }
+    for (const int line : query.ran.special())
+        add(line);
+    for (const int line : query.ran.now)
+        add(line);
     static const QRegularExpression quantities(
         QStringLiteral("radius|density|mass|restitution|gravity"));
-    const QStringList rows = query.program.split(QLatin1Char('\n'));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
         if (rows[line - 1].contains(quantities))
-            lines.insert(line);
+            add(line);
     }
     return lines;
 }
-
-/// Lines that mend, and how often.
-class Mended
-{
-public:
-    void note(int line)
-    {
-        if (m_times[line]++ == 0)
-            m_order.push_back(line);
-    }
-    /// The line that mends most often, of equal ones the first; 0 if there is none.
-    [[nodiscard]] int most() const
-    {
-        const auto at = std::max_element(m_order.begin(), m_order.end(), [&](int a, int b) {
-            return m_times.at(a) < m_times.at(b);
-        });
-        return at == m_order.end() ? 0 : *at;
-    }
-
-private:
-    std::map<int, int> m_times;
-    std::vector<int> m_order;
-};
 
 } // namespace
 
 int lineAtFault(const FaultQuery &query)
 {
     const Look look(query);
-    Mended all;
-    Mended twins;
-    Mended parts;
+    // What shows nothing proves nothing.
+    if (query.ran.now.empty() || look.isRight(query.program))
+        return 0;
+    int twins = 0;
+    int parts = 0;
     int measured = 0;
+    std::map<int, int> tries;
     for (const Repair &repair : repairsOf(query.program, suspects(query))) {
         if (measured >= mostMeasured)
             break;
-        if (!look.isRight(repair.source))
+        if (tries[repair.line] >= mostOfALine || !look.isRight(repair.source))
             continue;
         ++measured;
+        ++tries[repair.line];
         const Mending mending = query.mending(repair.source);
-        if (mending == Mending::All)
-            (repair.alone ? all : twins).note(repair.line);
-        else if (mending == Mending::Part)
-            parts.note(repair.line);
+        if (mending == Mending::All && repair.alone)
+            return repair.line;
+        if (mending == Mending::All && twins == 0)
+            twins = repair.line;
+        if (mending == Mending::Part && parts == 0)
+            parts = repair.line;
     }
-    for (const Mended *mended : {&all, &twins, &parts}) {
-        if (const int line = mended->most())
-            return line;
-    }
-    return 0;
+    return twins != 0 ? twins : parts;
 }
 
 } // namespace cradle

@@ -6,7 +6,6 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <set>
 
 namespace cradle {
 
@@ -37,32 +36,6 @@ int worksOut(const QString &row)
            + static_cast<int>(row.count(QRegularExpression(QStringLiteral("[-+]"))));
 }
 
-/// The lines that run in the step of the moment, and in the one before.
-struct Ran {
-    std::set<int> now{};
-    std::set<int> before{};
-
-    /// Those that only the moment needs.
-    [[nodiscard]] std::vector<int> special() const
-    {
-        std::vector<int> lines;
-        std::set_difference(now.begin(), now.end(), before.begin(), before.end(),
-                            std::back_inserter(lines));
-        return lines;
-    }
-};
-
-std::set<int> linesIn(const QString &program, const Moment &moment, qint64 step)
-{
-    Probe probe(&program, moment.stage);
-    for (qint64 k = 1; k < step; ++k) {
-        if (!probe.step())
-            return {};
-    }
-    const std::vector<int> lines = probe.lines();
-    return {lines.begin(), lines.end()};
-}
-
 /// The line that works out a mass; 0 if none is found.
 int massLine(const QStringList &rows)
 {
@@ -85,14 +58,60 @@ int massLine(const QStringList &rows)
     return best;
 }
 
-/// The question that leads to the first of \p special.
-int questionBefore(const std::vector<int> &special, const QStringList &rows, const Ran &ran)
+/// The line that copies a value of the scene; 0 if there is none.
+int copyLine(const QStringList &rows)
 {
-    for (int line = special.front(); line > 0; --line) {
-        if (ran.now.contains(line) && compares(rows[line - 1]))
+    static const QRegularExpression copy(
+        QStringLiteral("^\\s*(local\\s+)?\\w+\\s*=\\s*(restitution|gravity(\\.[xy])?)\\s*$"));
+    for (int line = 1; line <= rows.size(); ++line) {
+        if (rows[line - 1].contains(copy))
             return line;
     }
     return 0;
+}
+
+/// The lines of the function in which a line stands.
+struct Lines {
+    int first = 1;
+    int last = 0;
+};
+Lines functionOf(const QStringList &rows, int line)
+{
+    static const QRegularExpression header(QStringLiteral("\\bfunction\\b"));
+    static const QRegularExpression whole(QStringLiteral("\\bfunction\\b.*\\bend\\b"));
+    const auto begins = [&](int at) {
+        return rows[at - 1].contains(header) && !rows[at - 1].contains(whole);
+    };
+    Lines lines{line, line};
+    while (lines.first > 1 && !begins(lines.first))
+        --lines.first;
+    while (lines.last < rows.size() && !begins(lines.last + 1))
+        ++lines.last;
+    return lines;
+}
+
+/// Who only hands a value on is not who worked it out.
+int actingLine(const QStringList &rows, int last, const std::vector<int> &calls)
+{
+    static const QRegularExpression setter(
+        QStringLiteral("\\bfunction\\b.*\\.(velocity|position)\\s*=\\s*\\w+\\s+end\\b"));
+    return !calls.empty() && rows[last - 1].contains(setter) ? calls.back() : last;
+}
+
+/// The question that leads to the first of \p special; without such lines the first of them all.
+int questionBefore(const std::vector<int> &special, const QStringList &rows, const RanLines &ran,
+                   const Lines &within)
+{
+    if (!ran.before.empty()) {
+        for (int line = special.front(); line >= within.first; --line) {
+            if (ran.now.contains(line) && compares(rows[line - 1]))
+                return line;
+        }
+        return 0;
+    }
+    const auto first = std::find_if(special.begin(), special.end(),
+                                    [&](int line) { return compares(rows[line - 1]); });
+    return first == special.end() ? 0 : *first;
 }
 
 int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
@@ -110,7 +129,8 @@ int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
 
 } // namespace
 
-int guessedLine(const QString &program, const LawDeviation &deviation, int last)
+int guessedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
+                int last, const std::vector<int> &calls)
 {
     const QStringList rows = rowsOf(program);
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
@@ -121,26 +141,36 @@ int guessedLine(const QString &program, const LawDeviation &deviation, int last)
         if (const int line = massLine(rows))
             return line;
         break;
+    case Suspect::Copy:
+        if (const int line = copyLine(rows))
+            return line;
+        break;
     case Suspect::Answer:
-        return last;
     case Suspect::Question:
     case Suspect::Formula:
         break;
     }
     if (deviation.moment.circles.empty() || !isRow(last))
         return last;
-    const Moment &moment = deviation.moment;
-    const Ran ran{linesIn(program, moment, moment.step),
-                  moment.step > 1 ? linesIn(program, moment, moment.step - 1) : std::set<int>{}};
-    const std::vector<int> special = ran.special();
+    const int acting = actingLine(rows, last, calls);
+    const Lines within = functionOf(rows, acting);
+    std::vector<int> special = ran.special();
+    std::erase_if(special, [&](int line) {
+        return line < within.first || line > within.last || !isRow(line);
+    });
     const bool isQuestion = deviation.suspect == Suspect::Question;
-    if (special.empty() || !isRow(special.back()))
-        return !isQuestion || compares(rows[last - 1]) ? last : 0;
+    if (special.empty())
+        return !isQuestion || compares(rows[acting - 1]) ? acting : 0;
     if (isQuestion) {
-        const int line = questionBefore(special, rows, ran);
-        return line == 0 ? last : line;
+        const int line = questionBefore(special, rows, ran, within);
+        return line == 0 ? acting : line;
     }
-    return formulaIn(special, rows, last);
+    const bool isSpecial = std::find(special.begin(), special.end(), acting) != special.end();
+    // What runs in every step only writes down what was worked out before.
+    if (deviation.suspect == Suspect::Answer && (isSpecial || ran.before.empty()))
+        return acting;
+    const int formula = formulaIn(special, rows, isSpecial ? acting : 0);
+    return formula == 0 ? acting : formula;
 }
 
 } // namespace cradle

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/deviation.h"
+#include "tasks/judging/ran_lines.h"
 
 namespace cradle {
 
@@ -10,8 +10,11 @@ namespace cradle {
 /// that run at the moment and not in free flight, the question before them where something is
 /// answered at a wrong place, the formula where the answer is wrong; the line that works out a mass
 /// where masses are.
+/// \param ran   the lines that run at the moment
 /// \param last  the line of the assignment that last changed what is wrong; 0 if unknown
+/// \param calls  the lines that called it, the innermost last
 /// \return  \p last if there is no better one, 0 if the fault is that a line is missing
-[[nodiscard]] int guessedLine(const QString &program, const LawDeviation &deviation, int last);
+[[nodiscard]] int guessedLine(const QString &program, const LawDeviation &deviation,
+                              const RanLines &ran, int last, const std::vector<int> &calls);
 
 } // namespace cradle

@@ -211,8 +211,12 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     const Circle &now1 = probe.circle(0);
     const Circle &now2 = probe.circle(1);
     if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity)) {
-        hit.held = hit.held || length(now1.position - free1.position) > 1e-7
-                   || length(now2.position - free2.position) > 1e-7;
+        if (!hit.held
+            && (length(now1.position - free1.position) > 1e-7
+                || length(now2.position - free2.position) > 1e-7)) {
+            hit.held = true;
+            hit.step = k;
+        }
         return;
     }
     hit.answered = true;

@@ -4,7 +4,6 @@
 
 #include <QString>
 
-#include <set>
 #include <vector>
 
 namespace cradle {
@@ -19,7 +18,8 @@ struct Repair {
 /// Programs that differ from \p source in one token, one factor, one term, one part of a condition
 /// or one statement: what students forget, exchange or get the wrong way round, undone. Such as
 /// cannot be read are among them.
-/// \param lines  in which something may be changed; no more than some hundred repairs are made
-[[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const std::set<int> &lines);
+/// \param lines  in which something may be changed, in that order; no more than some hundred
+///               repairs are made
+[[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const std::vector<int> &lines);
 
 } // namespace cradle

@@ -211,7 +211,7 @@ private:
                              "that is made before e is set keeps the old value.")
                 .arg(brief(closing), brief(parting), brief(parting / closing),
                      brief(m.restitution)),
-            hit);
+            hit, Suspect::Copy);
     }
 
     /// Equal circles come out right, unequal ones do not, in a way that no mass explains.

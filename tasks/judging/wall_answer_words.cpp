@@ -62,8 +62,11 @@ public:
         const auto [headline, why] = answerWords(odd, hit, right);
         const bool isOfSome = walls.size() < wallsLike(hit) || walls.size() == 1;
         const QString where = isOfSome ? QStringLiteral(" (%1)").arg(namesOf(walls)) : QString();
-        return deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
-                         {circles.begin(), circles.end()}, Suspect::Formula, hit.held);
+        LawDeviation found =
+            deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
+                      {circles.begin(), circles.end()}, Suspect::Formula);
+        found.shown = static_cast<int>(odd.size());
+        return found;
     }
 
 private:

@@ -44,9 +44,13 @@ public:
             bodies.push_back({body, &*at});
         }
         std::vector<LawDeviation> found;
-        for (std::size_t i = 0; i < said.size(); ++i)
+        for (std::size_t i = 0; i < said.size(); ++i) {
             found.push_back(deviation(said[i].first, bodies[i].first, *bodies[i].second,
                                       said[i].second, Suspect::Question));
+            // A length that is right at some walls and wrong at others has another name.
+            found.back().family = QStringLiteral("reach");
+            found.back().shown = shownBy(said[i].second);
+        }
         return found;
     }
 
@@ -57,6 +61,16 @@ private:
         QString headline;
         QString body;
     };
+
+    /// How many hits of these circles do not come where their rims are.
+    [[nodiscard]] int shownBy(const std::vector<int> &circles) const
+    {
+        return static_cast<int>(
+            std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+                return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
+                       && (hit.turned || hit.held) && !hit.fits(hit.radius);
+            }));
+    }
 
     [[nodiscard]] bool fitsAll(const Reach &reach, int circle) const
     {

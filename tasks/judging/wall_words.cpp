@@ -86,7 +86,8 @@ private:
                     .arg(brief(
                         length(first->stage.preset.circles[static_cast<std::size_t>(first->circle)]
                                    .body.velocity))),
-                *first, circles, Suspect::Omission, true);
+                as(*first), circles, Suspect::Omission);
+            noteMissing(circles);
             return;
         }
         for (std::size_t i = 0; i < open.size(); ++i) {
@@ -105,8 +106,32 @@ private:
             add(WallText::tr("These walls do not turn %who round: %1").arg(namesOf(open[i].second)),
                 WallText::tr("Thrown there it goes on past the wall. A square has four walls: look "
                              "at the question that your program asks for each."),
-                *at, same, Suspect::Omission, true);
+                as(*at), same, Suspect::Omission);
+            noteMissing(same);
         }
+    }
+
+    /// Of the fault that was found last.
+    void noteMissing(const std::vector<int> &circles)
+    {
+        m_found.back().family = QStringLiteral("missing");
+        m_found.back().shown = static_cast<int>(
+            std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+                return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
+                       && !hit.turned && !hit.held && !hit.missed;
+            }));
+    }
+
+    /// A hit that does not come, at the step in which it should.
+    [[nodiscard]] WallHit as(WallHit missing) const
+    {
+        for (const WallHit &right : m_right.hits) {
+            if (right.circle == missing.circle && right.wall == missing.wall && right.turned) {
+                missing.step = right.step;
+                break;
+            }
+        }
+        return missing;
     }
 
     void findReach()

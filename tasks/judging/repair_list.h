@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/program_lines.h"
+#include "tasks/judging/repairs.h"
+
+namespace cradle {
+
+/// Collects changed programs, each also with the same change in all lines that say the same of
+/// another circle, wall or part.
+class RepairList
+{
+public:
+    explicit RepairList(const ProgramLines &program)
+        : m_program(program)
+    {
+    }
+
+    [[nodiscard]] const ProgramLines &program() const { return m_program; }
+    [[nodiscard]] const std::vector<ProgramToken> &tokens() const { return m_program.tokens(); }
+    [[nodiscard]] bool is(std::size_t i, const char *word) const { return m_program.is(i, word); }
+
+    /// \param from, to  places in the source, of \p line
+    void replace(int line, qsizetype from, qsizetype to, const QString &text);
+    void replace(const ProgramToken &token, const QString &text)
+    {
+        replace(token.line, token.start, token.end(), text);
+    }
+    void insertAfter(const ProgramToken &token, const QString &text)
+    {
+        replace(token.line, token.end(), token.end(), text);
+    }
+
+    [[nodiscard]] std::vector<Repair> take() { return std::move(m_repairs); }
+
+private:
+    void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
+
+    const ProgramLines &m_program;
+    std::vector<Repair> m_repairs{};
+};
+
+/// A number, a sign or a name for another, at token \p i.
+void repairWords(RepairList &repairs, std::size_t i);
+/// A factor, a term or a bracket too many or at a wrong place, at token \p i.
+void repairTerms(RepairList &repairs, std::size_t i);
+/// A factor or a term too few, at token \p i.
+void repairOmissions(RepairList &repairs, std::size_t i);
+/// A condition, a whole right side or a statement, at token \p i.
+void repairStatements(RepairList &repairs, std::size_t i);
+/// What is given, twice as much or upside down, at token \p i.
+void repairScales(RepairList &repairs, std::size_t i);
+/// The line left out, put behind the next, or said of another circle.
+void repairLine(RepairList &repairs, int line);
+
+} // namespace cradle

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repair_list.h"
+
+#include <QRegularExpression>
+
+namespace cradle {
+
+namespace {
+
+void changeCondition(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &word = repairs.tokens()[i];
+    if (word.is("and") || word.is("or")) {
+        const auto stops = [&](const ProgramToken &t) {
+            return t.kind == ProgramToken::Kind::Keyword && !t.is("not");
+        };
+        std::size_t first = i;
+        while (first > 0 && !stops(repairs.tokens()[first - 1]))
+            --first;
+        std::size_t last = i + 1;
+        while (last < repairs.tokens().size() && !stops(repairs.tokens()[last]))
+            ++last;
+        repairs.replace(word.line, repairs.tokens()[first].start, repairs.tokens()[i + 1].start,
+                        {});
+        repairs.replace(word.line, repairs.tokens()[i - 1].end(), repairs.tokens()[last - 1].end(),
+                        {});
+        repairs.replace(word, word.is("and") ? QStringLiteral("or") : QStringLiteral("and"));
+    }
+    if (word.is("if") || word.is("elseif")) {
+        std::size_t then = i + 1;
+        while (then < repairs.tokens().size() && !repairs.tokens()[then].is("then"))
+            ++then;
+        if (then >= repairs.tokens().size())
+            return;
+        for (const char *verdict : {"true", "false"})
+            repairs.replace(word.line, repairs.tokens()[i + 1].start,
+                            repairs.tokens()[then - 1].end(), QLatin1String(verdict));
+    }
+}
+
+/// The token after the last of the right side of the assignment whose sign is \p i, in its line.
+std::size_t afterRightSide(const RepairList &repairs, std::size_t i)
+{
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    std::size_t at = i + 1;
+    while (at < tokens.size() && tokens[at].line == tokens[i].line && !tokens[at].is(";")
+           && !tokens[at].is("end") && !tokens[at].is("function"))
+        ++at;
+    return at;
+}
+
+/// The comma between two values from token \p from on; \p to if there are not two.
+std::size_t commaOfTwo(const RepairList &repairs, std::size_t from, std::size_t to)
+{
+    std::size_t comma = to;
+    for (std::size_t at = from; at < to; ++at) {
+        if (repairs.is(at, "(") || repairs.is(at, "[")) {
+            at = repairs.program().afterGroup(at) - 1;
+        } else if (repairs.is(at, ",")) {
+            if (comma != to)
+                return to;
+            comma = at;
+        }
+    }
+    return comma;
+}
+
+/// What an assignment gives: of length 1, the other way round, upside down, exchanged.
+void changeRightSide(RepairList &repairs, std::size_t i)
+{
+    const bool returns = repairs.is(i, "return");
+    if (!(repairs.is(i, "=") || returns) || i + 1 >= repairs.tokens().size())
+        return;
+    const int line = repairs.tokens()[i].line;
+    const std::size_t after = afterRightSide(repairs, i);
+    if (after == i + 1)
+        return;
+    const qsizetype from = repairs.tokens()[i + 1].start;
+    const qsizetype end = repairs.tokens()[after - 1].end();
+    const QString &source = repairs.program().source();
+    const QString right = source.mid(from, end - from);
+    const std::size_t comma = commaOfTwo(repairs, i + 1, after);
+    if (comma != after) {
+        const QString one = source.mid(from, repairs.tokens()[comma - 1].end() - from);
+        const qsizetype second = repairs.tokens()[comma + 1].start;
+        const QString two = source.mid(second, end - second);
+        repairs.replace(line, from, end, QStringLiteral("%1, %2").arg(two, one));
+        if (!returns)
+            repairs.replace(line, from, end,
+                            QStringLiteral("(%1) / ((%1)^2 + (%2)^2)^0.5, (%2) / ((%1)^2 + "
+                                           "(%2)^2)^0.5")
+                                .arg(one, two));
+        return;
+    }
+    if (returns)
+        return;
+    repairs.replace(line, from, end, QStringLiteral("(%1):normalized()").arg(right));
+    repairs.replace(line, from, end, QStringLiteral("-(%1)").arg(right));
+}
+
+/// Whether a line is one whole statement.
+bool isStatement(const ProgramLines &program, int line)
+{
+    static const QRegularExpression statement(
+        QStringLiteral("^\\s*(local\\s+)?[\\w.,\\s\\[\\]]+(=[^=]|\\().*[^,(]$"));
+    return line >= 1 && line <= program.count() && statement.match(program.row(line)).hasMatch();
+}
+
+/// All that the line says of one circle, said of another that is named nearby.
+void exchangeBody(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    const QStringList bodies = program.bodiesNear(line);
+    const QString row = program.row(line);
+    for (const QString &from : bodies) {
+        const QRegularExpression name(QStringLiteral("\\b%1\\b").arg(from));
+        if (!row.contains(name))
+            continue;
+        for (const QString &to : bodies) {
+            if (to != from)
+                repairs.replace(line, program.startOf(line), program.startOf(line) + row.size(),
+                                QString(row).replace(name, to));
+        }
+    }
+}
+
+} // namespace
+
+void repairStatements(RepairList &repairs, std::size_t i)
+{
+    changeCondition(repairs, i);
+    changeRightSide(repairs, i);
+}
+
+void repairScales(RepairList &repairs, std::size_t i)
+{
+    const bool returns = repairs.is(i, "return");
+    if (!(repairs.is(i, "=") || returns) || i + 1 >= repairs.tokens().size())
+        return;
+    const std::size_t after = afterRightSide(repairs, i);
+    if (after == i + 1 || commaOfTwo(repairs, i + 1, after) != after)
+        return;
+    const qsizetype from = repairs.tokens()[i + 1].start;
+    const qsizetype end = repairs.tokens()[after - 1].end();
+    const QString right = repairs.program().source().mid(from, end - from);
+    if (right.contains(QLatin1Char('*')))
+        repairs.replace(
+            repairs.tokens()[i].line, from, end,
+            (returns ? QStringLiteral("1 / (%1)") : QStringLiteral("2 * (%1)")).arg(right));
+}
+
+void repairLine(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    if (line < 1 || line > program.count())
+        return;
+    exchangeBody(repairs, line);
+    if (!isStatement(program, line))
+        return;
+    const QString row = program.row(line);
+    const qsizetype from = program.startOf(line);
+    repairs.replace(line, from, from + row.size(), {});
+    if (!isStatement(program, line + 1))
+        return;
+    const QString next = program.row(line + 1);
+    repairs.replace(line, from, from + row.size() + 1 + next.size(),
+                    next + QLatin1Char('\n') + row);
+}
+
+} // namespace cradle

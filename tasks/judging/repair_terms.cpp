@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repair_list.h"
+
+namespace cradle {
+
+namespace {
+
+/// A factor or a term too many.
+void dropOperand(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &sign = repairs.tokens()[i];
+    const bool joins = sign.is("*") || sign.is("/") || sign.is("^") || sign.is("+")
+                       || (sign.is("-") && i > 0 && repairs.tokens()[i - 1].endsOperand());
+    if (joins) {
+        const std::size_t after = repairs.program().afterOperand(i + 1);
+        if (after > i + 1)
+            repairs.replace(sign.line, sign.start, repairs.tokens()[after - 1].end(), {});
+    }
+    const std::size_t after = repairs.program().afterOperand(i);
+    if (after > i && after + 1 < repairs.tokens().size() && (repairs.tokens()[after].is("*"))
+        && !(i > 0 && (repairs.tokens()[i - 1].is(".") || repairs.tokens()[i - 1].is(":"))))
+        repairs.replace(sign.line, sign.start, repairs.tokens()[after + 1].start, {});
+}
+
+/// A factor that is missing behind an operand.
+void addFactor(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &token = repairs.tokens()[i];
+    if (i > 0 && (repairs.tokens()[i - 1].is(".") || repairs.tokens()[i - 1].is(":")))
+        return;
+    const std::size_t after = repairs.program().afterOperand(i);
+    if (after == i || repairs.is(after, "=") || repairs.is(after, ",")
+        || repairs.tokens()[after - 1].line != token.line)
+        return;
+    const ProgramToken &last = repairs.tokens()[after - 1];
+    const bool isRate = last.is("velocity") || last.is("gravity") || last.is(")") || last.is("x")
+                        || last.is("y") || last.text.startsWith(u'v') || last.text.startsWith(u'g');
+    if (isRate) {
+        for (const QString &timestep : repairs.program().timesteps())
+            repairs.insertAfter(last, QStringLiteral(" * ") + timestep);
+    }
+    // Something that is turned round.
+    const bool isTurned =
+        i > 1 && repairs.tokens()[i - 1].is("-") && !repairs.tokens()[i - 2].endsOperand();
+    if (isRate || isTurned)
+        repairs.insertAfter(last, QStringLiteral(" * restitution"));
+    if (last.is("radius") && after >= 3) {
+        const QString body = repairs.tokens()[after - 3].text;
+        repairs.insertAfter(last, QStringLiteral(" * %1.radius").arg(body));
+        repairs.insertAfter(last, QStringLiteral(" * %1.density").arg(body));
+    }
+    if (last.kind == ProgramToken::Kind::Number || last.is("radius"))
+        repairs.insertAfter(last, QStringLiteral(" ^ 2"));
+}
+
+/// The rim for the centre, on either side of a comparison.
+void addRadius(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &sign = repairs.tokens()[i];
+    if (!(sign.is("<") || sign.is(">") || sign.is("<=") || sign.is(">=")) || i == 0)
+        return;
+    for (const QString &body : repairs.program().bodiesNear(sign.line)) {
+        repairs.insertAfter(repairs.tokens()[i - 1], QStringLiteral(" + %1.radius").arg(body));
+        repairs.insertAfter(repairs.tokens()[i - 1], QStringLiteral(" - %1.radius").arg(body));
+    }
+}
+
+/// A mass without its density.
+void addDensity(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &token = repairs.tokens()[i];
+    if (!(repairs.is(i, "=") || repairs.is(i, "return")) || i + 1 >= repairs.tokens().size()
+        || repairs.tokens()[i + 1].line != token.line)
+        return;
+    for (const std::size_t at : repairs.program().tokensOf(token.line)) {
+        if (at > i + 1 && repairs.is(at, "radius") && repairs.is(at - 1, ".")) {
+            repairs.insertAfter(token,
+                                QStringLiteral(" %1.density *").arg(repairs.tokens()[at - 2].text));
+            return;
+        }
+    }
+}
+
+/// a / b + c where a / (b + c) is meant.
+void addBrackets(RepairList &repairs, std::size_t i)
+{
+    const ProgramLines &program = repairs.program();
+    if (!(repairs.is(i, "/") || repairs.is(i, "*")))
+        return;
+    const std::size_t sign = program.afterOperand(i + 1);
+    if (sign == i + 1 || !(repairs.is(sign, "+") || repairs.is(sign, "-")))
+        return;
+    const std::size_t after = program.afterOperand(sign + 1);
+    if (after == sign + 1)
+        return;
+    const qsizetype from = repairs.tokens()[i + 1].start;
+    const qsizetype to = repairs.tokens()[after - 1].end();
+    repairs.replace(repairs.tokens()[i].line, from, to,
+                    QStringLiteral("(%1)").arg(program.source().mid(from, to - from)));
+}
+
+/// Two arguments exchanged; a sum in place of the greater or the less; a function too many.
+void changeCall(RepairList &repairs, std::size_t i)
+{
+    const ProgramLines &program = repairs.program();
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    if (!repairs.is(i, "(") || i == 0 || tokens[i - 1].kind != ProgramToken::Kind::Name)
+        return;
+    const int line = tokens[i].line;
+    const std::size_t after = program.afterGroup(i);
+    if (i > 1 && repairs.is(i - 2, ":") && after == i + 2)
+        repairs.replace(line, tokens[i - 2].start, tokens[after - 1].end(), {});
+    std::size_t comma = i + 1;
+    while (comma < after && !repairs.is(comma, ","))
+        comma = repairs.is(comma, "(") ? program.afterGroup(comma) : comma + 1;
+    if (comma == after && i > 1 && repairs.is(i - 2, ".") && repairs.is(i - 3, "math"))
+        repairs.replace(line, tokens[i - 3].start, tokens[i].start, {});
+    if (comma + 1 >= after || comma == i + 1)
+        return;
+    const QString &source = program.source();
+    const auto text = [&](std::size_t from, std::size_t to) {
+        return source.mid(tokens[from].start, tokens[to - 1].end() - tokens[from].start);
+    };
+    const QString one = text(i + 1, comma);
+    const QString two = text(comma + 1, after - 1);
+    repairs.replace(line, tokens[i + 1].start, tokens[after - 2].end(),
+                    QStringLiteral("%1, %2").arg(two, one));
+    if (tokens[i - 1].is("max") || tokens[i - 1].is("min"))
+        repairs.replace(line, tokens[i].start, tokens[after - 1].end(),
+                        QStringLiteral("(%1 + %2, %1 + %2)").arg(one, two));
+}
+
+} // namespace
+
+void repairTerms(RepairList &repairs, std::size_t i)
+{
+    dropOperand(repairs, i);
+    addBrackets(repairs, i);
+    changeCall(repairs, i);
+}
+
+void repairOmissions(RepairList &repairs, std::size_t i)
+{
+    addFactor(repairs, i);
+    addRadius(repairs, i);
+    addDensity(repairs, i);
+}
+
+} // namespace cradle

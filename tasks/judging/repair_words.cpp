@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repair_list.h"
+
+#include <QHash>
+#include <QSet>
+#include <QStringList>
+
+namespace cradle {
+
+namespace {
+
+void changeNumber(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &number = repairs.tokens()[i];
+    if (number.kind != ProgramToken::Kind::Number)
+        return;
+    QStringList others{QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("0.5"),
+                       QStringLiteral("restitution")};
+    if (number.text == QLatin1String("2"))
+        others.append(QStringLiteral("(1 + restitution)"));
+    if (i > 0 && repairs.tokens()[i - 1].is("^"))
+        others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
+    for (const QString &other : others)
+        repairs.replace(number, other);
+    if (number.text.size() < 4) {
+        for (const QString &body : repairs.program().bodiesNear(number.line))
+            repairs.replace(number, body + QStringLiteral(".radius"));
+    }
+    // 2 e or 2 - e for 1 + e
+    if (number.text == QLatin1String("2") && (repairs.is(i + 1, "*") || repairs.is(i + 1, "-"))
+        && repairs.is(i + 2, "restitution"))
+        repairs.replace(number.line, number.start, repairs.tokens()[i + 1].end(),
+                        QStringLiteral("1 +"));
+    // 1 / 60
+    const std::size_t last = repairs.is(i + 1, "/") && i + 2 < repairs.tokens().size() ? i + 2 : i;
+    for (const QString &timestep : repairs.program().timesteps())
+        repairs.replace(number.line, number.start, repairs.tokens()[last].end(), timestep);
+    if (number.text.startsWith(QLatin1String("9.8")) && i > 0 && repairs.tokens()[i - 1].is("-"))
+        repairs.replace(number.line, repairs.tokens()[i - 1].start, number.end(),
+                        QStringLiteral("gravity.y"));
+}
+
+void changeSign(RepairList &repairs, std::size_t i)
+{
+    static const QList<std::pair<const char *, const char *>> pairs{
+        {"+", "-"}, {"-", "+"}, {"*", "/"},   {"/", "*"},
+        {"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
+    const ProgramToken &sign = repairs.tokens()[i];
+    const bool binary = i > 0 && repairs.tokens()[i - 1].endsOperand();
+    for (const auto &[from, to] : pairs) {
+        if (sign.is(from) && (binary || !sign.is("-")))
+            repairs.replace(sign, QLatin1String(to));
+    }
+    if (sign.is("-") && !binary)
+        repairs.replace(sign, {});
+    // A minus in front of what is given to a velocity or a function.
+    const bool begins = repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",");
+    if (begins && i + 1 < repairs.tokens().size()
+        && repairs.tokens()[i + 1].kind == ProgramToken::Kind::Name)
+        repairs.insertAfter(sign, QStringLiteral(" -"));
+}
+
+/// circle2 for circle1, b for a, y for x.
+void exchangeName(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &name = repairs.tokens()[i];
+    if (name.kind != ProgramToken::Kind::Name)
+        return;
+    static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
+                                                     {QLatin1Char('1'), QLatin1Char('2')},
+                                                     {QLatin1Char('x'), QLatin1Char('y')}};
+    for (const auto &[one, two] : ends) {
+        for (const auto &[from, to] : {std::pair(one, two), std::pair(two, one)}) {
+            for (const qsizetype at : {qsizetype{0}, name.text.size() - 1}) {
+                QString partner = name.text;
+                if (partner[at] != from)
+                    continue;
+                partner[at] = to;
+                if (repairs.program().hasName(partner))
+                    repairs.replace(name, partner);
+            }
+        }
+    }
+    static const QHash<QString, QString> pairs{{QStringLiteral("right"), QStringLiteral("left")},
+                                               {QStringLiteral("left"), QStringLiteral("right")},
+                                               {QStringLiteral("top"), QStringLiteral("bottom")},
+                                               {QStringLiteral("bottom"), QStringLiteral("top")},
+                                               {QStringLiteral("max"), QStringLiteral("min")},
+                                               {QStringLiteral("min"), QStringLiteral("max")},
+                                               {QStringLiteral("sin"), QStringLiteral("cos")},
+                                               {QStringLiteral("cos"), QStringLiteral("sin")},
+                                               {QStringLiteral("one"), QStringLiteral("other")},
+                                               {QStringLiteral("other"), QStringLiteral("one")}};
+    const QString partner = pairs.value(name.text);
+    if (!partner.isEmpty())
+        repairs.replace(name, partner);
+    if (name.text == QLatin1String("restitution")) {
+        repairs.replace(name, QStringLiteral("1"));
+        repairs.replace(name, QStringLiteral("(1 + restitution)"));
+    }
+}
+
+/// What belongs to one circle, taken from another that is named nearby.
+void exchangeOwner(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &name = repairs.tokens()[i];
+    if (name.kind != ProgramToken::Kind::Name || !repairs.is(i + 1, ".")
+        || !(repairs.is(i + 2, "radius") || repairs.is(i + 2, "mass")))
+        return;
+    for (const QString &body : repairs.program().bodiesNear(name.line))
+        repairs.replace(name, body);
+}
+
+} // namespace
+
+void repairWords(RepairList &repairs, std::size_t i)
+{
+    changeNumber(repairs, i);
+    changeSign(repairs, i);
+    exchangeName(repairs, i);
+    exchangeOwner(repairs, i);
+}
+
+} // namespace cradle
