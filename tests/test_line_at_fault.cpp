@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/lab_test.h"
+
+#include "tasks/lab_reader.h"
+
+using namespace cradle;
+
+/// Which line of a program a finding marks: one that is at fault, or none where one is missing.
+class TestLineAtFault : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void findingMarksTheLine_data();
+    void findingMarksTheLine();
+};
+
+namespace {
+
+/// Step 12 in one function with a number for every part; what is between bars is at fault.
+constexpr char flat[] = R"lua(function on_load()
+  gravity = vec(0, 0)
+  circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0)
+  circle2.position, circle2.velocity = vec(2, -2), vec(0, 2)
+end
+function on_update(h)
+  local ax, ay, avx, avy = circle1.position.x, circle1.position.y, circle1.velocity.x, circle1.velocity.y
+  local bx, by, bvx, bvy = circle2.position.x, circle2.position.y, circle2.velocity.x, circle2.velocity.y
+  ax = ax + avx * h
+  ay = ay + avy * h
+  bx = bx + bvx * h
+  by = by + bvy * h
+  local lim1 = square.half_width - circle1.radius
+  local lim2 = square.half_width - circle2.radius
+  if ax > lim1 then ax = lim1 avx = -math.abs(avx) end
+  if ax < -lim1 then ax = -lim1 avx = math.abs(avx) end
+  if ay > lim1 then ay = lim1 avy = -math.abs(avy) end
+  if ay < -lim1 then ay = -lim1 avy = math.abs(avy) end
+  if bx > lim2 then bx = lim2 bvx = -math.abs(bvx) end
+  if bx < -lim2 then bx = -lim2 bvx = math.abs(bvx) end
+  if by > lim2 then by = lim2 bvy = -math.abs(bvy) end
+  if by < -lim2 then by = -lim2 bvy = math.abs(bvy) end
+  local dx, dy = bx - ax, by - ay
+  local d = math.sqrt(dx * dx + dy * dy)
+  if d < circle1.radius + circle2.radius then
+    local nx, ny = dx / d, dy / d
+    local u = avx * nx + avy * ny
+    local w = bvx * nx + bvy * ny
+    if u > w then
+      avx = avx + (w - u) * nx
+      avy = avy + (w - u) * ny
+      bvx = bvx + (u - w) * nx
+      bvy = bvy + (u - w) * ny
+    end
+  end
+  circle1.position, circle1.velocity = vec(ax, ay), vec(avx, avy)
+  circle2.position, circle2.velocity = vec(bx, by), vec(bvx, bvy)
+end
+)lua";
+
+/// The same with a small object for every circle.
+constexpr char objects[] = R"lua(local balls = {}
+local function ball(c)
+  local self = {}
+  function self.place() return c.position end
+  function self.velocity() return c.velocity end
+  function self.set(v) c.velocity = v end
+  function self.radius() return c.radius end
+  function self.move(h) c.position = c.position + c.velocity * h end
+  function self.walls()
+    local p, v, lim = c.position, c.velocity, square.half_width - c.radius
+    if math.abs(p.x) > lim and p.x * v.x > 0 then v = vec(-v.x, v.y) end
+    if math.abs(p.y) > lim and p.y * v.y > 0 then v = vec(v.x, -v.y) end
+    c.velocity = v
+  end
+  return self
+end
+local function collide(a, b)
+  local d = b.place() - a.place()
+  if d:length() >= a.radius() + b.radius() then return end
+  local n = d:normalized()
+  local u = dot(a.velocity() - b.velocity(), n)
+  if u <= 0 then return end
+  a.set(a.velocity() - u * n)
+  b.set(b.velocity() + u * n)
+end
+function on_load()
+  gravity = vec(0, 0)
+  circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0)
+  circle2.position, circle2.velocity = vec(2, -2), vec(0, 2)
+  for i, c in ipairs(circles) do balls[i] = ball(c) end
+end
+function on_update(h)
+  for _, b in ipairs(balls) do b.move(h) end
+  for _, b in ipairs(balls) do b.walls() end
+  collide(balls[1], balls[2])
+end
+)lua";
+
+} // namespace
+
+void TestLineAtFault::findingMarksTheLine_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("right");
+    QTest::addColumn<QString>("wrong");
+    QTest::addColumn<bool>("marked");
+    const auto row = [](const char *name, const char *program, const char *right, const char *wrong,
+                        bool marked = true) {
+        QTest::newRow(name) << QString::fromLatin1(program) << QString::fromLatin1(right)
+                            << QString::fromLatin1(wrong) << marked;
+    };
+    row("nothing wrong", flat, "nx, ny = dx / d", "nx, ny = dx / d", false);
+    row("normal of two numbers", flat, "dx / d, dy / d", "dx, dy");
+    row("normal exchanged", flat, "dx / d, dy / d", "dy / d, dx / d");
+    row("one wall among one-line questions", flat, "bvx = math.abs(bvx)", "bvx = -math.abs(bvx)");
+    row("a wall asks for the other", flat, "if by > lim2", "if ay > lim2");
+    row("test of approach the wrong way round", flat, "if u > w", "if u < w");
+    row("contact too early", flat, "circle2.radius then", "circle2.radius + 0.1 then");
+    row("missing wall", flat, "if by < -lim2 then by = -lim2 bvy = math.abs(bvy) end", "", false);
+    row("setter: approach inverted", objects, "if u <= 0", "if u >= 0");
+    row("setter: contact", objects, ">= a.radius() + b.radius()", ">= a.radius()");
+    row("setter: normal", objects, "d:normalized()", "d");
+    row("setter: push on one", objects, "b.velocity() + u * n", "b.velocity() - u * n");
+    row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
+        false);
+}
+
+void TestLineAtFault::findingMarksTheLine()
+{
+    QFETCH(QString, program);
+    QFETCH(QString, right);
+    QFETCH(QString, wrong);
+    QFETCH(bool, marked);
+    const auto at = program.indexOf(right);
+    QVERIFY(at >= 0);
+    program.replace(at, right.size(), wrong);
+    const Task &step = task(QStringLiteral("L42T12"));
+    const CheckReport report = *judgeTask(m_lab, step, Submission(step.preset, program), 1);
+    QCOMPARE(report.passed, wrong == right);
+    if (report.passed)
+        return;
+    QVERIFY(!report.findings.empty());
+    const int wanted = marked ? int(program.left(at).count(QLatin1Char('\n'))) + 1 : 0;
+    QVERIFY2(
+        report.findings.front().line == wanted,
+        qPrintable(QStringLiteral("%1 for %2: %3")
+                       .arg(report.findings.front().line)
+                       .arg(wanted)
+                       .arg(report.findings.front().message.section(QLatin1Char('\n'), 0, 0))));
+}
+
+QTEST_GUILESS_MAIN(TestLineAtFault)
+
+#include "test_line_at_fault.moc"
