@@ -126,7 +126,12 @@ void MainWindow::showTaskNotice()
                      "watch, and Check when you are done.")
                 : tr("Read the step on the left, set the values beside the scene, press Run to "
                      "watch, and Check when you are done."),
-            {{tr("Show me around"), [this] { showTour(); }}});
+            {{tr("Show me around"),
+              [this] {
+                  m_notice->clearNotice();
+                  showTour();
+              }},
+             {tr("Got it"), [this] { m_notice->clearNotice(); }}});
     }
 }
 
