@@ -9100,6 +9100,10 @@ Ihre Nummer:</translation>
         <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
     </message>
     <message>
+        <source>Got it</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
         <source>Show me around</source>
         <translation>Zeig mir alles</translation>
     </message>
