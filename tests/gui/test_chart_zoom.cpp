@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/note_place.h"
@@ -35,7 +36,6 @@ private slots:
     void menuEndsTheZoom();
 
 private:
-    void settle() { QTest::qWait(60); } ///< longer than the views hold back
     [[nodiscard]] QRectF area() const { return m_momentum->plot().plotArea(); }
     [[nodiscard]] TimeWindow::Span span() const { return m_momentum->plot().timeSpan(); }
 
