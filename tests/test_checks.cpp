@@ -140,7 +140,13 @@ void TestChecks::integratorIsToldFromItsSteps()
         if (fault)
             QCOMPARE(fault->step, qint64{1});
     }
-    VERIFY_REFUSED(judge(check("integrates"), flight(carriedOn(0.25))), QStringLiteral("moved by"));
+    VERIFY_REFUSED(judge(check("integrates"), flight(carriedOn(0.3))), QStringLiteral("moved by"));
+    // Two or four equal steps of an Euler, where no method is asked for.
+    for (const double substeps : {0.25, 0.75, 0.375, 0.625})
+        VERIFY_ACCEPTED(judge(check("integrates"), flight(carriedOn(substeps))));
+    VERIFY_REFUSED(judge(check("integrates", {0}, integrators({QStringLiteral("euler")})),
+                         flight(carriedOn(0.25))),
+                   QStringLiteral("moved by"));
 }
 
 void TestChecks::integratorMustBeTheSameAllTheTime()

@@ -22,7 +22,7 @@ public:
             if (!share)
                 continue;
             const auto is = [&](double s) { return std::abs(*share - s) < 1e-3; };
-            if (std::any_of(shares.begin(), shares.end(), is)
+            if (std::any_of(shares.begin(), shares.end(), is) || isSubstepped(*share)
                 || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
             const QString asked =
@@ -52,6 +52,15 @@ private:
         return lengthSquared(a) > 0.0 && (std::abs(share) < 1e-3 || std::abs(share - 1.0) < 1e-3)
                && std::none_of(shares.begin(), shares.end(),
                                [&](double s) { return std::abs(asked - s) < 1e-3; });
+    }
+
+    /// Whether it is one or the other Euler in n equal parts of a step: ½ ± 1/2n.
+    [[nodiscard]] bool isSubstepped(double share) const
+    {
+        constexpr double most = 20.0; // more are not told from the exact methods
+        const double parts = 0.5 / std::abs(share - 0.5);
+        return m_ground.flights[static_cast<std::size_t>(m_i)].isAnyMethod
+               && (parts > most || std::abs(parts - std::round(parts)) < 5e-3 * parts);
     }
 
     static QString headlineOf(double share, const std::vector<double> &wanted)

@@ -133,8 +133,10 @@ Ground::Ground(const Task &task, const Preset &preset)
     if (pair.asked)
         flights.resize(std::max<std::size_t>(flights.size(), 2));
     for (Flight &flight : flights) {
-        if (flight.shares.empty())
-            flight.shares = {0.0, 0.5, 1.0};
+        if (!flight.shares.empty())
+            continue;
+        flight.shares = {0.0, 0.5, 1.0};
+        flight.isAnyMethod = !sameIntegrator;
     }
     if (walls.restitutions.empty())
         walls.restitutions = {1.0};

@@ -14,6 +14,7 @@ struct Ground {
         bool asked = false;
         /// c in x' = x + v h + c a h²: 0 Euler, 1 symplectic Euler, ½ Verlet and Runge-Kutta 4.
         std::vector<double> shares{};
+        bool isAnyMethod = false; ///< none is named: any that is right, in smaller steps, too
     };
     /// Least and greatest of a quantity; the same twice where it is not varied.
     struct Range {
