@@ -16,6 +16,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void testIsNeededWhereHitsLeaveCirclesInside_data();
     void testIsNeededWhereHitsLeaveCirclesInside();
+    void hitMayBeRememberedInstead_data();
+    void hitMayBeRememberedInstead();
 };
 
 namespace {
@@ -75,6 +77,30 @@ void TestPartingCircles::testIsNeededWhereHitsLeaveCirclesInside()
         QVERIFY2(report.passed == passes, say(report).constData());
         QCOMPARE(!report.remarks.empty(), remarked);
     }
+}
+
+void TestPartingCircles::hitMayBeRememberedInstead_data()
+{
+    QTest::addColumn<QString>("step");
+    for (const char *step : {"L42T12", "L42T14"})
+        QTest::newRow(step) << parts::lab(step);
+}
+
+/// It is answered once, and forgotten when they have parted: what it cannot know of is a hit before
+/// the scene began.
+void TestPartingCircles::hitMayBeRememberedInstead()
+{
+    QFETCH(QString, step);
+    OtherForm form = otherForm(step);
+    form.start += QStringLiteral(" together = false");
+    form.integrate.prepend(
+        QStringLiteral("if c.index == 1 and (circle2.position - circle1.position):length() >= "
+                       "circle1.radius + circle2.radius then together = false end "));
+    form.answer = QStringLiteral("if not together then together = true ") + blind(form.answer)
+                  + QStringLiteral(" end");
+    const CheckReport report =
+        *judgeTask(m_lab, task(step), Submission(task(step).preset, form.source()), 1);
+    QVERIFY2(report.passed, say(report).constData());
 }
 
 QTEST_GUILESS_MAIN(TestPartingCircles)

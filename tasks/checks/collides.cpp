@@ -234,6 +234,22 @@ std::optional<Fault> leapIn(const Answer &answer, Vec2 gravity)
     return fault ? fault : motion::leap(answer.o, answer.b, k, way);
 }
 
+/// Whether only the hit that a scene of parting circles begins with was answered. A program that
+/// remembers a hit instead of asking for approach cannot know of one before the scene; who asks for
+/// nothing answers again as soon as they part again.
+bool answersOnlyTheStart(const CheckSpec &check, const Observation &o,
+                         const std::vector<motion::Contact> &contacts)
+{
+    const auto parts = [&](const motion::Contact &contact) {
+        const double slack = motion::sameVelocity * (1.0 + length(contact.beforeA));
+        return Answer{o, 0, 1, contact, 1.0, slack}.approach() < -slack;
+    };
+    return check.parameters.value(QStringLiteral("contacts")).toInt(1) == 0 && !contacts.empty()
+           && contacts.front().step == 0
+           && std::count_if(contacts.begin(), contacts.end(), parts) == 1
+           && parts(contacts.front());
+}
+
 using JudgeAnswer = std::function<std::optional<Fault>(const Answer &)>;
 
 /// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
@@ -246,6 +262,8 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
                          .toDouble(o.variant.preset.restitution);
     const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
     const std::vector<motion::Contact> contacts = motion::contactsOf(o, 0, 1, gravity);
+    if (answersOnlyTheStart(check, o, contacts))
+        return std::nullopt;
     const qint64 missedStep = motion::missedContact(o, 0, 1);
     for (const motion::Contact &contact : contacts) {
         if (missedStep >= 0 && missedStep < contact.step)
