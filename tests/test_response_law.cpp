@@ -143,6 +143,19 @@ void TestResponseLaw::faultIsNamed_data()
     answer("circle 1 alone",
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n",
            "A hit leaves circle 2 as it was");
+    // With e = 1 circle 1 keeps its velocity, and with no other e.
+    answer(
+        "e of circle 1 with the wrong sign",
+        "local u = (m1 * p.velocity + m2 * q.velocity):dot(n) / (m1 + m2) "
+        "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
+        "p.velocity = p.velocity + (u + e * (a - u) - a) * n "
+        "q.velocity = q.velocity + (u + e * (u - b) - b) * n",
+        "Only in the new velocity of circle 1: The sign of e is wrong in the hit of two circles");
+    answer("e across, circle 1",
+           "local j = (1 + e) * closing / (1 / m1 + 1 / m2) local t = vec(-n.y, n.x) "
+           "p.velocity = p.velocity - j / m1 * n - (1 - e) * p.velocity:dot(t) * t "
+           "q.velocity = q.velocity + j / m2 * n",
+           "e also shortens the part of circle 1 across the line of centres");
     answer("one as off a wall", "p.velocity = p.velocity - 2 * p.velocity:dot(n) * n",
            "Circle 1 bounces as off a wall, and circle 2 stays as it was");
     answer("twice the push",

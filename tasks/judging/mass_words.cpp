@@ -197,7 +197,7 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
             own.equals.front(), Suspect::Masses)};
     MassExponents p(own);
     const MassExponents good(right);
-    const auto isOff = [](const std::optional<double> &a, const std::optional<double> &b) {
+    const auto isOff = [](std::optional<double> a, std::optional<double> b) {
         return a && b && std::abs(*a - *b) > 3.0 * ratioBlur;
     };
     if (isOff(p.radius, good.radius) && is(p.radius, 0.0) && (!good.density || is(p.density, 0.0)))
@@ -208,6 +208,12 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
     const bool exchanged =
         p.radius && *p.radius < -ratioBlur && (!p.density || *p.density < ratioBlur);
     if (exchanged && good.radius) {
+        // Masses that only change places are still those of balls.
+        if (isOff(-*p.radius, good.radius) && !isPower(*p.radius))
+            return {say(MassText::tr("The heavier circle is pushed away faster"),
+                        MassText::tr("The masses do not only change places. Look at every place "
+                                     "where one enters your answer."),
+                        own.radii, right.radii)};
         found.push_back(say(MassText::tr("Each circle answers with the mass of the other"),
                             MassText::tr("The heavier one is pushed away faster. Look at which "
                                          "mass stands where."),

@@ -120,9 +120,19 @@ private:
     void findAcross()
     {
         const auto same = [](double e) { return e; };
-        if (!m_isElastic || !every(m_all, &Rebound::across1, same)
-            || !every(m_all, &Rebound::across2, same))
+        const auto kept = [](double) { return 1.0; };
+        const bool one = every(m_all, &Rebound::across1, same);
+        const bool two = every(m_all, &Rebound::across2, same);
+        if (!m_isElastic || (!one && !two))
             return;
+        if (one != two) {
+            if (every(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
+                add(ReboundText::tr("e also shortens the part of circle %1 across the line of "
+                                    "centres")
+                        .arg(one ? 1 : 2),
+                    ReboundText::tr("Nothing pushes there: it stays as it was."));
+            return;
+        }
         if (every(m_all, &Rebound::sum, same)) {
             add(ReboundText::tr("e multiplies the whole velocities after the hit"),
                 ReboundText::tr("e belongs to the rebound along the line of centres alone; the "
@@ -149,6 +159,31 @@ private:
         findNumbers();
     }
 
+    /// Whether the push on that circle follows the law where the masses differ, too.
+    template <class ReboundLaw>
+    [[nodiscard]] bool isForMasses(ReboundLaw law, int circle) const
+    {
+        const auto holds = [&](const std::vector<PairHit> &own, const std::vector<PairHit> &right) {
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                if (!own[i].isMet() || !right[i].isMet() || !own[i].isAligned()
+                    || !right[i].isAligned())
+                    continue;
+                const double e = own[i].meeting.restitution;
+                const PairVelocities in = own[i].cameParts();
+                const PairVelocities out = own[i].leftParts();
+                const PairVelocities good = right[i].leftParts();
+                const double push = circle == 1 ? out.along1 - in.along1 : out.along2 - in.along2;
+                const double asked =
+                    circle == 1 ? good.along1 - in.along1 : good.along2 - in.along2;
+                if (std::abs(push - asked * (1.0 + law(e)) / (1.0 + e))
+                    > blur * (1.0 + std::abs(asked)))
+                    return false;
+            }
+            return true;
+        };
+        return holds(m_own.radii, m_right.radii) && holds(m_own.densities, m_right.densities);
+    }
+
     bool findFactor()
     {
         struct Law {
@@ -171,10 +206,21 @@ private:
             {[](double e) { return 1.0 / e; }, ReboundText::tr("The rebound is divided by e")},
             {[](double e) { return -e; },
              ReboundText::tr("The sign of e is wrong in the hit of two circles")}};
+        const auto same = [](double e) { return e; };
         for (const Law &law : laws) {
-            if (!isLaw(law.rebound, law.rebound))
+            const bool one = isLaw(law.rebound, same);
+            const bool two = isLaw(same, law.rebound);
+            if (!one && !two && !isLaw(law.rebound, law.rebound))
                 continue;
-            add(law.headline);
+            if (one != two && !isForMasses(law.rebound, one ? 1 : 2)) {
+                add(ReboundText::tr("Of two equal circles only circle %1 leaves as it should")
+                        .arg(one ? 2 : 1));
+                m_reading.explainsElastic = !m_isElastic;
+                return true;
+            }
+            add(one || two ? ReboundText::tr("Only in the new velocity of circle %1: %2")
+                                 .arg(QString::number(one ? 1 : 2), law.headline)
+                           : law.headline);
             m_reading.explainsElastic = !m_isElastic;
             return true;
         }

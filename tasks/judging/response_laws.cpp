@@ -73,11 +73,11 @@ std::vector<ResponseLaw> separateLaws()
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("A hit leaves circle 2 as it was"), both},
+         ResponseText::tr("A hit leaves circle 2 as it was"), both, true},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2};
          },
-         ResponseText::tr("A hit leaves circle 1 as it was"), both},
+         ResponseText::tr("A hit leaves circle 1 as it was"), both, true},
         {[](Hit) { return PairVelocities{}; }, ResponseText::tr("A hit stops both circles"),
          ResponseText::tr("That was right in the step that only looked for the contact.")},
         {[](Hit h) {

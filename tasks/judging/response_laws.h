@@ -20,6 +20,7 @@ struct ResponseLaw {
     PairVelocities (*answer)(const EqualHit &);
     QString headline;
     QString body;
+    bool isForEvery = false; ///< said only where hits of other masses and e follow it, too
 };
 
 /// The known ones, the most particular first.

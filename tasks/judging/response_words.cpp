@@ -74,6 +74,17 @@ private:
         return m_law && (own.empty() || follows(*m_law, comparable(own, right)));
     }
 
+    /// Whether hits of other masses and with other e follow it, too.
+    [[nodiscard]] bool holdsEverywhere(const ResponseLaw &law) const
+    {
+        const auto holds = [&](const std::vector<PairHit> &own, const std::vector<PairHit> &right) {
+            const std::vector<EqualHit> hits = comparable(own, right);
+            return hits.empty() || follows(law, hits);
+        };
+        return holds(m_own.radii, m_right.radii) && holds(m_own.densities, m_right.densities)
+               && holds(m_own.rebounds, m_right.rebounds);
+    }
+
     /// The answers of equal circles, without losses.
     /// \param explained  what e does explains it
     void findLaw(bool explained)
@@ -110,7 +121,7 @@ private:
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
-            if (!follows(law, hits))
+            if (!follows(law, hits) || (law.isForEvery && !holdsEverywhere(law)))
                 continue;
             add(law.headline, describeHit(hit, right) + QLatin1Char(' ') + law.body, hit);
             m_law = law;
@@ -227,7 +238,11 @@ private:
                 if (!hit.answered || !good.answered || !hit.isAligned() || !good.isAligned()
                     || isSameAnswer(hit.leftParts(), good.leftParts()))
                     continue;
-                add(ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
+                const double e = hit.meeting.restitution;
+                const bool isLossy = e != m_own.equals.front().meeting.restitution;
+                add(isLossy ? ResponseText::tr("With e = %1 a hit does not come out right")
+                                  .arg(brief(e))
+                            : ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
                     ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
                             .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2),
                                  brief(hit.meeting.density1), brief(hit.meeting.density2),
