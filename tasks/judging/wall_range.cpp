@@ -249,7 +249,8 @@ void WallRange::watch(WallHit &hit, bool corner) const
             continue;
         note(hit, before, now, free, k);
         // A wall turns it round, or its rim is there; else something on the way changes it.
-        if (hit.back < 0.0 && !moved && hit.reached > hit.radius + std::abs(hit.travel)) {
+        if (hit.back < 0.0 && (!moved || (turned && k == 1))
+            && hit.reached > hit.radius + std::abs(hit.travel)) {
             hit.missed = true;
             return;
         }
@@ -259,6 +260,7 @@ void WallRange::watch(WallHit &hit, bool corner) const
         follow(hit, probe);
         return;
     }
+    hit.missed = true; // it never came there
 }
 
 void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,

@@ -114,6 +114,15 @@ private:
 
     [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
     {
+        // Turned before it had flown a step: where it would have turned else is not seen.
+        if (hit.step == 1)
+            return {WallText::tr("Something changes the velocity of %who before it is at a wall"),
+                    WallText::tr("Thrown towards the %1, its velocity changed from %2 to %3 m/s "
+                                 "in the first step, with its centre still %4 m from that wall; "
+                                 "its radius is %5 m. Look at the conditions: which of them is "
+                                 "true away from every wall?")
+                        .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
+                             brief(hit.before), brief(hit.radius))};
         // What a step cannot tell apart is not told.
         std::vector<Reach> fitting = reaches();
         std::erase_if(fitting, [&](const Reach &reach) { return !fitsAll(reach, circle); });

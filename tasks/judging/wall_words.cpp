@@ -43,6 +43,7 @@ public:
         findMissing();
         findReach();
         findLeap();
+        findPutOut();
         if (const auto answer = answerDeviation(*this))
             m_found.push_back(*answer);
         findDisturbed();
@@ -157,9 +158,32 @@ private:
         }
     }
 
+    /// Put further out than it would have got by itself.
+    void findPutOut()
+    {
+        const auto isOut = [](const WallHit &hit) {
+            return hit.turned && hit.after < hit.reached - 1e-6 && hit.after < hit.radius - 1e-6;
+        };
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            const WallHit &hit = m_own.hits[i];
+            if (!isOut(hit) || hit.isLeap() || isOut(rightOf(i)))
+                continue;
+            add(WallText::tr("A hit puts %who further out (%1)").arg(motion::wallName(hit.wall)),
+                WallText::tr("Its centre would have come to %1 m from the wall and was put %2 m "
+                             "from it; its radius is %3 m. Put it where its rim is at the wall, or "
+                             "back where it came from.")
+                    .arg(brief(hit.reached), brief(hit.after), brief(hit.radius)),
+                hit, {hit.circle}, Suspect::Answer, true);
+            return;
+        }
+    }
+
     void findDisturbed()
     {
-        const auto disturbs = [](const WallHit &hit) { return hit.disturbs; };
+        // What changes in the first step of a throw is no answer of a wall.
+        const auto disturbs = [](const WallHit &hit) {
+            return hit.disturbs && (hit.step > 1 || hit.fits(hit.radius));
+        };
         const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), disturbs);
         const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
         if (at == m_own.hits.end() || std::any_of(m_own.hits.begin(), m_own.hits.end(), leaps)
@@ -181,7 +205,8 @@ private:
         for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
             const WallHit &hit = m_own.corners[i];
             const WallHit &right = m_right.corners[i];
-            if (!right.turnsBoth || hit.missed || !hit.turned || hit.turnsBoth)
+            if (!right.turnsBoth || hit.missed || !hit.turned || hit.turnsBoth
+                || !turnsOnePart(hit))
                 continue;
             add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
                 WallText::tr("It came with %1 m/s and left with %2 m/s. Both walls are hit in "
@@ -192,6 +217,14 @@ private:
                 hit, {hit.circle}, Suspect::Answer);
             return;
         }
+    }
+
+    /// Whether one part of the velocity was turned round, and the other goes on.
+    static bool turnsOnePart(const WallHit &hit)
+    {
+        const bool x = hit.came.x * hit.left.x < 0.0;
+        const bool y = hit.came.y * hit.left.y < 0.0;
+        return (x && hit.came.y * hit.left.y > 0.0) || (y && hit.came.x * hit.left.x > 0.0);
     }
 
     void findNoWayBack()
