@@ -50,6 +50,7 @@ struct PairHit {
     bool late = false;        ///< others, coming along the same line, are answered long before
     int leaper = -1;          ///< the circle, from 0, that it put far from its own path
     Vec2 landed{};            ///< and where, m
+    bool again = false;       ///< of those that part: it was answered again at once
     bool partsInside = false; ///< after that they overlap still, and move apart
     qint64 step = 0;          ///< in which it was answered, from 1
     Stage stage{};

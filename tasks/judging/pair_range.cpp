@@ -77,7 +77,28 @@ PairHit PairRange::part(const Meeting &meeting) const
 {
     const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
     const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
-    return meet(meeting, distance, distance, m_h, 1);
+    PairHit hit = meet(meeting, distance, distance, m_h, 1);
+    hit.again = hit.answered && isAnsweredAgain(hit);
+    return hit;
+}
+
+/// Whether what was answered in the first step is answered again before they are apart.
+bool PairRange::isAnsweredAgain(const PairHit &hit) const
+{
+    constexpr int steps = 8;
+    Probe probe(m_program, hit.stage);
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    for (int k = 1; k <= steps; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (length(before[1].position - before[0].position) > hit.meeting.sum() || !probe.step())
+            return false;
+        for (std::size_t i = 0; k > 1 && i < 2; ++i) {
+            const Vec2 free = flights[i].after(before[i], m_h).velocity;
+            if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-6)
+                return true;
+        }
+    }
+    return false;
 }
 
 std::optional<PairHit> PairRange::own() const

@@ -39,6 +39,7 @@ public:
     void meetAgain(MeasuredPair &pair) const;
 
 private:
+    [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
     /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
