@@ -20,6 +20,7 @@ private slots:
     void faultIsNamed_data();
     void faultIsNamed();
     void ownSceneShowsACopyThatIsTooOld();
+    void hitInTheFirstStepIsNoFall();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
@@ -120,8 +121,13 @@ void TestFlightLaw::rightMotionHasNoFault()
 {
     QFETCH(QString, move);
     const LawBench step = bench("L42T7");
+    const LawBench any = bench("L42T17"); // whichever method, in smaller steps, too
     const bool isMethod = !move.contains(QLatin1String("for k"));
     for (const Structure &structure : structures) {
+        QCOMPARE(
+            any.flight(written({.start = QStringLiteral("gravity = vec(0, -9.81)"), .move = move},
+                               structure)),
+            QStringList());
         const QStringList said = step.flight(written({.move = move}, structure));
         // Two halves of symplectic Euler fall by ¾ a h²: no method that the step knows.
         QVERIFY2(isMethod == said.isEmpty(), qPrintable(said.join(QLatin1String("; "))));
@@ -176,6 +182,10 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "parabola", "c.velocity * h + gravity * (h * h / 2)", fall,
         text(
             "The motion of both circles is the exact parabola (Verlet, Runge-Kutta 4), not Euler"));
+    row("L42T4", "place times time, too", "c.position * (h - 1) + c.velocity * h", fall,
+        text("The old place of both circles is multiplied, too"));
+    row("L42T4", "y anew", way, "gravity * h - vec(0, c.velocity.y)",
+        text("The y of the velocity of both circles is set anew in every step"));
     row("L42T17", "a number for gravity", way, "vec(0, -9.81) * h",
         text("A number stands for gravity in the motion of both circles"));
     // Two of them: both are named, and none besides.
@@ -207,6 +217,17 @@ void TestFlightLaw::ownSceneShowsACopyThatIsTooOld()
         step.flight(written(program, structures[3])),
         QStringList(QStringLiteral("The fall of both circles is not that of the gravity in the "
                                    "scene")));
+}
+
+void TestFlightLaw::hitInTheFirstStepIsNoFall()
+{
+    const LawBench step = bench("L42T17");
+    const LawProgram program{
+        .start = QStringLiteral("gravity = vec(0, -9.81) circle1.position = vec(0, 0) "
+                                "circle1.velocity = vec(2, 0) circle2.position = vec(0.35, 0)"),
+        .hit = QStringLiteral("if (q.position - p.position):length() < 0.4 then "
+                              "p.velocity, q.velocity = vec(0, 0), vec(0, 0) end")};
+    QCOMPARE(step.flight(written(program, structures[3])), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

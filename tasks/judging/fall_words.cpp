@@ -25,7 +25,8 @@ public:
             if (auto fault = fallUnder(g))
                 return fault;
         }
-        return ownFall();
+        const auto copy = ownFall();
+        return copy ? copy : ownStart();
     }
 
 private:
@@ -169,7 +170,7 @@ private:
         const bool isAsked = std::find(m_ground.gravities.begin(), m_ground.gravities.end(), right)
                              != m_ground.gravities.end();
         const double blur = 1e-6 + growthBlur(0);
-        if (!isAsked || length(fallen - right) < blur * (1.0 + length(right))
+        if (!isAsked || !own.isSteady[i] || length(fallen - right) < blur * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
         return FlightSaid{
@@ -182,6 +183,46 @@ private:
             {{m_ground.own, false}, 1, {m_i}, false},
             false,
             Suspect::Copy};
+    }
+
+    /// The first step of the own scene must not change what nothing is near to.
+    [[nodiscard]] std::optional<FlightSaid> ownStart() const
+    {
+        const MeasuredFlight::Own &own = m_own.own();
+        const auto i = static_cast<std::size_t>(m_i);
+        if (!own.runs || i >= own.accelerations.size() || own.isSteady[i] || !isAlone(own.scene, i))
+            return std::nullopt;
+        const double h = own.scene.timestep;
+        const Vec2 v = own.scene.circles[i].body.velocity;
+        const Vec2 turn = h * own.accelerations[i];
+        const Vec2 fall = h * m_right.at(own.scene.gravity, h, m_i).acceleration;
+        if (length(turn - fall) < 0.2 * length(v) + 2.0 * length(fall))
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("In your own scene the first step changes the velocity of %who"),
+            FlightText::tr("It starts with %1 m/s, and has %2 m/s one step later; nothing that it "
+                           "could hit is near. Look at the values that the line takes: are they "
+                           "those of this step, or older?")
+                .arg(brief(v), brief(v + turn)),
+            {{m_ground.own, false}, 1, {m_i}, false}};
+    }
+
+    /// Whether circle \p i comes near no wall and no other circle in the first two steps.
+    static bool isAlone(const Preset &scene, std::size_t i)
+    {
+        const auto reach = [&](const Circle &c) {
+            return c.radius + 4.0 * length(c.velocity) * scene.timestep;
+        };
+        const Circle &c = scene.circles[i].body;
+        const double most = std::max(std::abs(c.position.x), std::abs(c.position.y));
+        if (most > scene.halfWidth - reach(c))
+            return false;
+        for (std::size_t k = 0; k < scene.circles.size(); ++k) {
+            const Circle &other = scene.circles[k].body;
+            if (k != i && length(other.position - c.position) < reach(c) + reach(other))
+                return false;
+        }
+        return true;
     }
 };
 

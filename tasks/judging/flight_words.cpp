@@ -78,6 +78,18 @@ private:
                                        "`on_load`.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
+        if ((f.resetsX && !right().resetsX) || (f.resetsY && !right().resetsY))
+            return said(f.resetsX
+                            ? FlightText::tr("The x of the velocity of %who is set anew in every "
+                                             "step")
+                            : FlightText::tr("The y of the velocity of %who is set anew in every "
+                                             "step"),
+                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
+                                       "that part is the same from every other start. A step works "
+                                       "each part out from the one that the circle has, and keeps "
+                                       "it for the next.")
+                            .arg(brief(f.startedWith), brief(f.turnedInto)),
+                        false);
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
                         FlightText::tr("In a scene in which circle %1 alone has a velocity, it is "
@@ -90,6 +102,14 @@ private:
             return said(FlightText::tr("The new place of %who does not depend on the old one"),
                         FlightText::tr("Wherever it starts, after the same two steps it is at the "
                                        "same place. A step *adds* a way to the old position."),
+                        true);
+        if (std::abs(f.carried - 1.0) > 1e-6 && !hasPull()
+            && std::abs(right().carried - 1.0) < 1e-6)
+            return said(FlightText::tr("The old place of %who is multiplied, too"),
+                        FlightText::tr("Two that start 1 m apart, at rest, are %1 m apart one step "
+                                       "of %2 s later. The old position is kept as it is; the way "
+                                       "v Δt is added to it: look at the brackets.")
+                            .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
     }

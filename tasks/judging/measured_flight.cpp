@@ -102,6 +102,8 @@ public:
         flight.growth = {ratio(dv.x, v.x * m_h), ratio(dv.y, v.y * m_h)};
         if (flight.resets)
             flight.way = flight.growth = {};
+        readPartResets(flight);
+        flight.carried = carried();
         const Vec2 v0 = m_rest.before[m_i].velocity;
         flight.drift = way(m_rest) - m_h * Vec2{flight.way.x * v0.x, flight.way.y * v0.y};
         flight.acceleration =
@@ -113,7 +115,8 @@ public:
         const Motion next = flight.after(m_second.before[m_i], m_h);
         flight.isWayLinear = isClose(next.position, m_second.after[m_i].position);
         flight.isTurnLinear = isClose(next.velocity, m_second.after[m_i].velocity);
-        flight.isKnown = !flight.resets && !flight.jumps && flight.pull == Vec2{}
+        flight.isKnown = !flight.resets && !flight.resetsX && !flight.resetsY && !flight.jumps
+                         && std::abs(flight.carried - 1.0) < 1e-6 && flight.pull == Vec2{}
                          && flight.isWayLinear && flight.isTurnLinear;
         flight.seen = {seen(m_first), seen(m_second)};
         flight.crossing = crossing();
@@ -121,6 +124,34 @@ public:
     }
 
 private:
+    /// One part of the velocity that comes out the same, however it started.
+    void readPartResets(Flight &flight) const
+    {
+        const auto same = [&](double Vec2::*part) {
+            const double rest = m_rest.before[m_i].velocity.*part;
+            const auto is = [&](const Steps &s) {
+                return std::abs(s.before[m_i].velocity.*part - rest) <= 1e-9;
+            };
+            return is(m_first) && is(m_second);
+        };
+        flight.resetsX = !flight.resets && same(&Vec2::x);
+        flight.resetsY = !flight.resets && same(&Vec2::y);
+        if (flight.resetsX)
+            flight.way.x = flight.growth.x = 0.0;
+        if (flight.resetsY)
+            flight.way.y = flight.growth.y = 0.0;
+    }
+
+    /// Of what two starts are apart, the share that is left one step later; 1 where it is not the
+    /// same in x and y.
+    [[nodiscard]] double carried() const
+    {
+        const Vec2 apart = m_shifted.before[m_i].position - m_rest.before[m_i].position;
+        const Vec2 start = m_shifted.start[m_i].position - m_rest.start[m_i].position;
+        const Vec2 share{apart.x / start.x, apart.y / start.y};
+        return std::abs(share.x - share.y) < 1e-6 ? share.x : 1.0;
+    }
+
     [[nodiscard]] Vec2 way(const Steps &s) const
     {
         return s.after[m_i].position - s.before[m_i].position;
@@ -253,9 +284,15 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
         return;
     const std::vector<Circle> before = probe.world().circles;
     m_own.runs = probe.step();
-    for (std::size_t i = 0; i < before.size(); ++i)
-        m_own.accelerations.push_back((probe.world().circles[i].velocity - before[i].velocity)
-                                      / m_own.scene.timestep);
+    const std::vector<Circle> between = probe.world().circles;
+    const bool goesOn = m_own.runs && probe.step();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Vec2 first = between[i].velocity - before[i].velocity;
+        const Vec2 second = probe.world().circles[i].velocity - between[i].velocity;
+        m_own.accelerations.push_back(first / m_own.scene.timestep);
+        // A hit or a stop happens once.
+        m_own.isSteady.push_back(goesOn && length(second - first) < 0.02 * length(first) + 1e-9);
+    }
 }
 
 const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
@@ -295,9 +332,11 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                 if (!isAlike(a.way, b.way) || !isAlike(a.acceleration, b.acceleration)
                     || !isAlike(a.growth, b.growth) || !isAlike(a.pull, b.pull)
                     || !isAlike(a.drift / (h * h), b.drift / (h * h)) || a.jumps != b.jumps
-                    || a.resets != b.resets || a.leader != b.leader || a.follows != b.follows
-                    || a.isWayLinear != b.isWayLinear || a.isTurnLinear != b.isTurnLinear
-                    || !isAlike(a.turnedInto, b.turnedInto) || !isAlike(a.wayMade, b.wayMade))
+                    || a.resets != b.resets || a.resetsX != b.resetsX || a.resetsY != b.resetsY
+                    || !isAlike(a.carried, b.carried) || a.leader != b.leader
+                    || a.follows != b.follows || a.isWayLinear != b.isWayLinear
+                    || a.isTurnLinear != b.isTurnLinear || !isAlike(a.turnedInto, b.turnedInto)
+                    || !isAlike(a.wayMade, b.wayMade))
                     return false;
             }
         }

@@ -25,13 +25,16 @@ struct Flight {
     /// A part of the velocity that moves the other part of the place.
     enum class Crossing { None, XMovesY, YMovesX, Exchanged };
 
-    Vec2 way{1.0, 1.0};       ///< share of v h that the position changes by; 1 is right
-    Vec2 drift{};             ///< m in a step, what the acceleration adds
-    Vec2 acceleration{};      ///< m/s², of a circle at rest
-    Vec2 growth{};            ///< 1/s; negative where something brakes
-    Vec2 pull{};              ///< 1/s², what the place changes the acceleration by
-    bool isKnown = false;     ///< it follows such a law
-    bool resets = false;      ///< the velocity after a step does not depend on that before
+    Vec2 way{1.0, 1.0};   ///< share of v h that the position changes by; 1 is right
+    Vec2 drift{};         ///< m in a step, what the acceleration adds
+    Vec2 acceleration{};  ///< m/s², of a circle at rest
+    Vec2 growth{};        ///< 1/s; negative where something brakes
+    Vec2 pull{};          ///< 1/s², what the place changes the acceleration by
+    bool isKnown = false; ///< it follows such a law
+    bool resets = false;  ///< the velocity after a step does not depend on that before
+    bool resetsX = false; ///< the same of one part of the velocity alone
+    bool resetsY = false;
+    double carried = 1.0;     ///< share of the old place that is in the new one; 1 is right
     bool jumps = false;       ///< the place after a step does not depend on that before
     int leader = -1;          ///< the circle whose velocity moves it, if it is not its own
     int follows = -1;         ///< the circle at whose place it is after a step, wherever it started
@@ -74,6 +77,7 @@ public:
         bool runs = false;
         Preset scene{};
         std::vector<Vec2> accelerations{}; ///< m/s²
+        std::vector<bool> isSteady{};      ///< whether the next step changes as much
     };
     [[nodiscard]] const Own &own() const { return m_own; }
 
