@@ -54,6 +54,7 @@ const WrongScene wrongScenes[] = {
     {"L42T2", "at rest", "start-velocity", [](Preset &p) { body(p, 0).velocity = {}; }},
     {"L42T3", "symplectic Euler", "euler", [](Preset &p) { p.circles[0].integrator = Integrator::SymplecticEuler; }},
     {"L42T3", "Verlet", "euler-anywhere", [](Preset &p) { p.circles[0].integrator = Integrator::Verlet; }},
+    {"L42T3", "Verlet on the Moon", "moon", [](Preset &p) { p.circles[0].integrator = Integrator::Verlet; }},
     {"L42T3", "gravity upward", "euler", [](Preset &p) { p.gravity = {0, 9.81}; }},
     {"L42T3", "gravity twice", "euler", [](Preset &p) { p.gravity = {0, -19.62}; }},
     {"L42T3", "gravity sideways", "euler", [](Preset &p) { p.gravity = {-9.81, 0}; }},
