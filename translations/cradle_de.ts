@@ -2778,6 +2778,78 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 
 Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch einmal in die Wand gedreht: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
     </message>
+    <message>
+        <source>In your own scene the first step changes the velocity of %who</source>
+        <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit von %who</translation>
+    </message>
+    <message>
+        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
+        <translation>Am Start sind es %1 m/s, einen Schritt später %2 m/s; nichts, was zu treffen wäre, ist nahe. Sieh dir die Werte an, die die Zeile nimmt: Sind es die dieses Schritts, oder ältere?</translation>
+    </message>
+    <message>
+        <source>The x of the velocity of %who is set anew in every step</source>
+        <translation>Das x der Geschwindigkeit von %who wird in jedem Schritt neu gesetzt</translation>
+    </message>
+    <message>
+        <source>The y of the velocity of %who is set anew in every step</source>
+        <translation>Das y der Geschwindigkeit von %who wird in jedem Schritt neu gesetzt</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
+        <translation>Mit %1 m/s gestartet, sind es einen Schritt später %2 m/s, und dieser Anteil ist nach jedem anderen Start derselbe. Ein Schritt rechnet jeden Anteil aus dem aus, den der Kreis hat, und behält ihn für den nächsten.</translation>
+    </message>
+    <message>
+        <source>The old place of %who is multiplied, too</source>
+        <translation>Auch der alte Ort von %who wird multipliziert</translation>
+    </message>
+    <message>
+        <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
+        <translation>Zwei, die in Ruhe 1 m voneinander entfernt starten, sind nach einem Schritt von %2 s %1 m voneinander entfernt. Der alte Ort bleibt, wie er ist, und der Weg v Δt kommt hinzu: Sieh dir die Klammern an.</translation>
+    </message>
+    <message>
+        <source>The heavier circle is pushed away faster</source>
+        <translation>Der schwerere Kreis wird schneller weggestoßen</translation>
+    </message>
+    <message>
+        <source>The masses do not only change places. Look at every place where one enters your answer.</source>
+        <translation>Die Massen sind nicht nur vertauscht. Sieh dir jede Stelle an, an der eine in deine Antwort eingeht.</translation>
+    </message>
+    <message>
+        <source>e also shortens the part of circle %1 across the line of centres</source>
+        <translation>e verkürzt auch den Anteil von Kreis %1 quer zur Verbindungslinie</translation>
+    </message>
+    <message>
+        <source>Nothing pushes there: it stays as it was.</source>
+        <translation>Dort stößt nichts: Er bleibt, wie er war.</translation>
+    </message>
+    <message>
+        <source>Of two equal circles only circle %1 leaves as it should</source>
+        <translation>Von zwei gleichen Kreisen geht nur Kreis %1 weg, wie er soll</translation>
+    </message>
+    <message>
+        <source>Only in the new velocity of circle %1: %2</source>
+        <translation>Nur in der neuen Geschwindigkeit von Kreis %1: %2</translation>
+    </message>
+    <message>
+        <source>With e = %1 a hit does not come out right</source>
+        <translation>Mit e = %1 geht ein Stoß nicht richtig aus</translation>
+    </message>
+    <message>
+        <source>Something changes the velocity of %who before it is at a wall</source>
+        <translation>Etwas ändert die Geschwindigkeit von %who vor der Wand</translation>
+    </message>
+    <message>
+        <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
+        <translation>Geworfen wurde hierhin: %1. Im ersten Schritt wurde aus der Geschwindigkeit %2 m/s %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
+    </message>
+    <message>
+        <source>A hit puts %who further out (%1)</source>
+        <translation>Ein Stoß setzt %who weiter nach außen (%1)</translation>
+    </message>
+    <message>
+        <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
