@@ -87,7 +87,7 @@ void TestMainWindowLab::firstStepIsSolvedByTyping()
     QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
     m_open->check();
     QVERIFY(m_open->bench.report()->passed);
-    QVERIFY(m_open->says(QStringLiteral("Passed: all 2 checks")));
+    QVERIFY(m_open->says(QStringLiteral("Passed: all 3 checks")));
     QVERIFY(m_open->says(QStringLiteral("L42T1 Set my circle moving off to the right")));
     QVERIFY(m_open->isTicked(0));
     m_open->click(QStringLiteral("Next step"));
