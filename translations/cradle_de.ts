@@ -2850,6 +2850,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
         <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
     </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
+        <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s² und im zweiten um %3 m/s². Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -9,6 +9,10 @@ namespace {
 
 using Kind = TimestepPattern::Kind;
 
+// Of MeasuredFlight::Own::unsteadiness().
+constexpr double steady = 0.02; ///< a fall, at most
+constexpr double once = 0.5;    ///< what comes again, if less, at most
+
 class FallJudge : FlightComparison
 {
 public:
@@ -170,9 +174,18 @@ private:
         const bool isAsked = std::find(m_ground.gravities.begin(), m_ground.gravities.end(), right)
                              != m_ground.gravities.end();
         const double blur = 1e-6 + growthBlur(0);
-        if (!isAsked || !own.isSteady[i] || length(fallen - right) < blur * (1.0 + length(right))
+        if (!isAsked || own.unsteadiness(i) > once
+            || length(fallen - right) < blur * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
+        if (own.unsteadiness(i) > steady)
+            return FlightSaid{
+                FlightText::tr("The fall of %who is not that of the gravity in the scene"),
+                FlightText::tr("In your own scene gravity is %1 m/s²; the velocity changes by %2 "
+                               "m/s² in the first step and by %3 m/s² in the second. Look at what "
+                               "else changes the velocity, away from any hit.")
+                    .arg(brief(right), brief(own.accelerations[i]), brief(own.later[i])),
+                {{m_ground.own, false}, 1, {m_i}, false}};
         return FlightSaid{
             FlightText::tr("The fall of %who is not that of the gravity in the scene"),
             FlightText::tr("In your own scene gravity is %1 m/s², and the velocity changes "
@@ -190,7 +203,8 @@ private:
     {
         const MeasuredFlight::Own &own = m_own.own();
         const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.accelerations.size() || own.isSteady[i] || !isAlone(own.scene, i))
+        if (!own.runs || i >= own.accelerations.size() || own.unsteadiness(i) <= once
+            || !isAlone(own.scene, i))
             return std::nullopt;
         const double h = own.scene.timestep;
         const Vec2 v = own.scene.circles[i].body.velocity;

@@ -288,10 +288,10 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
     const bool goesOn = m_own.runs && probe.step();
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Vec2 first = between[i].velocity - before[i].velocity;
-        const Vec2 second = probe.world().circles[i].velocity - between[i].velocity;
+        const Vec2 second =
+            goesOn ? probe.world().circles[i].velocity - between[i].velocity : Vec2{};
         m_own.accelerations.push_back(first / m_own.scene.timestep);
-        // A hit or a stop happens once.
-        m_own.isSteady.push_back(goesOn && length(second - first) < 0.02 * length(first) + 1e-9);
+        m_own.later.push_back(second / m_own.scene.timestep);
     }
 }
 

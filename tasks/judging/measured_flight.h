@@ -5,6 +5,7 @@
 #include "tasks/judging/ground.h"
 #include "tasks/judging/probe.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cradle {
@@ -77,7 +78,14 @@ public:
         bool runs = false;
         Preset scene{};
         std::vector<Vec2> accelerations{}; ///< m/s²
-        std::vector<bool> isSteady{};      ///< whether the next step changes as much
+        std::vector<Vec2> later{};         ///< the same of the second step, m/s²
+
+        /// How much the second step differs from the first: 0 of a fall, about 1 of a hit or a
+        /// stop, which happen once, between them where something brakes.
+        [[nodiscard]] double unsteadiness(std::size_t i) const
+        {
+            return length(later[i] - accelerations[i]) / std::max(length(accelerations[i]), 1e-9);
+        }
     };
     [[nodiscard]] const Own &own() const { return m_own; }
 

@@ -243,7 +243,7 @@ void TestCliHandIn::programsRunInCells()
                     || (contentOf(of + QStringLiteral("/comm")).startsWith("cradle-cli")
                         && getpgid(each.toInt()) == group.toInt()
                         && contentOf(of + QStringLiteral("/limits"))
-                               .contains("Max open files            0 "));
+                               .contains("Max processes             0 "));
         }
     }
     QVERIFY(found);
