@@ -250,6 +250,15 @@ bool answersOnlyTheStart(const CheckSpec &check, const Observation &o,
            && parts(contacts.front());
 }
 
+/// The same with all velocities turned round: circles that part approach, and an answer to them is
+/// right if it is right so, as every law is linear in the velocities.
+motion::Contact backwards(motion::Contact contact)
+{
+    for (Vec2 *velocity : {&contact.beforeA, &contact.beforeB, &contact.afterA, &contact.afterB})
+        *velocity = -1.0 * *velocity;
+    return contact;
+}
+
 using JudgeAnswer = std::function<std::optional<Fault>(const Answer &)>;
 
 /// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
@@ -262,7 +271,8 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
                          .toDouble(o.variant.preset.restitution);
     const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
     const std::vector<motion::Contact> contacts = motion::contactsOf(o, 0, 1, gravity);
-    if (answersOnlyTheStart(check, o, contacts))
+    if (answersOnlyTheStart(check, o, contacts)
+        && !judge(Answer{o, 0, 1, backwards(contacts.front()), e, tolerance}))
         return std::nullopt;
     const qint64 missedStep = motion::missedContact(o, 0, 1);
     for (const motion::Contact &contact : contacts) {
