@@ -173,7 +173,9 @@ void TestTransportBar::searchForAHitCanBeStopped()
     QCOMPARE(nextHit->geometry(), place);
     QVERIFY(progress->isVisible());
     QCOMPARE(progress->value(), static_cast<int>(std::lround(simulation.time() / 60.0 * 1000.0)));
-    QTRY_VERIFY(progress->value() > 100 || !simulation.isSearching());
+    while (simulation.isSearching() && progress->value() <= 100)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+    QVERIFY(simulation.isSearching());
 
     bar.nextHitAction()->trigger();
     QVERIFY(!simulation.isSearching());
