@@ -156,7 +156,7 @@ void TestTransportBar::goesToTheNextHitAndBack()
 void TestTransportBar::searchForAHitCanBeStopped()
 {
     Preset many; // nothing moves, so the search looks on for a minute of the scene
-    many.fill = CircleFill{.count = 300, .radius = 0.1};
+    many.fill = CircleFill{.count = 1200, .radius = 0.05};
     many.circles = *makeCircles(*many.fill, many.halfWidth);
     Simulation simulation(many);
     TransportBar bar(simulation);
