@@ -5,6 +5,7 @@
 #include "tasks/judging/likeness.h"
 #include "tasks/judging/repairs.h"
 
+#include <QHash>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -45,7 +46,7 @@ std::vector<World> statesOf(const QString &program, const Moment &moment, qint64
 std::vector<Circle> after(const QString &program, const Moment &moment, qint64 steps,
                           const World *start = nullptr)
 {
-    Probe probe(&program, moment.stage);
+    Probe probe(&program, moment.stage, start != nullptr);
     if (start)
         probe.place(*start);
     for (qint64 k = start ? start->step : 0; k < steps; ++k) {
@@ -80,15 +81,24 @@ public:
                       : 0.2;
     }
 
-    /// The circles that are wrong do what is asked; the others may go on as they did.
-    [[nodiscard]] bool isRight(const QString &program) const
+    /// The circles that are wrong do what is asked; the others may go on as they did. Several
+    /// changes may lead to one program: it is looked at once.
+    [[nodiscard]] bool isRight(const QString &program)
+    {
+        auto seen = m_seen.find(program);
+        if (seen == m_seen.end())
+            seen = m_seen.insert(program, doesRight(program));
+        return *seen;
+    }
+
+private:
+    [[nodiscard]] bool doesRight(const QString &program) const
     {
         // Who does the same all the way does it from the midst of the way, which is soon seen.
         return (!m_start || isNear(after(program, m_moment, m_steps, &*m_start), m_late, 2.0))
                && isNear(after(program, m_moment, m_steps), m_whole, 1.0);
     }
 
-private:
     /// What there is in the end.
     struct Ends {
         std::vector<Circle> wanted{};
@@ -137,6 +147,7 @@ private:
     std::optional<World> m_start{}; ///< in the midst of the reference's run, if one may begin there
     Ends m_late{};                  ///< of runs that begin there
     double m_slack = 0.0;
+    QHash<QString, bool> m_seen{}; ///< of the programs that were looked at
 };
 
 /// The lines that only the moment needs, then others that run at it, then those that work out what
@@ -179,7 +190,7 @@ std::vector<int> suspects(const FaultQuery &query)
 
 int lineAtFault(const FaultQuery &query)
 {
-    const Look look(query);
+    Look look(query);
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || look.isRight(query.program))
         return 0;

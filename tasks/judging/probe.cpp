@@ -4,13 +4,14 @@
 
 namespace cradle {
 
-Probe::Probe(const QString *program, const Stage &stage)
+Probe::Probe(const QString *program, const Stage &stage, bool once)
     : m_scene(stage.preset)
 {
     if (program) {
-        m_program.emplace(*program,
-                          StudentScript::Options{
-                              .pinned = stage.pinned, .quiet = true, .silent = true, .locked = {}});
+        m_program.emplace(
+            *program,
+            StudentScript::Options{
+                .pinned = stage.pinned, .quiet = true, .silent = true, .once = once, .locked = {}});
         if (m_program->begin(m_scene))
             return;
         if (!m_program->moves())

@@ -21,7 +21,8 @@ class Probe
 {
 public:
     /// \param program  null where the laws of the scene are asked
-    Probe(const QString *program, const Stage &stage);
+    /// \param once     nobody is likely to look at that program again
+    Probe(const QString *program, const Stage &stage, bool once = false);
 
     /// Whether it runs at all, and has not stopped with an error.
     [[nodiscard]] bool runs() const { return m_runs; }

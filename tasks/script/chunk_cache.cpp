@@ -82,10 +82,15 @@ int loadProgram(lua_State *L, const QByteArray &text, const char *name)
     if (chunk.isEmpty()) {
         chunk = compiled(text, name);
         if (chunk.isEmpty())
-            return load(L, text, name, "t"); // That says why not.
+            return readProgram(L, text, name); // That says why not.
         cache().keep(key, chunk);
     }
     return load(L, chunk, name, "b");
+}
+
+int readProgram(lua_State *L, const QByteArray &text, const char *name)
+{
+    return load(L, text, name, "t");
 }
 
 } // namespace cradle

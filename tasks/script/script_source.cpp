@@ -20,9 +20,10 @@ struct SourceText {
 
 } // namespace
 
-int parse(lua_State *L, const QString &source)
+int parse(lua_State *L, const QString &source, bool once)
 {
-    const int status = loadProgram(L, source.toUtf8(), "=lab.lua");
+    const QByteArray text = source.toUtf8();
+    const int status = once ? readProgram(L, text, "=lab.lua") : loadProgram(L, text, "=lab.lua");
     // Nesting that is too deep for the parser Lua tells as an overflow while running.
     return status == LUA_OK || status == LUA_ERRMEM ? status : LUA_ERRSYNTAX;
 }

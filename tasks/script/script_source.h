@@ -8,8 +8,9 @@
 namespace cradle {
 
 /// Reads \p source as a program and leaves it on the stack as a function, or the error.
+/// \param once  it will not be read again; see readProgram()
 /// \return a status of Lua; LUA_ERRSYNTAX for all that is wrong with the text
-[[nodiscard]] int parse(lua_State *L, const QString &source);
+[[nodiscard]] int parse(lua_State *L, const QString &source, bool once = false);
 
 /// What is wrong with a program that is longer than it may be.
 [[nodiscard]] std::optional<ProgramError> tooLong(const QString &source);

@@ -99,7 +99,7 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
 {
     lua_pushcfunction(L, catchError);
     beginCount(L);
-    const int status = parse(L, m_source);
+    const int status = parse(L, m_source, m_options.once);
     endCount(L);
     if (status != LUA_OK)
         return errorOf(L, status);

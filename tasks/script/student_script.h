@@ -26,6 +26,7 @@ public:
         bool pinned = false; ///< the scene keeps its values whatever on_load sets
         bool quiet = false;  ///< nobody looks at what it prints, plots and draws
         bool silent = false; ///< nobody reads what its errors say: they have no words
+        bool once = false;   ///< it runs but once: what it was compiled to is not kept
         bool timed = false;  ///< a live run: a step ends by the clock, too, not only by its work
         /// What it must not change; see locks.h. Places and velocities are fixed at the start only.
         QStringList locked{};
