@@ -87,6 +87,15 @@ void TestScriptLanguage::expressionHasItsValue_data()
     row("(function() local t = {1} table.insert(t, 2) table.insert(t, 1, 0) table.remove(t) "
         "return table.concat(t) end)()",
         "01");
+    row("'10' + 1, '6' * '7', -'3', 2 ^ '3'", "11\t42\t-3\t8.0");
+    row("(function() string = 5 return ('a'):upper(), string end)()", "A\t5");
+    row("(function() function string.twice(s) return s .. s end return ('a'):twice() end)()", "aa");
+    row("(function() math = {pi = 3} table = 4 return math.pi, table end)()", "3\t4");
+    row("(function() local m = math math = nil return m.pi > 3, pcall(function() return math "
+        "end) end)()",
+        "true\tfalse\t`math` is not known: nothing of that name was given a value before");
+    row("pcall(math.sqrt)",
+        "false\tbad argument #1 to 'math.sqrt' (number expected, got no value)");
     row("select('#', 1, nil), select(2, 'a', 'b')", "2\tb");
     row("tostring(12), tonumber('0x10'), tonumber('z'), tonumber('11', 2)", "12\t16\tnil\t3");
     row("pcall(error, 'no')", "false\tno");

@@ -16,7 +16,7 @@ void explainMembers(lua_State *L, const char *library);
 /// each behind the function that is given, as its upvalue, or as it is where none is.
 void keepOnly(lua_State *L, const char *library, std::initializer_list<luaL_Reg> functions);
 
-void addTexts(lua_State *L);  ///< `string`
-void addTables(lua_State *L); ///< `table`
+void pushTexts(lua_State *L);  ///< `string`, and the methods of texts
+void pushTables(lua_State *L); ///< `table`
 
 } // namespace cradle

@@ -13,6 +13,9 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <array>
+#include <cstring>
+
 namespace cradle {
 
 namespace {
@@ -94,18 +97,61 @@ int refuseMember(lua_State *L)
     raise(L, LibraryText::tr("%1 has no `%2`: did you mean `%1.%3`?").arg(library, name, near));
 }
 
+/// Functions of Lua's own, which are the same in every state.
+struct OwnFunctions {
+    std::array<luaL_Reg, 5> base{{{"ipairs", nullptr},
+                                  {"select", nullptr},
+                                  {"tonumber", nullptr},
+                                  {"assert", nullptr},
+                                  {"error", nullptr}}};
+    /// Reckoning with texts that are numbers.
+    std::array<luaL_Reg, 8> texts{{{"__add", nullptr},
+                                   {"__sub", nullptr},
+                                   {"__mul", nullptr},
+                                   {"__mod", nullptr},
+                                   {"__pow", nullptr},
+                                   {"__div", nullptr},
+                                   {"__idiv", nullptr},
+                                   {"__unm", nullptr}}};
+
+    OwnFunctions()
+    {
+        const std::unique_ptr<lua_State, LuaCloser> state(luaL_newstate());
+        lua_State *L = state.get();
+        if (!L)
+            return;
+        luaL_requiref(L, LUA_GNAME, luaopen_base, 0);
+        for (luaL_Reg &entry : base)
+            entry.func = member(L, entry.name);
+        luaL_requiref(L, LUA_STRLIBNAME, luaopen_string, 0);
+        lua_pushliteral(L, "");
+        lua_getmetatable(L, -1);
+        for (luaL_Reg &entry : texts)
+            entry.func = member(L, entry.name);
+    }
+
+private:
+    static lua_CFunction member(lua_State *L, const char *name)
+    {
+        lua_getfield(L, -1, name);
+        const lua_CFunction function = lua_tocfunction(L, -1);
+        lua_pop(L, 1);
+        return function;
+    }
+};
+
+const OwnFunctions &ownFunctions(lua_State *L)
+{
+    static const OwnFunctions own;
+    if (!own.base.front().func)
+        luaL_error(L, "there is no memory");
+    return own;
+}
+
 void addBase(lua_State *L)
 {
-    lua_pushcfunction(L, luaopen_base);
-    lua_call(L, 0, 0); // fills the globals
-    lua_pushglobaltable(L);
-    lua_newtable(L);
-    for (const char *name : {"ipairs", "select", "tonumber", "assert", "error"}) {
-        lua_getfield(L, -2, name);
-        lua_setfield(L, -2, name);
-    }
-    lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
-    lua_pop(L, 1);
+    for (const luaL_Reg &entry : ownFunctions(L).base)
+        lua_register(L, entry.name, entry.func);
     for (const luaL_Reg &entry : {luaL_Reg{"tonumber", toNumber}, {"select", selectValues}}) {
         lua_getglobal(L, entry.name);
         lua_pushcclosure(L, entry.func, 1);
@@ -117,7 +163,7 @@ void addBase(lua_State *L)
     lua_register(L, "tostring", toText);
 }
 
-void addMath(lua_State *L)
+void pushMath(lua_State *L)
 {
     luaL_requiref(L, "math", luaopen_math, 0);
     lua_getfield(L, -1, "randomseed");
@@ -128,7 +174,75 @@ void addMath(lua_State *L)
     lua_setfield(L, -2, "randomseed");
     lua_pushvalue(L, -1);
     explainMembers(L, "math");
-    lua_setglobal(L, "math");
+    lua_remove(L, -2);
+}
+
+/// The first member of a text that is asked for: they are those of `string`.
+int firstMember(lua_State *L)
+{
+    if (!openLibrary(L, "string")) { // Its name was given to something else.
+        const std::size_t moved = ScriptHost::of(L).memory.moved();
+        pushTexts(L);
+        ScriptHost::of(L).memory.setMoved(moved);
+    }
+    lua_settop(L, 2);
+    lua_gettable(L, 1); // Now they are there.
+    return 1;
+}
+
+/// What texts can do without `string`: ("x"):upper(), "1" + 1.
+void addTextMethods(lua_State *L)
+{
+    lua_pushliteral(L, "");
+    lua_newtable(L);
+    for (const luaL_Reg &entry : ownFunctions(L).texts) {
+        lua_pushcfunction(L, entry.func);
+        lua_setfield(L, -2, entry.name);
+    }
+    lua_pushcfunction(L, firstMember);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
+struct LateLibrary {
+    const char *name;
+    void (*push)(lua_State *L);
+};
+constexpr std::array<LateLibrary, 3> lateLibraries{
+    {{"math", pushMath}, {"string", pushTexts}, {"table", pushTables}}};
+
+int openHere(lua_State *L)
+{
+    const auto *library = static_cast<const LateLibrary *>(lua_touserdata(L, 1));
+    lua_pushglobaltable(L);
+    lua_pushstring(L, library->name);
+    library->push(L);
+    lua_rawset(L, -3);
+    return 0;
+}
+
+/// It is our work, not the program's, so it counts for nothing.
+void open(lua_State *L, std::size_t i)
+{
+    ScriptHost &host = ScriptHost::of(L);
+    const std::size_t moved = host.memory.moved();
+    lua_pushcfunction(L, openHere);
+    lua_pushlightuserdata(L, const_cast<LateLibrary *>(&lateLibraries[i]));
+    lua_call(L, 1, 0);
+    host.memory.setMoved(moved);
+    host.opened[i] = true;
+}
+
+/// The index of a library that was not asked for yet, or the number of all.
+std::size_t lateIndex(lua_State *L, const char *name)
+{
+    const ScriptHost &host = ScriptHost::of(L);
+    std::size_t i = 0;
+    while (i < lateLibraries.size()
+           && (host.opened[i] || std::strcmp(lateLibraries[i].name, name) != 0))
+        ++i;
+    return i;
 }
 
 } // namespace
@@ -156,13 +270,41 @@ void keepOnly(lua_State *L, const char *library, std::initializer_list<luaL_Reg>
     lua_remove(L, -2);
 }
 
-void addLibraries(lua_State *L)
+void addLibrariesLate(lua_State *L)
 {
     addBase(L);
-    addMath(L);
-    addTexts(L);
-    addTables(L);
+    addTextMethods(L);
     lua_settop(L, 0);
+}
+
+void addLibraries(lua_State *L)
+{
+    addLibrariesLate(L);
+    openLibraries(L);
+}
+
+bool openLibrary(lua_State *L, const char *name)
+{
+    const std::size_t i = lateIndex(L, name);
+    if (i == lateLibraries.size())
+        return false;
+    open(L, i);
+    return true;
+}
+
+bool replaceLibrary(lua_State *L, const char *name)
+{
+    const std::size_t i = lateIndex(L, name);
+    if (i == lateLibraries.size())
+        return false;
+    ScriptHost::of(L).opened[i] = true;
+    return true;
+}
+
+void openLibraries(lua_State *L)
+{
+    for (const LateLibrary &library : lateLibraries)
+        openLibrary(L, library.name);
 }
 
 } // namespace cradle

@@ -37,6 +37,10 @@ public:
     /// Bytes of lists and tables that were made or moved to larger blocks since this was last
     /// asked.
     [[nodiscard]] std::size_t takeMoved() { return std::exchange(m_moved, 0); }
+    /// The same, left as it is.
+    [[nodiscard]] std::size_t moved() const { return m_moved; }
+    /// Forgets what was moved meanwhile, since it was not the program's work.
+    void setMoved(std::size_t bytes) { m_moved = bytes; }
 
     /// A lua_Alloc; \p memory is a LuaMemory.
     static void *allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize);

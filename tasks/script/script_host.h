@@ -6,6 +6,7 @@
 #include "tasks/script/lua_state.h"
 #include "tasks/script/trace.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <locale.h>
@@ -39,6 +40,9 @@ struct ScriptHost {
     bool pinned = false;
     /// What the step fixes, by the names of locks.h, with what people call it.
     std::map<QString, QString> locked{};
+
+    /// The libraries that are in their global or were, by the order in lateLibraries.
+    std::array<bool, 3> opened{};
 
     // What was shown.
     bool quiet = false;  ///< nobody looks: count it and drop it

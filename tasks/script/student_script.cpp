@@ -26,7 +26,7 @@ struct StudentText {
 
 int setUp(lua_State *L)
 {
-    addLibraries(L);
+    addLibrariesLate(L);
     addVectors(L);
     addShowing(L);
     addWorld(L);

@@ -123,7 +123,7 @@ end
 
 } // namespace
 
-void addTables(lua_State *L)
+void pushTables(lua_State *L)
 {
     luaL_requiref(L, "table", luaopen_table, 0);
     keepOnly(L, "table",
@@ -138,7 +138,6 @@ void addTables(lua_State *L)
     lua_pushcfunction(L, checkSort);
     lua_call(L, 1, 1);
     lua_setfield(L, -2, "sort");
-    lua_setglobal(L, "table");
 }
 
 } // namespace cradle

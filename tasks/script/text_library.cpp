@@ -59,7 +59,7 @@ int formatText(lua_State *L)
 
 } // namespace
 
-void addTexts(lua_State *L)
+void pushTexts(lua_State *L)
 {
     luaL_requiref(L, "string", luaopen_string, 0);
     keepOnly(L, "string",
@@ -74,7 +74,6 @@ void addTexts(lua_State *L)
     lua_pushvalue(L, -3);
     lua_setfield(L, -2, "__index");
     lua_pop(L, 2);
-    lua_setglobal(L, "string");
 }
 
 } // namespace cradle

@@ -4,6 +4,7 @@
 
 #include "tasks/script/circle_binding.h"
 #include "tasks/script/locked_value.h"
+#include "tasks/script/lua_library.h"
 #include "tasks/script/meant.h"
 #include "tasks/script/nearest_name.h"
 #include "tasks/script/script_host.h"
@@ -84,6 +85,7 @@ QStringList globalNames(lua_State *L)
 {
     QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
                       QStringLiteral("time"), QStringLiteral("step")};
+    openLibraries(L);
     lua_pushglobaltable(L);
     appendKeys(L, names);
     lua_rawgeti(L, LUA_REGISTRYINDEX, givenKey);
@@ -132,7 +134,11 @@ int readGlobal(lua_State *L)
         lua_pushinteger(L, host.step);
     else if (std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0)
         lua_pushnil(L);
-    else
+    else if (openLibrary(L, key)) {
+        lua_pushglobaltable(L);
+        lua_pushvalue(L, 2);
+        lua_rawget(L, -2);
+    } else
         refuseUnknown(L, QString::fromUtf8(key));
     return 1;
 }
@@ -209,6 +215,10 @@ int writeGlobal(lua_State *L)
         raise(L, WorldText::tr("`%1` can only be read; choose another name for a variable of "
                                "your own")
                      .arg(QLatin1String(key)));
+    if (replaceLibrary(L, key)) {
+        lua_rawset(L, 1);
+        return 0;
+    }
     lua_pushvalue(L, 2);
     if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL)
         raise(L, WorldText::tr("`%1` is given by the lab and cannot be replaced; choose another "
