@@ -46,7 +46,7 @@ std::vector<World> statesOf(const QString &program, const Moment &moment, qint64
 std::vector<Circle> after(const QString &program, const Moment &moment, qint64 steps,
                           const World *start = nullptr)
 {
-    Probe probe(&program, moment.stage, start != nullptr);
+    Probe probe(&program, moment.stage, true);
     if (start)
         probe.place(*start);
     for (qint64 k = start ? start->step : 0; k < steps; ++k) {
