@@ -267,8 +267,7 @@ private:
             !report.error
             || (report.error->kind == ProgramError::Kind::Runtime && report.error->step > 1);
         if (!report.passed && ran && !m_wrongMover)
-            report.findings =
-                findingsOf(m_lab, m_task, m_submission, report.checks, m_hooks.provesLines);
+            report.findings = findingsOf(m_task, m_submission, report.checks, m_hooks.provesLines);
         if (report.passed)
             report.remarks = remarksOn(m_task, m_submission, m_seed);
     }

@@ -6,6 +6,7 @@
 #include "tasks/grading/moments.h"
 #include "tasks/hand_in/work_archive.h"
 #include "tasks/judgement.h"
+#include "tasks/judging/task_laws.h"
 #include "tasks/lab_reader.h"
 #include "tasks/program_text.h"
 #include "tasks/workspace/kept_history.h"
@@ -220,6 +221,12 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
                                files.value(QStringLiteral("steps/%1.lua").arg(id)), request);
         done(result);
     }
+}
+
+void prepareJudging(const Task &task)
+{
+    if (!task.solution.isEmpty())
+        lawsOf(task)->measureAll();
 }
 
 } // namespace cradle

@@ -44,4 +44,8 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
 [[nodiscard]] CheckReport unreadableReport(const Lab &lab, const Task &task, qint64 seed,
                                            const Error &fault);
 
+/// Does what judging any student's \p task takes, for judgeWork() in this thread or in processes
+/// that are forked from it; what they find does not depend on it.
+void prepareJudging(const Task &task);
+
 } // namespace cradle

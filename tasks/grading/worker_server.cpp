@@ -32,6 +32,8 @@ namespace {
 constexpr qint64 mostRequestBytes = 256 * 1024 * 1024;
 /// Above what a worker ends a step by itself with.
 constexpr qint64 spareSeconds = 10;
+/// For fewer it is not worth while to measure beforehand.
+constexpr int fewStudents = 4;
 
 QByteArray contentOf(const StepResult &step, const Lab &lab, qint64 seed)
 {
@@ -139,7 +141,17 @@ private:
         else
             return sendMessage(
                 m_control, {ServerMessage::Kind::Ended, message.worker, W_EXITCODE(0, SIGKILL)});
+        if (++m_judged >= fewStudents)
+            prepareStep();
         return true;
+    }
+
+    /// Measures what judging a step needs that is the same for all students, so that those who are
+    /// still to come find it done. One step at a time: the others wait for it.
+    void prepareStep()
+    {
+        if (m_prepared < m_lab.tasks.size() && !m_lab.drawnFrom)
+            prepareJudging(m_lab.tasks[m_prepared++]);
     }
 
     /// Tells of all workers that have ended.
@@ -201,6 +213,8 @@ private:
     bool m_inNamespaces;
     Descriptor m_signals{};
     std::map<pid_t, int> m_workers{};
+    int m_judged = 0;           ///< students whose judging has begun
+    std::size_t m_prepared = 0; ///< steps
 };
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "tasks/judging/mending.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
+#include "tasks/judging/task_laws.h"
 #include "tasks/judging/wall_words.h"
 
 #include <algorithm>
@@ -47,17 +48,15 @@ bool concerns(const QString &kind, Aspect aspect)
 class Judge
 {
 public:
-    Judge(const Lab &lab, const Task &task, const Submission &submission,
-          const std::vector<CheckOutcome> &checks, bool provesLines)
-        : m_lab(lab)
-        , m_task(task)
+    Judge(const Task &task, const Submission &submission, const std::vector<CheckOutcome> &checks,
+          bool provesLines)
+        : m_task(task)
         , m_submission(submission)
         , m_checks(checks)
         , m_provesLines(provesLines)
         , m_ground(task, submission.preset)
-        , m_reference(task, task.preset)
+        , m_known(lawsOf(task))
         , m_own(submission.program(), m_ground)
-        , m_right(&task.solution, m_reference)
     {
     }
 
@@ -141,13 +140,14 @@ private:
         if (deviations.empty() || !isAsked(aspect))
             return;
         // What a mistake was named for before may show here, too.
-        if (m_named && isLike(*m_named, m_own, aspect, m_reference))
+        if (m_named && isLike(*m_named, m_own, aspect, m_known->ground()))
             return;
-        const KnownScript *mistake = knownMistake(
-            {m_lab, m_task, m_reference, m_submission, m_own, m_right, aspect, deviations});
-        if (mistake) {
-            m_named.emplace(&mistake->source, m_reference);
-            add(deviations.front(), mistake->name, mistake->message);
+        const auto found =
+            knownMistake({m_task, *m_known, m_submission, m_own, aspect, deviations});
+        if (found) {
+            const KnownScript &mistake = m_task.mistakes[*found];
+            m_named = &m_known->mistake(*found);
+            add(deviations.front(), mistake.name, mistake.message);
             return;
         }
         for (const LawDeviation &deviation : deviations)
@@ -272,27 +272,26 @@ private:
     /// Findings whose line is proven; those behind wait until the first are mended.
     static constexpr std::size_t mostProven = 2;
 
-    const Lab &m_lab;
     const Task &m_task;
     const Submission &m_submission;
     const std::vector<CheckOutcome> &m_checks;
     bool m_provesLines;
     Ground m_ground;
-    Ground m_reference; ///< the same, with the step's own preset
+    std::shared_ptr<const TaskLaws> m_known; ///< with the step's own preset
     MeasuredLaws m_own;
-    MeasuredLaws m_right;
-    std::optional<MeasuredLaws> m_named{}; ///< of the known mistake that was found last
+    const MeasuredLaws &m_right = m_known->right();
+    const MeasuredLaws *m_named = nullptr; ///< of the known mistake that was found last
     std::vector<Finding> m_findings;
 };
 
 } // namespace
 
-std::vector<Finding> findingsOf(const Lab &lab, const Task &task, const Submission &submission,
+std::vector<Finding> findingsOf(const Task &task, const Submission &submission,
                                 const std::vector<CheckOutcome> &checks, bool provesLines)
 {
     if (task.solution.isEmpty())
         return {};
-    return Judge(lab, task, submission, checks, provesLines).find();
+    return Judge(task, submission, checks, provesLines).find();
 }
 
 } // namespace cradle

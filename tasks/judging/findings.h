@@ -15,8 +15,7 @@ namespace cradle {
 /// the words, else they are made from what was measured.
 /// \param provesLines  whether lines at fault are proven; see JudgeHooks
 /// \return nothing where the step has no reference program, or nothing was found
-[[nodiscard]] std::vector<Finding> findingsOf(const Lab &lab, const Task &task,
-                                              const Submission &submission,
+[[nodiscard]] std::vector<Finding> findingsOf(const Task &task, const Submission &submission,
                                               const std::vector<CheckOutcome> &checks,
                                               bool provesLines);
 

@@ -36,11 +36,11 @@ std::vector<Circle> after(const QString *program, const Moment &moment)
 }
 
 /// Whether \p mistake does the same where the student goes wrong: a look that costs little.
-bool looksAlike(const MistakeQuery &query, const KnownScript &mistake)
+/// \param own  what the student's program does there
+bool looksAlike(const MistakeQuery &query, const KnownScript &mistake,
+                const std::vector<Circle> &own)
 {
-    const Moment &moment = query.deviations.front().moment;
-    const std::vector<Circle> own = after(query.submission.program(), moment);
-    const std::vector<Circle> known = after(&mistake.source, moment);
+    const std::vector<Circle> known = after(&mistake.source, query.deviations.front().moment);
     return !own.empty()
            && std::equal(own.begin(), own.end(), known.begin(), known.end(),
                          [](const Circle &a, const Circle &b) {
@@ -59,28 +59,27 @@ bool isSame(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const G
 /// Whether something is wrong with \p laws in an aspect that comes before that of the query.
 bool deviatesBefore(const MistakeQuery &query, const MeasuredLaws &laws)
 {
-    const Ground &ground = query.ground;
+    const Ground &ground = query.known.ground();
     if (query.aspect == Aspect::Start || query.aspect == Aspect::Motion)
         return false;
-    if (!flightDeviations(laws.flight(), query.right.flight(), ground).empty())
+    if (!flightDeviations(laws.flight(), query.known.right().flight(), ground).empty())
         return true;
     if (query.aspect == Aspect::Walls)
         return false;
     if (!ground.walls.circles.empty()
-        && !wallDeviations(laws.walls(), query.right.walls(), ground).empty())
+        && !wallDeviations(laws.walls(), query.known.right().walls(), ground).empty())
         return true;
     return query.aspect == Aspect::Response && ground.pair.asked
-           && !contactDeviations(laws.pair(), query.right.pair(), ground).empty();
+           && !contactDeviations(laws.pair(), query.known.right().pair(), ground).empty();
 }
 
-bool explains(const MistakeQuery &query, const KnownScript &mistake)
+bool explains(const MistakeQuery &query, std::size_t i)
 {
-    if (query.aspect != Aspect::Start && !looksAlike(query, mistake))
-        return false;
-    const MeasuredLaws known(&mistake.source, query.ground);
+    const MeasuredLaws &known = query.known.mistake(i);
+    const Ground &ground = query.known.ground();
     // What the mistake does rightly it cannot explain.
-    return isSame(known, query.own, query.aspect, query.ground)
-           && !isSame(known, query.right, query.aspect, query.ground)
+    return isSame(known, query.own, query.aspect, ground)
+           && !isSame(known, query.known.right(), query.aspect, ground)
            && !deviatesBefore(query, known);
 }
 
@@ -105,13 +104,18 @@ bool isLike(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const G
     return !ground.pair.asked || a.pair().responseIsLike(b.pair());
 }
 
-const KnownScript *knownMistake(const MistakeQuery &query)
+std::optional<std::size_t> knownMistake(const MistakeQuery &query)
 {
-    for (const KnownScript &mistake : query.task.mistakes) {
-        if (explains(query, mistake))
-            return &mistake;
+    const std::vector<KnownScript> &mistakes = query.task.mistakes;
+    const bool looks = query.aspect != Aspect::Start && !mistakes.empty();
+    const std::vector<Circle> own =
+        looks ? after(query.submission.program(), query.deviations.front().moment)
+              : std::vector<Circle>{};
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+        if ((!looks || looksAlike(query, mistakes[i], own)) && explains(query, i))
+            return i;
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 } // namespace cradle

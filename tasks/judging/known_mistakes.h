@@ -3,19 +3,17 @@
 #pragma once
 
 #include "tasks/judging/deviation.h"
-#include "tasks/judging/measured_laws.h"
+#include "tasks/judging/task_laws.h"
 #include "tasks/submission.h"
 
 namespace cradle {
 
 /// What a student's program does otherwise, to be found among the mistakes of the lab.
 struct MistakeQuery {
-    const Lab &lab;
     const Task &task;
-    const Ground &ground; ///< with the step's own preset, in which mistakes are measured
+    const TaskLaws &known; ///< of that step
     const Submission &submission;
     const MeasuredLaws &own;
-    const MeasuredLaws &right;
     Aspect aspect;
     const std::vector<LawDeviation> &deviations; ///< of that aspect
 };
@@ -24,8 +22,8 @@ struct MistakeQuery {
 [[nodiscard]] bool isLike(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect,
                           const Ground &ground);
 
-/// The mistake of the step, or else of an earlier one, that follows the student's law in that
-/// aspect and the reference's in all aspects before it; null if there is none.
-[[nodiscard]] const KnownScript *knownMistake(const MistakeQuery &query);
+/// The mistake of the step, by its index, that follows the student's law in that aspect and the
+/// reference's in all aspects before it; nothing if there is none.
+[[nodiscard]] std::optional<std::size_t> knownMistake(const MistakeQuery &query);
 
 } // namespace cradle
