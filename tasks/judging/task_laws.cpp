@@ -11,6 +11,12 @@ namespace {
 /// Steps of which a thread keeps the laws: those of a lab.
 constexpr std::size_t mostKept = 20;
 
+std::vector<std::shared_ptr<const TaskLaws>> &keptLaws()
+{
+    thread_local std::vector<std::shared_ptr<const TaskLaws>> kept;
+    return kept;
+}
+
 bool isSame(const std::vector<KnownScript> &a, const std::vector<KnownScript> &b)
 {
     return std::equal(
@@ -70,7 +76,7 @@ void TaskLaws::measureAll() const
 
 std::shared_ptr<const TaskLaws> lawsOf(const Task &task)
 {
-    thread_local std::vector<std::shared_ptr<const TaskLaws>> kept;
+    std::vector<std::shared_ptr<const TaskLaws>> &kept = keptLaws();
     const auto found =
         std::find_if(kept.begin(), kept.end(), [&](const auto &laws) { return laws->areOf(task); });
     if (found != kept.end()) {
@@ -81,6 +87,11 @@ std::shared_ptr<const TaskLaws> lawsOf(const Task &task)
         kept.erase(kept.begin());
     kept.push_back(std::make_shared<const TaskLaws>(task));
     return kept.back();
+}
+
+void forgetLaws()
+{
+    keptLaws().clear();
 }
 
 } // namespace cradle

@@ -38,4 +38,7 @@ private:
 /// forked has those that the thread had.
 [[nodiscard]] std::shared_ptr<const TaskLaws> lawsOf(const Task &task);
 
+/// Forgets those that this thread keeps: for measurements.
+void forgetLaws();
+
 } // namespace cradle
