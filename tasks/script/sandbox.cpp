@@ -143,6 +143,7 @@ int finishCall(lua_State *L, int status, lua_KContext)
 int protectedCall(lua_State *L)
 {
     luaL_checkany(L, 1);
+    ScriptHost::of(L).wordless = false; // It may read the error.
     lua_pushboolean(L, 1);
     lua_insert(L, 1);
     const int status = lua_pcallk(L, lua_gettop(L) - 2, LUA_MULTRET, 0, 0, finishCall);

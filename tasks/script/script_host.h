@@ -45,8 +45,9 @@ struct ScriptHost {
     std::array<bool, 3> opened{};
 
     // What was shown.
-    bool quiet = false;  ///< nobody looks: count it and drop it
-    bool silent = false; ///< nobody reads what errors say
+    bool quiet = false;    ///< nobody looks: count it and drop it
+    bool silent = false;   ///< nobody reads what errors say
+    bool wordless = false; ///< nor may the program itself, and nobody asks what it took
     ProgramOutput output{};
     qint64 outputBytes = 0; ///< of this step
 

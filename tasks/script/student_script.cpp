@@ -63,6 +63,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.pinned = m_options.pinned;
     host.quiet = m_options.quiet;
     host.silent = m_options.silent;
+    host.wordless = m_options.silent && m_options.once;
     host.timed = m_options.timed;
     host.stop = m_options.stop;
     host.trace = m_startTrace;

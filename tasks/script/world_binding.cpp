@@ -96,6 +96,8 @@ QStringList globalNames(lua_State *L)
 
 [[noreturn]] void refuseUnknown(lua_State *L, const QString &name)
 {
+    if (ScriptHost::of(L).wordless)
+        raise(L, {});
     const QString unknown =
         WorldText::tr("`%1` is not known: nothing of that name was given a value before");
     if (name.size() > static_cast<qsizetype>(longestName))
