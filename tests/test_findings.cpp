@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/law_programs.h"
 
+#include "tasks/judging/task_laws.h"
 #include "tasks/lab_list.h"
 #include "tests/other_forms.h"
 
@@ -24,6 +25,8 @@ private slots:
     void wrongStartNamesTheLineThatSetsIt();
     void labOfAnotherKindGetsFindings_data();
     void labOfAnotherKindGetsFindings();
+    void measuredLawsAreThoseOfTheStepAsItIs();
+    void measuringBeforehandChangesNoFinding();
 
 private:
     [[nodiscard]] CheckReport told(const QString &step, const OtherForm &form) const
@@ -269,6 +272,48 @@ void TestFindings::labOfAnotherKindGetsFindings()
     QVERIFY2(!report.error, report.error ? qPrintable(report.error->message) : "");
     QCOMPARE(report.passed, said.isEmpty());
     QCOMPARE(headlinesOf(report), said);
+}
+
+void TestFindings::measuredLawsAreThoseOfTheStepAsItIs()
+{
+    const Task &step = task(text("L42T3"));
+    QCOMPARE(lawsOf(step), lawsOf(step));
+    Task changed = step;
+    changed.solution += QLatin1Char('\n');
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.mistakes.pop_back();
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.checks.pop_back();
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.preset.gravity.y -= 1.0;
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+}
+
+void TestFindings::measuringBeforehandChangesNoFinding()
+{
+    const Task &step = task(text("L42T4"));
+    const auto told = [&](const KnownScript &mistake) {
+        return judgeTask(m_lab, step, Submission(step.preset, mistake.source), 1,
+                         {.provesLines = false})
+            ->findings;
+    };
+    std::vector<std::vector<Finding>> alone;
+    for (const KnownScript &mistake : step.mistakes) {
+        forgetLaws();
+        alone.push_back(told(mistake));
+    }
+    forgetLaws();
+    lawsOf(step)->measureAll();
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const std::vector<Finding> prepared = told(step.mistakes[i]);
+        QCOMPARE(prepared.size(), alone[i].size());
+        QCOMPARE(prepared.front().mistake, step.mistakes[i].name);
+        QCOMPARE(prepared.front().message, alone[i].front().message);
+        QCOMPARE(prepared.front().line, alone[i].front().line);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestFindings)
