@@ -280,6 +280,8 @@ QString describeVerified(const VerifiedTask &task)
         QString note;
         if (program.role == Role::Mistake)
             note = report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("-");
+        else if (program.role == Role::Solution)
+            note = VerifyText::tr("with %1 seeds").arg(program.reports.size());
         else if (program.role == Role::Remark)
             note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
         text += QStringLiteral("  %1 %2   %3\n")

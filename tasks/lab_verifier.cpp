@@ -21,7 +21,6 @@ struct VerifierText {
 
 using Role = VerifiedProgram::Role;
 
-constexpr int seeds = 5;     ///< with which a solution must pass
 constexpr int students = 10; ///< whose values are tried, where the lab draws some
 
 /// One program to judge, and where its reports belong: one for each seed, from 1.
@@ -99,7 +98,8 @@ std::vector<Candidate> candidatesOf(const Task &task)
     return found;
 }
 
-std::vector<VerifiedTask> verifyOne(const Lab &lab, const QString &only, const JudgeHooks &hooks)
+std::vector<VerifiedTask> verifyOne(const Lab &lab, const QString &only, const JudgeHooks &hooks,
+                                    int seeds)
 {
     std::vector<VerifiedTask> result;
     std::vector<const Task *> tasks;
@@ -113,7 +113,8 @@ std::vector<VerifiedTask> verifyOne(const Lab &lab, const QString &only, const J
         candidates.push_back(candidatesOf(task));
         for (const Candidate &candidate : candidates.back()) {
             VerifiedProgram program{candidate.role, candidate.name, {}};
-            program.reports.resize(candidate.role == Role::Solution ? seeds : 1);
+            program.reports.resize(
+                candidate.role == Role::Solution ? static_cast<std::size_t>(seeds) : 1);
             verified.programs.push_back(program);
         }
         result.push_back(verified);
@@ -171,11 +172,13 @@ bool isTold(const std::vector<LabFinding> &known, const LabFinding &finding)
 
 } // namespace
 
-std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks)
+std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks,
+                                    int seeds)
 {
-    std::vector<VerifiedTask> result = verifyOne(lab, only, hooks);
+    std::vector<VerifiedTask> result = verifyOne(lab, only, hooks, seeds);
     for (int i = 1; lab.drawnFrom && !result.empty() && i <= students; ++i) {
-        const auto drawn = verifyOne(forStudent(lab, QString::number(i)), only, hooks);
+        const auto drawn =
+            verifyOne(forStudent(lab, QString::number(i)), only, hooks, std::min(seeds, 5));
         if (drawn.size() != result.size())
             return {}; // cancelled
         for (std::size_t t = 0; t < drawn.size(); ++t) {

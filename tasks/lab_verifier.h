@@ -57,7 +57,7 @@ struct VerifiedTask {
 };
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
-/// with five seeds; every mistake fails and is diagnosed as itself, and has the values of the
+/// with all seeds; every mistake fails and is diagnosed as itself, and has the values of the
 /// solution; every remark passes and is recognised; every check is failed by a mistake; no
 /// tolerance is nearly used up by the solution itself. Measures how wrong a run must just be for
 /// each check. Warns of checks that add nothing: duplicates, and those without which every mistake
@@ -65,8 +65,9 @@ struct VerifiedTask {
 /// that scene pass, too. Where values are drawn for each student, those of ten are tried. Uses all
 /// processors. \param only   the id of one step; empty for all
 /// \param hooks  called from other threads, never two at once \return nothing if it was cancelled
+/// \param seeds  with how many each solution must pass, at least 1
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
-                                                  const JudgeHooks &hooks = {});
+                                                  const JudgeHooks &hooks = {}, int seeds = 5);
 
 /// "mistakes/NAME", "starter": the file of a program in its step without the ending.
 [[nodiscard]] QString programPath(const VerifiedProgram &program);

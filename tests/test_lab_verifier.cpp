@@ -19,6 +19,7 @@ private slots:
     void findingSaysWhatItIsAbout_data();
     void findingSaysWhatItIsAbout();
     void checksThatAddNothingAreNamed();
+    void solutionIsJudgedWithEverySeed();
     void progressReachesTheEnd();
     void cancelEndsIt();
     void usedUpToleranceIsMeasured_data();
@@ -204,6 +205,23 @@ void TestLabVerifier::checksThatAddNothingAreNamed()
     QVERIFY2(warnings.back().message.contains(QStringLiteral("the same as drifts")),
              qPrintable(warnings.back().message));
     QVERIFY(verifyLab(labOf(task)).front().findings.empty());
+}
+
+void TestLabVerifier::solutionIsJudgedWithEverySeed()
+{
+    const VerifiedTask verified = verifyLab(labOf(soundTask()), {}, {}, 12).front();
+    const auto isSolution = [](const VerifiedProgram &program) {
+        return program.role == VerifiedProgram::Role::Solution;
+    };
+    const auto solution =
+        std::find_if(verified.programs.begin(), verified.programs.end(), isSolution);
+    QVERIFY(solution != verified.programs.end());
+    QCOMPARE(solution->reports.size(), std::size_t{12});
+    for (std::size_t i = 0; i < solution->reports.size(); ++i) {
+        QCOMPARE(solution->reports[i].seed, static_cast<qint64>(i) + 1);
+        QVERIFY(solution->reports[i].passed);
+    }
+    QVERIFY(describeVerified(verified).contains(QStringLiteral("with 12 seeds")));
 }
 
 void TestLabVerifier::progressReachesTheEnd()

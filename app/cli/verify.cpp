@@ -79,9 +79,18 @@ ExitCode verify(const QStringList &arguments)
         QStringLiteral("mutations"),
         VerifyText::tr("also ask of every check whether some change of the solution fails by it "
                        "alone; takes minutes"));
-    parser.addOptions({fix, mutations});
+    const QCommandLineOption seeds(
+        QStringLiteral("seeds"),
+        VerifyText::tr("with how many seeds every solution is judged, 1 to 1000"),
+        QStringLiteral("N"), QStringLiteral("10"));
+    parser.addOptions({fix, mutations, seeds});
     if (const auto code = parse(parser, arguments, 1, 1))
         return *code;
+    bool isNumber = false;
+    const int seedCount = parser.value(seeds).toInt(&isNumber);
+    if (!isNumber || seedCount < 1 || seedCount > 1000)
+        return complain(VerifyText::tr("--seeds takes a whole number from 1 to 1000, not %1")
+                            .arg(parser.value(seeds)));
     if (parser.isSet(fix)) {
         if (const auto error = keepAsDifferences(parser.positionalArguments().first()))
             return complain(*error);
@@ -95,7 +104,7 @@ ExitCode verify(const QStringList &arguments)
         QTextStream(stderr) << finding.toString() << Qt::endl;
     if (parser.isSet(only) && lab->indexOf(parser.value(only)) < 0)
         return complain(VerifyText::tr("the lab has no step %1").arg(parser.value(only)));
-    std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only));
+    std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only), {}, seedCount);
     for (VerifiedTask &task : tasks) {
         if (parser.isSet(mutations))
             dropNeeded(task,

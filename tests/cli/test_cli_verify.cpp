@@ -16,6 +16,7 @@ class TestCliVerify : public QObject
     Q_OBJECT
 private slots:
     void soundLabPasses();
+    void seedsAreAsManyAsAskedFor();
     void unsoundLabDoesNotPass_data();
     void unsoundLabDoesNotPass();
     void fileThatCannotBeReadIsNamed_data();
@@ -97,11 +98,22 @@ void TestCliVerify::soundLabPasses()
         return found.size() == 1 ? found.first().simplified() : outcome.out;
     };
     QCOMPARE(row("starter"), text("starter x ."));
-    QCOMPARE(row("solution"), text("solution . ."));
+    QCOMPARE(row("solution"), text("solution . . with 10 seeds"));
     QCOMPARE(row("mistakes/upward"), text("mistakes/upward x . upward"));
     QCOMPARE(row("mistakes/twice"), text("mistakes/twice . x twice"));
     QVERIFY2(outcome.out.contains(text("1 steps, 2 mistakes, 0 problems")),
              outcome.toText().constData());
+}
+
+void TestCliVerify::seedsAreAsManyAsAskedFor()
+{
+    const QTemporaryDir folder;
+    write(folder, soundLab());
+    const Outcome some = verify({text("--seeds"), text("3"), folder.path()});
+    VERIFY_CODE(some, 0);
+    QVERIFY2(some.out.contains(text("with 3 seeds")), some.toText().constData());
+    for (const char *wrong : {"0", "many", "1001"})
+        VERIFY_CODE(verify({text("--seeds"), text(wrong), folder.path()}), 2);
 }
 
 void TestCliVerify::unsoundLabDoesNotPass_data()
