@@ -161,7 +161,7 @@ void TestResponseLaw::faultIsNamed_data()
     answer("twice the push",
            "local j = 2 * (1 + e) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
-           "The push is 2 times as large as it should be");
+           "Between equal circles the push is 2 times as large as it should be");
     rows("mirrored", {.normal = text("vec(d.x, -d.y):normalized()"), .e = e},
          {text("The normal is mirrored: the sign of its y is wrong")});
     rows("x and y exchanged", {.normal = text("vec(d.y, d.x):normalized()"), .e = e},

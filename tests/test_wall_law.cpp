@@ -22,6 +22,7 @@ private slots:
     void wordsOfAStepWithoutLosesDoNotSpeakOfThem();
     void wrongMotionIsNoFaultOfTheWalls_data();
     void wrongMotionIsNoFaultOfTheWalls();
+    void wallsThatAreRightAreNotCalledWrong();
     void oneCircleIsNamedForItsOwnWalls();
 };
 
@@ -174,6 +175,32 @@ void TestWallLaw::wordsOfAStepWithoutLosesDoNotSpeakOfThem()
              QStringList(text("The walls give both circles 0.9 times the speed back")));
     QCOMPARE(said("2 / math.abs(v)"),
              QStringList(text("The walls give both circles a speed of their own")));
+}
+
+void TestWallLaw::wallsThatAreRightAreNotCalledWrong()
+{
+    const LawBench step(task(QStringLiteral("L42T7")));
+    const auto said = [&](const char *shorter) {
+        const LawProgram program = withWalls(
+            QStringLiteral("local v, p = c.velocity, c.position "
+                           "local r, w = c.radius, square.half_width "
+                           "if p.x > w - %1 and v.x > 0 then c.position = vec(w - %1, p.y) "
+                           "c.velocity = vec(-v.x, v.y) v, p = c.velocity, c.position end "
+                           "if p.x < r - w and v.x < 0 then c.position = vec(r - w, p.y) "
+                           "c.velocity = vec(-v.x, v.y) v, p = c.velocity, c.position end "
+                           "if p.y > w - r and v.y > 0 then c.position = vec(p.x, w - r) "
+                           "c.velocity = vec(v.x, -v.y) v, p = c.velocity, c.position end "
+                           "if p.y < r - w and v.y < 0 then c.position = vec(p.x, r - w) "
+                           "c.velocity = vec(v.x, -v.y) end")
+                .arg(QLatin1String(shorter)));
+        return step.walls(written(program, structures[3]));
+    };
+    QCOMPARE(said("r"), QStringList());
+    QCOMPARE(
+        said("0").value(0),
+        text("At the walls the centre of both circles is asked for, not the rim (right wall)"));
+    QCOMPARE(said("(r - 0.08)").value(0),
+             text("The walls turn both circles round too late (right wall)"));
 }
 
 void TestWallLaw::wrongMotionIsNoFaultOfTheWalls_data()

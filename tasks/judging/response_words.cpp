@@ -180,7 +180,8 @@ private:
         const bool same = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
             return isAlike(factorOf(h), factor, 0.01);
         });
-        return same ? ResponseText::tr("The push is %1 times as large as it should be")
+        return same ? ResponseText::tr("Between equal circles the push is %1 times as large as it "
+                                       "should be")
                           .arg(brief(factor))
                     : ResponseText::tr("The push along the line of centres has the wrong size");
     }

@@ -5,6 +5,7 @@
 #include "tasks/checks/motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace cradle {
@@ -21,11 +22,10 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> find() const
     {
-        const Reach rim{[](const WallHit &hit) { return hit.radius; }, {}, {}};
         std::vector<std::pair<QString, std::vector<int>>> said;
         std::vector<std::pair<QString, const WallHit *>> bodies;
         for (const int circle : m_own.judged) {
-            if (fitsAll(rim, circle))
+            if (wrongWalls(circle).empty())
                 continue;
             const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
                 return h.circle == circle && (h.turned || h.held) && !h.fits(h.radius);
@@ -72,12 +72,31 @@ private:
             }));
     }
 
-    [[nodiscard]] bool fitsAll(const Reach &reach, int circle) const
+    /// The walls at which a circle turns elsewhere than at its rim.
+    [[nodiscard]] std::set<Wall> wrongWalls(int circle) const
+    {
+        std::set<Wall> walls;
+        for (const WallHit &hit : m_own.hits) {
+            if (hit.circle == circle && (hit.turned || hit.held) && !hit.fits(hit.radius))
+                walls.insert(hit.wall);
+        }
+        return walls;
+    }
+
+    /// Whether a circle turns there at these walls.
+    [[nodiscard]] bool fitsAll(const Reach &reach, int circle, const std::set<Wall> &walls) const
     {
         return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-            return hit.circle != circle || !(hit.turned || hit.held)
+            return hit.circle != circle || !(hit.turned || hit.held) || !walls.contains(hit.wall)
                    || hit.fits(reach.distance(hit));
         });
+    }
+
+    /// What is so at some walls is not said of all.
+    [[nodiscard]] static QString atWalls(const QString &headline, const std::set<Wall> &walls)
+    {
+        return walls.size() > 3 ? headline
+                                : QStringLiteral("%1 (%2)").arg(headline, namesOf(walls));
     }
 
     static std::vector<Reach> reaches()
@@ -124,22 +143,51 @@ private:
                         .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
                              brief(hit.before), brief(hit.radius))};
         // What a step cannot tell apart is not told.
+        const std::set<Wall> walls = wrongWalls(circle);
         std::vector<Reach> fitting = reaches();
-        std::erase_if(fitting, [&](const Reach &reach) { return !fitsAll(reach, circle); });
+        std::erase_if(fitting, [&](const Reach &reach) { return !fitsAll(reach, circle, walls); });
         if (fitting.size() == 1) {
             QString body = fitting.front().body;
             body.replace(QLatin1String("%1"), brief(hit.radius));
             body.replace(QLatin1String("%2"), brief(fitting.front().distance(hit)));
-            return {fitting.front().headline, body};
+            return {atWalls(fitting.front().headline, walls), body};
         }
-        const bool early = hit.reached > hit.radius;
-        return {early ? WallText::tr("The walls turn %who round too early")
-                      : WallText::tr("The walls turn %who round too late"),
-                WallText::tr("Its radius is %1 m, and at the %2 it turns when its centre is "
-                             "between %3 and %4 m from the wall. It should turn when its rim is "
-                             "there.")
-                    .arg(brief(hit.radius), motion::wallName(hit.wall), brief(hit.reached),
-                         brief(hit.before))};
+        return {atWalls(lateOrEarly(circle), walls), between(hit)};
+    }
+
+    [[nodiscard]] QString lateOrEarly(int circle) const
+    {
+        bool early = false;
+        bool late = false;
+        for (const WallHit &hit : m_own.hits) {
+            if (hit.circle != circle || !(hit.turned || hit.held) || hit.fits(hit.radius))
+                continue;
+            (hit.reached > hit.radius ? early : late) = true;
+        }
+        if (early && late)
+            return WallText::tr("The walls turn %who round at the wrong place");
+        return early ? WallText::tr("The walls turn %who round too early")
+                     : WallText::tr("The walls turn %who round too late");
+    }
+
+    /// Between which places it turned, in words without distances below zero.
+    [[nodiscard]] static QString between(const WallHit &hit)
+    {
+        const QString text =
+            hit.reached >= 0.0
+                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
+                               "centre is between %4 and %5 m from the wall. It should turn when "
+                               "its rim is there.")
+            : hit.before >= 0.0
+                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
+                               "centre is between %4 m past the wall and %5 m short of it. It "
+                               "should turn when its rim is there.")
+                : WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
+                               "centre is between %4 and %5 m past the wall. It should turn when "
+                               "its rim is there.");
+        return text.arg(hit.circle + 1)
+            .arg(brief(hit.radius), motion::wallName(hit.wall), brief(std::abs(hit.reached)),
+                 brief(std::abs(hit.before)));
     }
 };
 
