@@ -69,6 +69,24 @@ Way idealWay(const Preset &preset, std::size_t index, double duration)
     return way;
 }
 
+/// A share \p u of the way between the first and the last place, -room to room, from which one
+/// coordinate stays within these for \p seconds; anywhere between if there is no such place.
+double placeFor(double u, double room, double speed, double pull, double seconds)
+{
+    const auto wayAt = [&](double t) { return speed * t + 0.5 * pull * t * t; };
+    const double end = wayAt(seconds);
+    double least = std::min(0.0, end);
+    double most = std::max(0.0, end);
+    const double turn = pull != 0.0 ? -speed / pull : -1.0;
+    if (turn > 0.0 && turn < seconds) {
+        least = std::min(least, wayAt(turn));
+        most = std::max(most, wayAt(turn));
+    }
+    const double low = -room - least;
+    const double high = room - most;
+    return low < high ? low + u * (high - low) : room * (2.0 * u - 1.0);
+}
+
 /// Least distance from the rim of what flies freely as \p circle to all \p ways, m.
 double clearance(const Preset &preset, const Circle &circle, const std::vector<Way> &ways)
 {
@@ -137,10 +155,13 @@ void drawOthers(Preset &preset, std::size_t shot, double duration, Random &rando
         for (int i = 0; i < mostTries && best < clear; ++i) {
             Circle drawn = circle;
             const double angle = random.between(0.0, 2.0 * std::numbers::pi);
-            drawn.position = {random.between(-room, room), random.between(-room, room)};
+            const double x = random.uniform();
+            const double y = random.uniform();
             drawn.velocity =
                 random.between(slowest, fastest) * Vec2{std::cos(angle), std::sin(angle)}
                 - (0.5 * flight) * preset.gravity;
+            drawn.position = {placeFor(x, room, drawn.velocity.x, preset.gravity.x, flight),
+                              placeFor(y, room, drawn.velocity.y, preset.gravity.y, flight)};
             // A wall on the way is worse than any distance.
             const double early = flight - timeToWall(preset, drawn);
             const double found =
