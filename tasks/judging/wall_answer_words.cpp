@@ -61,7 +61,7 @@ public:
         const WallHit &right = rightOf(at);
         const auto [headline, why] = answerWords(odd, hit, right);
         const bool isOfSome = walls.size() < wallsLike(hit) || walls.size() == 1;
-        const QString where = isOfSome ? QStringLiteral(" (%1)").arg(namesOf(walls)) : QString();
+        const QString where = isOfSome ? inBrackets(walls) : QString();
         LawDeviation found =
             deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
                       {circles.begin(), circles.end()}, Suspect::Formula);

@@ -32,6 +32,8 @@ protected:
                                          Suspect suspect = Suspect::Answer,
                                          bool isPosition = false) const;
     static QString namesOf(const std::set<Wall> &walls);
+    /// Their names behind a headline.
+    static QString inBrackets(const std::set<Wall> &walls);
 
     /// The hit of the reference in the same stage.
     [[nodiscard]] const WallHit &rightOf(std::size_t i) const { return m_right.hits[i]; }

@@ -95,8 +95,7 @@ private:
     /// What is so at some walls is not said of all.
     [[nodiscard]] static QString atWalls(const QString &headline, const std::set<Wall> &walls)
     {
-        return walls.size() > 3 ? headline
-                                : QStringLiteral("%1 (%2)").arg(headline, namesOf(walls));
+        return walls.size() > 3 ? headline : headline + inBrackets(walls);
     }
 
     static std::vector<Reach> reaches()

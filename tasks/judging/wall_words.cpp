@@ -30,6 +30,11 @@ QString WallComparison::namesOf(const std::set<Wall> &walls)
     return names.join(QStringLiteral(", "));
 }
 
+QString WallComparison::inBrackets(const std::set<Wall> &walls)
+{
+    return WallText::tr(" (%1)", "walls").arg(namesOf(walls));
+}
+
 namespace {
 
 /// Judges the walls of one program.
