@@ -584,6 +584,14 @@
         <source>Speed to the right, drawn between the least and the most</source>
         <translation>Tempo nach rechts, gezogen zwischen dem kleinsten und dem größten</translation>
     </message>
+    <message>
+        <source>Again at once</source>
+        <translation>Gleich noch einmal</translation>
+    </message>
+    <message>
+        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
+        <translation>Von denen mit e = 1 geschehen einige, zwischen gleichen Kreisen, vor einer Wand, die Kreis 2 gleich zurückschickt</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -1373,6 +1381,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>contacts merged from %1 s on</source>
         <translation>Kontakte ab %1 s zusammengefasst</translation>
+    </message>
+    <message>
+        <source>with how many seeds every solution is judged, 1 to 1000</source>
+        <translation>mit wie vielen Startwerten jede Lösung beurteilt wird, 1 bis 1000</translation>
+    </message>
+    <message>
+        <source>--seeds takes a whole number from 1 to 1000, not %1</source>
+        <translation>--seeds nimmt eine ganze Zahl von 1 bis 1000, nicht %1</translation>
     </message>
 </context>
 <context>
@@ -2335,10 +2351,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Die Anteile quer dazu müssen bleiben, wie sie waren.</translation>
     </message>
     <message>
-        <source>The push is %1 times as large as it should be</source>
-        <translation>Der Stoß ist %1-mal so groß, wie er sein soll</translation>
-    </message>
-    <message>
         <source>The push along the line of centres has the wrong size</source>
         <translation>Der Stoß längs der Linie der Mittelpunkte hat die falsche Größe</translation>
     </message>
@@ -2417,10 +2429,6 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
     <message>
         <source>The walls turn %who round too late</source>
         <translation>Die Wände kehren %who zu spät um</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and at the %2 it turns when its centre is between %3 and %4 m from the wall. It should turn when its rim is there.</source>
-        <translation>Der Radius ist %1 m, und an %2 wird umgekehrt, wenn der Mittelpunkt zwischen %3 und %4 m von der Wand entfernt ist. Umkehren sollte der Kreis, wenn sein Rand dort ist.</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
@@ -2760,7 +2768,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>These walls do not turn %who round: %1</source>
-        <translation>Diese Wände lassen %who nicht umkehren: %1</translation>
+        <translation>Wände lassen %who nicht umkehren, und zwar an %1</translation>
     </message>
     <message>
         <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
@@ -2844,7 +2852,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>A hit puts %who further out (%1)</source>
-        <translation>Ein Stoß setzt %who weiter nach außen (%1)</translation>
+        <translation>Ein Stoß setzt %who weiter nach außen (an %1)</translation>
     </message>
     <message>
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
@@ -2853,6 +2861,39 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
         <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s² und im zweiten um %3 m/s². Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
+    </message>
+    <message>
+        <source>A hit soon after another is not answered</source>
+        <translation>Ein Stoß bald nach einem anderen wird nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
+    </message>
+    <message>
+        <source>Between equal circles the push is %1 times as large as it should be</source>
+        <translation>Zwischen gleichen Kreisen ist der Stoß %1-mal so groß, wie er sein soll</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round at the wrong place</source>
+        <translation>Die Wände kehren %who am falschen Ort um</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 und %5 m von der Wand entfernt ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 m hinter der Wand und %5 m vor ihr ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 und %5 m hinter der Wand ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <comment>walls</comment>
+        <translation> (an %1)</translation>
     </message>
 </context>
 <context>
@@ -4206,6 +4247,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>with the values of the student %1: %2</source>
         <translation>mit den Werten der Nummer %1: %2</translation>
+    </message>
+    <message>
+        <source>with %1 seeds</source>
+        <translation>mit %1 Startwerten</translation>
     </message>
 </context>
 <context>
@@ -6771,6 +6816,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>slow hit %1</source>
         <translation>langsamer Stoß %1</translation>
+    </message>
+    <message>
+        <source>contact %1, in front of a wall</source>
+        <translation>Stoß %1, vor einer Wand</translation>
     </message>
 </context>
 <context>
