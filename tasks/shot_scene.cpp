@@ -19,6 +19,7 @@ constexpr double caution = 1.1;
 /// Free of everything for a whole scene, or to be tried again, m: more than handling some hits
 /// can bring a circle off its ideal way.
 constexpr double clear = 0.6;
+constexpr double beside = 0.05; ///< of a wall, more than a step from it, m
 constexpr int mostTries = 60;
 constexpr double slowest = 0.3; ///< of what drifts, m/s
 constexpr double fastest = 0.9;
@@ -160,8 +161,12 @@ void drawOthers(Preset &preset, std::size_t shot, double duration, Random &rando
             drawn.velocity =
                 random.between(slowest, fastest) * Vec2{std::cos(angle), std::sin(angle)}
                 - (0.5 * flight) * preset.gravity;
-            drawn.position = {placeFor(x, room, drawn.velocity.x, preset.gravity.x, flight),
-                              placeFor(y, room, drawn.velocity.y, preset.gravity.y, flight)};
+            // Who flies along a wall within a step of it counts as being at the wall.
+            const double dt = preset.timestep;
+            const double within =
+                std::max(0.0, room - (length(drawn.velocity) + pull * dt) * dt - beside);
+            drawn.position = {placeFor(x, within, drawn.velocity.x, preset.gravity.x, flight),
+                              placeFor(y, within, drawn.velocity.y, preset.gravity.y, flight)};
             // A wall on the way is worse than any distance.
             const double early = flight - timeToWall(preset, drawn);
             const double found =
