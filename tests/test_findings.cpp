@@ -232,6 +232,9 @@ void TestFindings::wrongStartNamesTheLineThatSetsIt()
     QCOMPARE(
         line("L42T4", solution("L42T4"), "circle2.position = vec(-2", "circle2.position = vec(-1"),
         0);
+    // Another variable of that name is set instead.
+    QCOMPARE(line("L42T3", solution("L42T3"), "gravity = vec(", "local gravity = vec("), 0);
+    QCOMPARE(line("L42T16", solution("L42T16"), "restitution = 0.5", "local restitution = 0.5"), 0);
 }
 
 void TestFindings::labOfAnotherKindGetsFindings_data()

@@ -208,6 +208,8 @@ private:
             finding.line = assignment.line;
             finding.calls = assignment.calls;
         }
+        if (finding.line == 0 && circle < 0)
+            finding.line = hidingLine(*m_submission.script, *moment.start);
     }
 
     /// A line in which a small change mends this very fault is better than the last that ran.

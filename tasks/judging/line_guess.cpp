@@ -129,6 +129,21 @@ int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
 
 } // namespace
 
+int hidingLine(const QString &program, Assignment::Field field)
+{
+    static const QRegularExpression gravity(QStringLiteral("^\\s*local\\s+gravity\\s*="));
+    static const QRegularExpression restitution(QStringLiteral("^\\s*local\\s+restitution\\s*="));
+    const bool isGravity = field == Assignment::Field::Gravity;
+    if (!isGravity && field != Assignment::Field::Restitution)
+        return 0;
+    const QStringList rows = rowsOf(program);
+    for (int line = 1; line <= rows.size(); ++line) {
+        if (rows[line - 1].contains(isGravity ? gravity : restitution))
+            return line;
+    }
+    return 0;
+}
+
 int guessedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
                 int last, const std::vector<int> &calls)
 {

@@ -6,6 +6,10 @@
 
 namespace cradle {
 
+/// The line of a `local gravity = …` or `local restitution = …`, which makes another variable of
+/// the same name instead of setting that of the world. \return 0 if there is none
+[[nodiscard]] int hidingLine(const QString &program, Assignment::Field field);
+
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines
 /// that run at the moment and not in free flight, the question before them where something is
 /// answered at a wrong place, the formula where the answer is wrong; the line that works out a mass
