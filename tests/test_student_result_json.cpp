@@ -31,6 +31,7 @@ private slots:
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
     void cutTextsAreRefused();
+    void textsThatAreTooLongAreCut();
 
 private:
     Lab m_lab;
@@ -217,6 +218,23 @@ void TestStudentResultJson::cutTextsAreRefused()
         QVERIFY(!readStudentResult(text.left(length), {}).ok());
     QVERIFY(!readStudentResult("[]", {}).ok());
     QVERIFY(!readStudentResult("{}", {}).ok());
+}
+
+/// Else one student with a long name would leave the class without its pages.
+void TestStudentResultJson::textsThatAreTooLongAreCut()
+{
+    const QString face = QString::fromUcs4(U"\U0001F600");
+    StudentResult result{.id = QStringLiteral("ada"),
+                         .name = QStringLiteral("x") + face.repeated(5'000),
+                         .number = QString(5'000, u'1'),
+                         .email = QString(5'000, u'@'),
+                         .remark = QString(500'000, u'r')};
+    QVERIFY(!readStudentResult(writeStudentResult(result, m_lab), {}).ok());
+    result = cutToFit(result);
+    const auto read = readStudentResult(writeStudentResult(result, m_lab), {});
+    QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));
+    QCOMPARE(*read, result);
+    QVERIFY(result.name.endsWith(face));
 }
 
 QTEST_APPLESS_MAIN(TestStudentResultJson)

@@ -79,14 +79,14 @@ std::optional<Error> ClassGrader::begin(const FoundStudent &student, int number)
     HandedIn handedIn = readHandedIn(student, m_classRoot, m_lab);
     job.request = std::move(handedIn.request);
     job.request.seed = studentSeed(m_secret, student.id);
-    job.result = {.id = student.id,
-                  .name = student.name,
-                  .number = student.number,
-                  .email = student.email,
-                  .platform = student.platform,
-                  .seed = job.request.seed,
-                  .lateDays = student.lateDays,
-                  .remark = handedIn.remark};
+    job.result = cutToFit({.id = student.id,
+                           .name = student.name,
+                           .number = student.number,
+                           .email = student.email,
+                           .platform = student.platform,
+                           .seed = job.request.seed,
+                           .lateDays = student.lateDays,
+                           .remark = handedIn.remark});
     job.workHash = workHashOf(job.result, job.request);
     if (isDone(student.id, job.workHash)) {
         ++m_progress.kept;
@@ -154,7 +154,17 @@ std::optional<Error> ClassGrader::take(WorkerEvent event)
 std::optional<Error> ClassGrader::finish(int number)
 {
     const auto found = m_jobs.find(number);
-    const Job &job = found->second;
+    Job &job = found->second;
+    QByteArray content = writeStudentResult(job.result, m_lab);
+    // What cannot be read back would leave the whole class without its pages.
+    if (const auto read = readStudentResult(content, {}); !read) {
+        for (StepResult &step : job.result.steps)
+            step = {.taskId = step.taskId,
+                    .status = StepResult::Status::NotGraded,
+                    .reason = GraderText::tr("what judging found cannot be kept: %1")
+                                  .arg(read.error().message)};
+        content = writeStudentResult(job.result, m_lab);
+    }
     const auto count = [&](StepResult::Status status) {
         return static_cast<int>(
             std::count_if(job.result.steps.begin(), job.result.steps.end(),
@@ -169,7 +179,7 @@ std::optional<Error> ClassGrader::finish(int number)
     m_progress.notGraded += done.notGraded;
     m_progress.steps += static_cast<int>(job.result.steps.size());
     ++m_progress.done;
-    if (auto error = m_journal.keep(job.result.id, writeStudentResult(job.result, m_lab), done))
+    if (auto error = m_journal.keep(job.result.id, content, done))
         return error;
     if (m_hooks.done)
         m_hooks.done(m_progress, job.result);

@@ -22,6 +22,7 @@ struct HandedInText {
 
 constexpr int mostDepth = 5;
 constexpr std::size_t mostFiles = 2000; ///< of one student that are looked at
+constexpr qsizetype mostRemarks = 10;
 constexpr qint64 mostArchiveBytes = 32 * 1024 * 1024;
 constexpr qint64 mostSmallBytes = 1024 * 1024; ///< of a scene, of cradle.json
 
@@ -68,7 +69,10 @@ public:
             takeLoose();
         for (const Task &task : m_lab.tasks)
             m_read.request.steps.append(task.id);
-        QStringList remarks = m_remarks;
+        QStringList remarks = m_remarks.mid(0, mostRemarks);
+        if (m_remarks.size() > mostRemarks)
+            remarks.append(
+                HandedInText::tr("and %1 more of that sort").arg(m_remarks.size() - mostRemarks));
         if (!m_student.remark.isEmpty())
             remarks.prepend(m_student.remark);
         m_read.remark = remarks.join(QStringLiteral("; "));

@@ -18,6 +18,10 @@ inline constexpr qint64 mostResultBytes = 32 * 1024 * 1024;
 /// moments stay.
 [[nodiscard]] QByteArray writeStudentResult(const StudentResult &result, const Lab &lab);
 
+/// \p result with no text about the student longer than a result may hold: names and tables may
+/// have any, and what cannot be read back would leave the class without its pages.
+[[nodiscard]] StudentResult cutToFit(StudentResult result);
+
 /// Reads it back without trust: whatever wrote it, what comes is a result whose texts and lists are
 /// of bounded length and whose pictures can be drawn. The points in it are not read: they follow
 /// from the checks. \param source  the file's name for messages

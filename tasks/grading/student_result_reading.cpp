@@ -189,7 +189,24 @@ StepResult readStep(JsonFields json)
     return step;
 }
 
+/// Not through the middle of a letter of two parts.
+QString cut(const QString &text, qsizetype letters)
+{
+    if (text.size() <= letters)
+        return text;
+    const bool parts = text[letters - 1].isHighSurrogate();
+    return text.left(parts ? letters - 1 : letters);
+}
+
 } // namespace
+
+StudentResult cutToFit(StudentResult result)
+{
+    for (QString *text : {&result.id, &result.name, &result.number, &result.email})
+        *text = cut(*text, nameLetters);
+    result.remark = cut(result.remark, messageLetters);
+    return result;
+}
 
 Result<StudentResult> readStudentResult(const QByteArray &text, const QString &source)
 {

@@ -120,6 +120,11 @@ void TestCliGradeHostile::hostileFilesLeaveOthersUnharmed()
                  .toBytes());
     for (int i = 0; i < 3000; ++i)
         made.put(QStringLiteral("class/many/%1.lua").arg(i), "x = 1");
+    const QString longName(200, u'n'); // of which each is told, with that of another
+    for (int i = 0; i < 1000; ++i)
+        made.put(QStringLiteral("class/wordy/%1%2.lua").arg(longName).arg(i), "x = 1");
+    const QByteArray longest =
+        QFile::encodeName(made.at(text("class/"))) + QByteArray(250, '\xff') + ".lua";
     made.put(text("class/deep/") + text("a/").repeated(60) + text("BALL1.lua"), good);
     // Nothing that is no plain file of the student's is read, or waited for.
     for (const char *student : {"pipe", "device", "other", "loop", "folder"})
@@ -137,8 +142,10 @@ void TestCliGradeHostile::hostileFilesLeaveOthersUnharmed()
     const int file = ::open(strange.constData(), O_WRONLY | O_CREAT, 0600);
     QVERIFY(file >= 0 && ::write(file, good.constData(), size_t(good.size())) == good.size());
     ::close(file);
+    ::close(::open(longest.constData(), O_WRONLY | O_CREAT, 0600));
     const Outcome outcome = made.grade(text("out"));
     unlink(strange.constData()); // which Qt cannot name
+    unlink(longest.constData());
     VERIFY_CODE(outcome, 1);
     verifyHonest(made);
     QVERIFY2(!outcome.error.contains(QChar(0x1b)), outcome.toText());
