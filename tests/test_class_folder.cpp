@@ -36,6 +36,7 @@ private slots:
     void namesThatAreNoTextWork();
     void idsAreUnlikeEachOther();
     void rosterNamesStudentsAndTheMissing();
+    void onlyTheRosterGivesNumbersForValues();
     void brokenRosterIsRefused_data();
     void brokenRosterIsRefused();
     void tableCellsMayBeQuoted();
@@ -303,6 +304,21 @@ void TestClassFolder::rosterNamesStudentsAndTheMissing()
     QCOMPARE(found.missing.size(), std::size_t(1));
     QCOMPARE(found.missing[0].id, text("s4"));
     QCOMPARE(found.remarks.size(), 1); // the stranger
+}
+
+/// Values are drawn by the number of the roster, never by that of a platform.
+void TestClassFolder::onlyTheRosterGivesNumbersForValues()
+{
+    const Made made;
+    made.file("Ada Lovelace_1234567_assignsubmission_file_/lab.lua");
+    made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
+    const auto roster =
+        rosterFrom(text("id,name,number\nada,Ada Lovelace,00417\nbob,Bob Boole,\n"), {});
+    QVERIFY(roster.ok());
+    const ClassFolder found = made.read(*roster);
+    QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
+    QCOMPARE(found.students[0].rosterNumbers, (QStringList{text("00417"), text("ada")}));
+    QCOMPARE(found.students[1].rosterNumbers, QStringList());
 }
 
 void TestClassFolder::brokenRosterIsRefused_data()

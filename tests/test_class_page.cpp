@@ -33,6 +33,7 @@ private slots:
     void latenessIsToldWithTheSum();
     void whatIsNotGradedIsNeitherPassedNorFailed();
     void classPageTellsWhoIsWhere();
+    void numbersThatAreNotClearAreTold();
     void examplesAreWithoutNames();
     void namesAreFoundAsWholeWords();
     void oneAttemptIsItsOwnMedian();
@@ -237,6 +238,38 @@ void TestClassPage::classPageTellsWhoIsWhere()
     QVERIFY(html.contains(QStringLiteral("<bdi>Eve, Nobody</bdi>")));
     QVERIFY(html.contains(QStringLiteral("<li>a remark &amp; more</li>")));
     QVERIFY(html.contains(QStringLiteral("Programs were kept apart by: rlimits.")));
+}
+
+void TestClassPage::numbersThatAreNotClearAreTold()
+{
+    QVERIFY(!page("class.html").contains("Numbers that are not clear"));
+    std::vector<StudentResult> students{mallory(m_lab), ada(m_lab), bob(m_lab)};
+    for (StepResult &step : students[0].steps) {
+        step.drawnBy = QStringLiteral("<13>");
+        step.ownNumber = QStringLiteral("0012");
+    }
+    for (StepResult &step : students[1].steps)
+        step.drawnBy = step.ownNumber = QStringLiteral("12");
+    for (StepResult &step : students[2].steps)
+        step.drawnBy = QStringLiteral("14");
+    const QTemporaryDir folder;
+    QVERIFY(keep(folder.path(), students, m_lab));
+    const auto fault = writeClassResults(folder.path(), m_lab, m_facts);
+    QVERIFY2(!fault, fault ? qPrintable(fault->toString()) : "");
+    const auto textOf = [&](const char *name) {
+        QFile file(folder.filePath(QString::fromLatin1(name)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray html = textOf("class.html");
+    QCOMPARE(faultsOf(html), QByteArray());
+    QVERIFY(html.contains("the roster has <bdi>&lt;13&gt;</bdi>, what was handed in has "
+                          "<bdi>0012</bdi>; judged with the values of <bdi>&lt;13&gt;</bdi>."));
+    QVERIFY(html.contains("<bdi>12</bdi> stands in what several handed in: "));
+    QCOMPARE(html.count("the roster has <bdi>"), 1);
+    const QByteArray mallorys = textOf("students/mallory.html");
+    QVERIFY(mallorys.contains("judged with the values that are drawn by the number &lt;13&gt;."));
+    QVERIFY(textOf("students/bob.html").contains("drawn by the number 14."));
+    QVERIFY(textOf("students/mallory.json").contains("\"number_differs\":true"));
 }
 
 void TestClassPage::examplesAreWithoutNames()

@@ -31,6 +31,8 @@ private slots:
     void editOfASceneKeepsItsExpressions();
     void drawnValueLiesOnItsGridAndStays();
     void everybodyWhoJudgesDrawsTheSame();
+    void numberDrawsTheSameHoweverWritten();
+    void rosterDecidesWhoseValuesAreDrawn();
     void verifyTriesTenStudents();
 };
 
@@ -240,6 +242,66 @@ void TestLabValues::everybodyWhoJudgesDrawsTheSame()
     judgeWork(
         lab, request, [] {}, [&](const StepResult &step) { result = step; });
     QCOMPARE(result.status, StepResult::Status::Failed);
+}
+
+void TestLabValues::numberDrawsTheSameHoweverWritten()
+{
+    const LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    for (int i = 1; i < 50; ++i) {
+        const QString number = QStringLiteral("a%1b").arg(i);
+        for (const QString &written :
+             {QStringLiteral(" A%1 B "), QStringLiteral("00a%1-b"), QStringLiteral("a.%1/B")})
+            QCOMPARE(k(files, written.arg(i)), k(files, number));
+    }
+}
+
+/// Whoever hands in the work of a neighbour, number and all, has the values of the own number.
+void TestLabValues::rosterDecidesWhoseValuesAreDrawn()
+{
+    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    edit(files, "S1/task.json", [](QJsonObject &task) {
+        task.insert(QStringLiteral("questions"),
+                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("k")},
+                                           {QStringLiteral("kind"), QStringLiteral("number")},
+                                           {QStringLiteral("title"), QStringLiteral("k")},
+                                           {QStringLiteral("right"), QStringLiteral("100*k")}}});
+    });
+    const Lab lab = *readLab(files, QStringLiteral("here"));
+    const QString neighbours = QStringLiteral("1");
+    int other = 2;
+    while (k(files, QString::number(other)) == k(files, neighbours))
+        ++other;
+    const QString own = QString::number(other);
+    WorkspaceInfo info;
+    info.studentId = neighbours;
+    const QString answer = QString::number(100.0 * k(files, neighbours));
+    const auto judged = [&](const QStringList &numbers) {
+        const WorkFiles work{
+            {QStringLiteral("cradle.json"), textOf(info)},
+            {QStringLiteral("steps/S1.lua"),
+             forStudent(lab, neighbours).tasks[0].solution.toUtf8()},
+            {QStringLiteral("answers.json"),
+             answersText({{QStringLiteral("S1"), {{QStringLiteral("k"), answer}}}})}};
+        StepResult result;
+        judgeWork(
+            lab, {.seed = 1, .steps = {lab.tasks[0].id}, .files = work, .numbers = numbers}, [] {},
+            [&](const StepResult &step) { result = step; });
+        return result;
+    };
+    StepResult result = judged({own, QStringLiteral("ada")});
+    QCOMPARE(result.status, StepResult::Status::Failed);
+    QCOMPARE(result.drawnBy, own);
+    QCOMPARE(result.ownNumber, neighbours);
+    QVERIFY(result.hasForeignNumber());
+    for (const QStringList &numbers :
+         {QStringList(), QStringList{QStringLiteral("0001")}, QStringList{own, neighbours}}) {
+        result = judged(numbers);
+        QCOMPARE(result.status, StepResult::Status::Passed);
+        QCOMPARE(result.drawnBy, neighbours);
+        QVERIFY(!result.hasForeignNumber());
+    }
+    info.studentId.clear(); // as a lone program has none
+    QCOMPARE(judged({neighbours}).status, StepResult::Status::Passed);
 }
 
 void TestLabValues::verifyTriesTenStudents()

@@ -111,7 +111,9 @@ void TestStudentResultJson::everythingOfAStudentSurvives()
                             .reason = QStringLiteral("the worker died"),
                             .program = QStringLiteral("-- \x01\t\"\\\n\u00fc"),
                             .attempts = 12,
-                            .minutes = 33.25});
+                            .minutes = 33.25,
+                            .drawnBy = QStringLiteral("0012"),
+                            .ownNumber = QStringLiteral("13")});
     result.steps.push_back({.taskId = QStringLiteral("L42T2")});
     const auto read = readStudentResult(writeStudentResult(result, m_lab), {});
     QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));

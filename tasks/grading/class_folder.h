@@ -26,6 +26,7 @@ struct FoundStudent {
     QString name{};   ///< of the person, as far as it is known
     QString number{}; ///< of the learning platform or the university; may be empty
     QString email{};
+    QStringList rosterNumbers{}; ///< by which the roster knows the student, see JudgingRequest
     Platform platform = Platform::None; ///< that gave out the number
     double lateDays = 0.0;
     QByteArray folder{}; ///< that was handed in; empty if it was files

@@ -79,6 +79,8 @@ std::optional<Error> ClassGrader::begin(const FoundStudent &student, int number)
     HandedIn handedIn = readHandedIn(student, m_classRoot, m_lab);
     job.request = std::move(handedIn.request);
     job.request.seed = studentSeed(m_secret, student.id);
+    for (const QString &each : student.rosterNumbers)
+        job.request.numbers.append(each.left(mostNumberLetters));
     job.result = cutToFit({.id = student.id,
                            .name = student.name,
                            .number = student.number,

@@ -18,6 +18,9 @@ struct ClassText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
+constexpr std::size_t mostNumbers = 200; ///< that are told one by one
+constexpr qsizetype mostNamed = 10;      ///< with one number
+
 const QString style = QStringLiteral(R"css(
 :root { --heat: #e8590c; --bar-good: #69b57a; --bar-open: #f0a35e; --bar-quiet: #dee2e6;
   --bar-trouble: #d6616b; --bar-ink: #212529; }
@@ -111,6 +114,42 @@ void writeNotGraded(QString &html, const ClassSummary &summary)
     html += QStringLiteral("</ul>\n");
 }
 
+/// Whose number is whose, where values are drawn by it; it accuses nobody.
+void writeNumbers(QString &html, const ClassSummary &summary)
+{
+    QString list;
+    std::size_t count = 0;
+    const auto item = [&](const QString &text) {
+        if (++count <= mostNumbers)
+            list += QStringLiteral("<li>%1</li>\n").arg(text);
+    };
+    for (const ClassSummary::OtherNumber &each : summary.otherNumbers())
+        item(escaped(ClassText::tr("%1: the roster has %2, what was handed in has %3; judged with "
+                                   "the values of %2."))
+                 .arg(escapedName(each.name), escapedName(each.drawnBy),
+                      escapedName(each.handedIn)));
+    for (const auto &[number, names] : summary.handedNumbers()) {
+        if (names.size() < 2)
+            continue;
+        QStringList all;
+        for (const QString &name : names.mid(0, mostNamed))
+            all.append(escapedName(name));
+        if (names.size() > mostNamed)
+            all.append(QStringLiteral("…"));
+        item(escaped(ClassText::tr("%1 stands in what several handed in: %2."))
+                 .arg(escapedName(number), all.join(QStringLiteral(", "))));
+    }
+    if (list.isEmpty())
+        return;
+    html += heading(ClassText::tr("Numbers that are not clear"));
+    html += paragraph(ClassText::tr("This lab draws values by a student's number: that of the "
+                                    "roster, where it has one, else that of what was handed in. "
+                                    "A mistyped number is likelier than anything else."));
+    html += QStringLiteral("<ul>\n%1</ul>\n").arg(list);
+    if (count > mostNumbers)
+        html += paragraph(ClassText::tr("And %1 more.").arg(count - mostNumbers));
+}
+
 void writeMissing(QString &html, const ClassFacts &facts)
 {
     if (facts.missing.empty())
@@ -169,6 +208,7 @@ QByteArray classPage(const ClassSummary &summary, const Lab &lab, const ClassFac
     writeEffort(html, summary);
     writeAlike(html, summary);
     writeWho(html, summary);
+    writeNumbers(html, summary);
     writeMissing(html, facts);
     writeHow(html, lab, facts);
     html += QStringLiteral("</main>\n");

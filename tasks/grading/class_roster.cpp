@@ -145,6 +145,9 @@ void applyRoster(ClassFolder &found, const std::vector<RosterRow> &roster)
             student.number = row.number;
             student.platform = Platform::None;
         }
+        if (!row.number.isEmpty())
+            student.rosterNumbers = QStringList{row.number, row.id};
+        student.rosterNumbers.removeAll(QString());
         student.email = row.email;
         student.lateDays = row.lateDays;
     }

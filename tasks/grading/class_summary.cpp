@@ -6,6 +6,7 @@
 #include "tasks/lab_report/lab_report.h"
 #include "tasks/report_json.h"
 #include "tasks/script/lua_tokens.h"
+#include "tasks/values/lab_values.h"
 
 #include <QRegularExpression>
 
@@ -117,8 +118,21 @@ void ClassSummary::add(const StudentResult &student)
         row.passed += step.status == StepResult::Status::Passed;
         addStep(m_steps[i], student, step);
     }
+    addNumber(row.name, student);
     m_rows.push_back(std::move(row));
     m_similar.add(student);
+}
+
+void ClassSummary::addNumber(const QString &name, const StudentResult &student)
+{
+    for (const StepResult &step : student.steps) {
+        if (step.ownNumber.isEmpty())
+            continue;
+        m_handedNumbers[plainNumber(step.ownNumber)].append(name);
+        if (step.hasForeignNumber())
+            m_otherNumbers.push_back({name, step.drawnBy, step.ownNumber});
+        return; // the same for all steps
+    }
 }
 
 void ClassSummary::addStep(Step &sum, const StudentResult &student, const StepResult &step)

@@ -68,6 +68,13 @@ public:
         QString reason{};
     };
 
+    /// What was handed in has another number than the roster; the roster's was taken.
+    struct OtherNumber {
+        QString name{};
+        QString drawnBy{};
+        QString handedIn{};
+    };
+
     ClassSummary(const Lab &lab, const ClassFacts &facts);
 
     void add(const StudentResult &student);
@@ -80,9 +87,16 @@ public:
     [[nodiscard]] const std::vector<Step> &steps() const { return m_steps; }
     [[nodiscard]] const std::vector<Alike> &alike() const { return m_alike; }
     [[nodiscard]] const std::vector<NotGraded> &notGraded() const { return m_notGraded; }
+    [[nodiscard]] const std::vector<OtherNumber> &otherNumbers() const { return m_otherNumbers; }
+    /// Who handed in each number, by plainNumber(); names.
+    [[nodiscard]] const std::map<QString, QStringList> &handedNumbers() const
+    {
+        return m_handedNumbers;
+    }
     [[nodiscard]] int commonFrom() const { return m_similar.commonFrom(); }
 
 private:
+    void addNumber(const QString &name, const StudentResult &student);
     void addStep(Step &sum, const StudentResult &student, const StepResult &step);
 
     const Lab &m_lab;
@@ -91,6 +105,8 @@ private:
     std::vector<Step> m_steps{};
     std::vector<Alike> m_alike{};
     std::vector<NotGraded> m_notGraded{};
+    std::vector<OtherNumber> m_otherNumbers{};
+    std::map<QString, QStringList> m_handedNumbers{};
     SimilarPrograms m_similar;
 };
 

@@ -8,7 +8,9 @@
 #include "tasks/judgement.h"
 #include "tasks/judging/task_laws.h"
 #include "tasks/lab_reader.h"
+#include "tasks/plain_text.h"
 #include "tasks/program_text.h"
+#include "tasks/values/lab_values.h"
 #include "tasks/workspace/kept_history.h"
 
 #include <QCoreApplication>
@@ -145,6 +147,17 @@ void addHistory(StudentWork &work, const RepositoryFiles &repository)
     }
 }
 
+/// By which number the values of a student are drawn whose work has the number \p own.
+QString numberOfValues(const QStringList &ofRoster, const QString &own)
+{
+    const auto isOwn = [&](const QString &number) {
+        return !own.isEmpty() && plainNumber(number) == plainNumber(own);
+    };
+    return ofRoster.isEmpty() || std::any_of(ofRoster.begin(), ofRoster.end(), isOwn)
+               ? own
+               : ofRoster.first();
+}
+
 } // namespace
 
 QByteArray bytesOf(const JudgingRequest &request)
@@ -153,7 +166,7 @@ QByteArray bytesOf(const JudgingRequest &request)
     QDataStream out(&bytes, QIODevice::WriteOnly);
     out.setVersion(stream);
     out << request.seed << request.steps << request.files << request.archive << request.repository
-        << request.moments;
+        << request.numbers << request.moments;
     return bytes;
 }
 
@@ -163,7 +176,7 @@ std::optional<JudgingRequest> requestFrom(const QByteArray &bytes)
     QDataStream in(bytes);
     in.setVersion(stream);
     in >> request.seed >> request.steps >> request.files >> request.archive >> request.repository
-        >> request.moments;
+        >> request.numbers >> request.moments;
     return in.status() == QDataStream::Ok ? std::optional(request) : std::nullopt;
 }
 
@@ -204,7 +217,9 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
     spreadProgram(files, lab);
     StudentWork work = workFrom(files, lab);
     addHistory(work, request.repository);
-    const Lab own = forStudent(lab, work.info.studentId);
+    const QString ownNumber = printable(work.info.studentId).simplified().left(mostNumberLetters);
+    const QString drawnBy = numberOfValues(request.numbers, ownNumber);
+    const Lab own = forStudent(lab, drawnBy);
     for (const QString &id : request.steps) {
         begin();
         const int index = own.indexOf(id);
@@ -219,6 +234,10 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
         else
             result = judgeStep(own, own.tasks[static_cast<std::size_t>(index)], work.step(id),
                                files.value(QStringLiteral("steps/%1.lua").arg(id)), request);
+        if (lab.drawnFrom) {
+            result.drawnBy = drawnBy;
+            result.ownNumber = ownNumber;
+        }
         done(result);
     }
 }

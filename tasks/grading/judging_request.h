@@ -19,7 +19,10 @@ struct JudgingRequest {
     WorkFiles files{};    ///< of a workspace, by their paths in it
     QByteArray archive{}; ///< a .cradle-work file in the place of files; empty if there is none
     RepositoryFiles repository{}; ///< that came with files; empty if there is none
-    bool moments = true;          ///< whether StepResult::moments are wanted
+    /// Of the student by the roster; values are drawn by the first of them, unless the work has
+    /// another of them. Empty: by that of the work, which anybody may have written.
+    QStringList numbers{};
+    bool moments = true; ///< whether StepResult::moments are wanted
 
     friend bool operator==(const JudgingRequest &, const JudgingRequest &) = default;
 };
@@ -28,6 +31,9 @@ struct JudgingRequest {
 [[nodiscard]] QByteArray bytesOf(const JudgingRequest &request);
 /// \return nothing if \p bytes are no request
 [[nodiscard]] std::optional<JudgingRequest> requestFrom(const QByteArray &bytes);
+
+/// Of a student's number; the rest of a longer one is not looked at.
+inline constexpr qsizetype mostNumberLetters = 100;
 
 /// Processor time that one step may take, s; then there is no verdict on it.
 inline constexpr qint64 secondsPerStep = 60;

@@ -107,6 +107,7 @@ private:
                 StudentText::tr("Steps that could not be graded: %1. There is no sum of points "
                                 "yet; that is not the fault of what was handed in.")
                     .arg(notGraded));
+        writeNumbers();
         const double kept = keptWhenLate(m_student.lateDays, m_facts.late);
         if (kept < 1.0)
             paragraph(
@@ -118,6 +119,24 @@ private:
             m_html += QStringLiteral("<div class=\"note\">%1</div>\n")
                           .arg(escaped(m_student.remark)
                                    .replace(QLatin1Char('\n'), QLatin1String("<br>")));
+    }
+
+    /// By which number values were drawn; the same for all steps.
+    void writeNumbers()
+    {
+        if (m_student.steps.empty())
+            return;
+        const StepResult &step = m_student.steps.front();
+        if (step.hasForeignNumber())
+            paragraph(StudentText::tr("What was handed in has the number %2, which the roster does "
+                                      "not have for this student: it was judged with the values "
+                                      "that are drawn by the number %1.")
+                          .arg(step.drawnBy, step.ownNumber),
+                      "note");
+        else if (!step.drawnBy.isEmpty())
+            paragraph(StudentText::tr("The values of this lab were drawn by the number %1.")
+                          .arg(step.drawnBy),
+                      "muted");
     }
 
     static QString verdictBadge(const StepResult &step)

@@ -38,6 +38,11 @@ struct StepResult {
     QString program{};                   ///< its text, where it could be read
     int attempts = 0;                    ///< checks in the history that was handed in; 0: none told
     double minutes = 0.0;                ///< of work on it that the history shows
+    QString drawnBy{};   ///< the number by which values were drawn, where the lab draws any
+    QString ownNumber{}; ///< that stands in what was handed in, in such a lab
+
+    /// Whether what was handed in has a number that is not the student's by the roster.
+    [[nodiscard]] bool hasForeignNumber() const;
 
     friend bool operator==(const StepResult &, const StepResult &) = default;
 };

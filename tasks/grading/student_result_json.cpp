@@ -4,6 +4,7 @@
 
 #include "tasks/grading/points.h"
 #include "tasks/report_json.h"
+#include "tasks/values/lab_values.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -73,6 +74,11 @@ QJsonObject jsonOf(const StepResult &step, const Lab &lab)
                      {QStringLiteral("program"), step.program},
                      {QStringLiteral("attempts"), step.attempts},
                      {QStringLiteral("minutes"), step.minutes}};
+    if (!step.drawnBy.isEmpty() || !step.ownNumber.isEmpty()) {
+        json.insert(QStringLiteral("values_of"), step.drawnBy);
+        json.insert(QStringLiteral("number_handed_in"), step.ownNumber);
+        json.insert(QStringLiteral("number_differs"), step.hasForeignNumber());
+    }
     if (const int index = lab.indexOf(step.taskId); index >= 0) {
         const Task &task = lab.tasks[static_cast<std::size_t>(index)];
         const Points points = pointsOf(step, task);
@@ -84,6 +90,11 @@ QJsonObject jsonOf(const StepResult &step, const Lab &lab)
 }
 
 } // namespace
+
+bool StepResult::hasForeignNumber() const
+{
+    return !ownNumber.isEmpty() && plainNumber(ownNumber) != plainNumber(drawnBy);
+}
 
 QByteArray writeStudentResult(const StudentResult &result, const Lab &lab)
 {

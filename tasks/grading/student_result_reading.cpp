@@ -178,6 +178,10 @@ StepResult readStep(JsonFields json)
         step.status = *status;
     else
         json.refuse(QStringLiteral("status"), ReadingText::tr("there is no such status"));
+    if (json.has("values_of"))
+        step.drawnBy = json.text("values_of", nameLetters);
+    if (json.has("number_handed_in"))
+        step.ownNumber = json.text("number_handed_in", nameLetters);
     if (json.has("report"))
         step.report = readReport(JsonFields(json, QStringLiteral("report")));
     step.moments =

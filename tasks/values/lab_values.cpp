@@ -44,9 +44,9 @@ QJsonObject valuesIn(const LabFiles &files, const QString &path)
 class Working
 {
 public:
-    Working(const LabFiles &files, QString student, std::vector<Error> *faults)
+    Working(const LabFiles &files, const QString &student, std::vector<Error> *faults)
         : m_lab(objectIn(files, labPath))
-        , m_student(std::move(student))
+        , m_student(plainNumber(student))
         , m_faults(faults)
     {
     }
@@ -174,6 +174,16 @@ bool drawsValues(const LabFiles &files)
         }
     }
     return false;
+}
+
+QString plainNumber(const QString &number)
+{
+    QString plain;
+    for (const QChar letter : number.normalized(QString::NormalizationForm_KC).toCaseFolded()) {
+        if (letter.isLetterOrNumber() && (letter != u'0' || !plain.isEmpty()))
+            plain += letter;
+    }
+    return plain.isEmpty() ? number.simplified() : plain;
 }
 
 Values valuesOf(const LabFiles &files, const QString &step, const QString &student,

@@ -17,6 +17,10 @@ using Values = QMap<QString, double>;
 /// Whether the lab or a step draws a value for each student.
 [[nodiscard]] bool drawsValues(const LabFiles &files);
 
+/// A student's number however it is written: letters and digits alone, small, without zeros in
+/// front, as spreadsheets drop them. Numbers that are alike in this draw the same values.
+[[nodiscard]] QString plainNumber(const QString &number);
+
 /// The values of a step (of the lab alone if \p step is empty) for the student with that number;
 /// empty: the first of every range. The same for the same lab and number, everywhere: drawn by
 /// HMAC-SHA-256 of name and number under the lab's id and its "draw", which changes from year to
