@@ -187,6 +187,8 @@ private:
         if (const auto error = journal.finish(true))
             return complainUnwritten(*error);
         m_progress.end(grader.progress(), "done");
+        if (const auto unwritten = m_progress.fault())
+            return complainUnwritten(*unwritten);
         return verdictOn(journal.manifest(), m_request);
     }
 

@@ -105,6 +105,8 @@ ExitCode mergeClass(const GradeRequest &request)
                       .done = static_cast<int>(merged->files.size())};
     all.kept = all.done;
     progress.end(all, "done");
+    if (const auto unwritten = progress.fault())
+        return complainUnwritten(*unwritten);
     return merged->lacking.isEmpty() ? verdictOn(journal->manifest(), request) : NotPassed;
 }
 

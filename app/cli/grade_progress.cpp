@@ -59,7 +59,9 @@ GradeProgress::GradeProgress(bool events)
 void GradeProgress::event(const QJsonObject &json)
 {
     // Who reads them may have gone; the results do not depend on it.
-    (void)writeStandardOutput(QJsonDocument(json).toJson(QJsonDocument::Compact) + '\n');
+    auto fault = writeStandardOutput(QJsonDocument(json).toJson(QJsonDocument::Compact) + '\n');
+    if (fault && !m_fault)
+        m_fault = std::move(fault);
 }
 
 void GradeProgress::clearBar()

@@ -26,6 +26,8 @@ public:
     /// The last word. \param outcome  "done", "stopped"
     void end(const ClassProgress &progress, const char *outcome);
     void remark(const QString &text);
+    /// Why not all events could be written, if so.
+    [[nodiscard]] const std::optional<Error> &fault() const { return m_fault; }
 
 private:
     void event(const QJsonObject &json);
@@ -36,6 +38,7 @@ private:
     QElapsedTimer m_timer{};
     qint64 m_shown = -1'000'000; ///< ms
     bool m_barStands = false;
+    std::optional<Error> m_fault{};
 };
 
 } // namespace cradle::cli

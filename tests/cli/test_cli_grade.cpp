@@ -29,6 +29,7 @@ private slots:
     void dryRunWritesNothing();
     void rosterSaysWhoIsMissing();
     void eventsAreLinesOfJson();
+    void eventsThatCannotBeWrittenAreTold();
     void pagesSpeakTheLanguageAskedFor();
     void languageOfTheSystemChangesNothing();
     void nothingIsWrittenWhereTheSubmissionsAre();
@@ -291,13 +292,23 @@ void TestCliGrade::eventsAreLinesOfJson()
         events.append(json.object().value(text("event")).toString());
     }
     QCOMPARE(events, (QStringList{text("start"), text("student"), text("student"), text("done")}));
-    // Who reads them may go; the class is graded all the same.
-    const Outcome gone =
-        run(text("/bin/bash"),
-            QStringList{text("-c"), text("\"$@\" >&-"), text("bash"), cradle::cliProgram()}
-                + made.arguments(text("closed"), {text("--format"), text("json")}));
-    VERIFY_CODE(gone, 1);
-    QCOMPARE(made.differing(text("closed"), text("out")), QStringList());
+}
+
+/// Who reads them may go, or lack room; the class is graded all the same.
+void TestCliGrade::eventsThatCannotBeWrittenAreTold()
+{
+    const GradedClass made;
+    made.putStudent(text("ada"));
+    VERIFY_CODE(made.grade(text("told")), 1);
+    for (const char *where : {">/dev/full", ">&-"}) {
+        const QStringList line{text("-c"), text("exec \"$0\" \"$@\" ") + text(where),
+                               cradle::cliProgram()};
+        const Outcome outcome =
+            run(text("sh"), line + made.arguments(text("out"), {text("--format"), text("json")}));
+        VERIFY_CODE(outcome, 3);
+        QVERIFY2(outcome.error.startsWith(text("-: ")), outcome.toText());
+        QCOMPARE(made.differing(text("out"), text("told")), QStringList());
+    }
 }
 
 /// What students are told comes from the worker, the rest from the grader: both speak it. Results
