@@ -32,6 +32,7 @@ private slots:
     void lastBlackboardAttemptCounts();
     void classroomClonesLoseTheAssignment();
     void oneStudentsWorkIsNoClass();
+    void zipInsideIsTold();
     void linksThatLeadOutAreNotFollowed();
     void namesThatAreNoTextWork();
     void idsAreUnlikeEachOther();
@@ -224,6 +225,19 @@ void TestClassFolder::oneStudentsWorkIsNoClass()
     made.file("steps/L1.lua");
     QVERIFY(!readClassFolder(made.root(), text("lab")));
     QVERIFY(!readClassFolder(made.root() + "/nowhere", text("lab")));
+}
+
+/// Else it would look as if the student had handed in nothing.
+void TestClassFolder::zipInsideIsTold()
+{
+    const Made made;
+    made.file("Ada Lovelace_1234567_assignsubmission_file_/my work.ZIP");
+    made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
+    const ClassFolder found = made.read();
+    QCOMPARE(found.students.size(), std::size_t(2));
+    const HandedIn handedIn = readHandedIn(found.students[0], found.root, lab());
+    QVERIFY(handedIn.request.files.isEmpty());
+    QVERIFY(handedIn.remark.contains(text("my work.ZIP is not looked into")));
 }
 
 void TestClassFolder::linksThatLeadOutAreNotFollowed()

@@ -42,6 +42,16 @@ bool isProgram(const QString &name)
     return name.endsWith(QLatin1String(".lua"), Qt::CaseInsensitive);
 }
 
+/// Whether it may hold programs that only unpacking brings to light.
+bool isPacked(const QString &name)
+{
+    for (const char *suffix : {".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".xz", ".bz2"}) {
+        if (name.endsWith(QLatin1String(suffix), Qt::CaseInsensitive))
+            return true;
+    }
+    return false;
+}
+
 QString folderOf(const QString &name)
 {
     return name.left(name.lastIndexOf(u'/') + 1);
@@ -204,6 +214,16 @@ private:
         return found == m_lab.tasks.end() ? nullptr : &*found;
     }
 
+    void tellNoProgram()
+    {
+        m_remarks.append(HandedInText::tr("nothing that was handed in is a program"));
+        for (const Candidate &file : m_candidates) {
+            if (isPacked(file.name))
+                m_remarks.append(HandedInText::tr("%1 is not looked into; unpack it in its place")
+                                     .arg(file.name));
+        }
+    }
+
     void takeLoose()
     {
         // What browsers and platforms add to a name that was there: "lab (1)", "lab-2".
@@ -221,7 +241,7 @@ private:
         }
         if (!m_read.request.files.isEmpty() || others.empty()) {
             if (others.empty() && m_read.request.files.isEmpty())
-                m_remarks.append(HandedInText::tr("nothing that was handed in is a program"));
+                tellNoProgram();
             return;
         }
         const Candidate *chosen = others.back();
