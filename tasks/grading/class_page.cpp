@@ -60,6 +60,7 @@ body { max-width: 76rem; }
 .met summary { font-weight: 400; padding: 0; color: var(--link); font-size: .875rem; }
 .pair { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 1rem; }
 .pair pre { white-space: pre-wrap; }
+@media screen and (max-width: 50rem) { .stand { overflow-x: auto; } .stand > svg { min-width: 40rem; } }
 @media (max-width: 50rem) { .pair { grid-template-columns: minmax(0, 1fr); } }
 )css");
 
