@@ -38,6 +38,7 @@ private slots:
     void idsAreUnlikeEachOther();
     void rosterNamesStudentsAndTheMissing();
     void onlyTheRosterGivesNumbersForValues();
+    void whatTheRosterHasTwiceIsTold();
     void brokenRosterIsRefused_data();
     void brokenRosterIsRefused();
     void tableCellsMayBeQuoted();
@@ -333,6 +334,18 @@ void TestClassFolder::onlyTheRosterGivesNumbersForValues()
     QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
     QCOMPARE(found.students[0].rosterNumbers, (QStringList{text("00417"), text("ada")}));
     QCOMPARE(found.students[1].rosterNumbers, QStringList());
+}
+
+void TestClassFolder::whatTheRosterHasTwiceIsTold()
+{
+    const Made made;
+    made.file("a/steps/L1.lua");
+    made.file("b/steps/L1.lua");
+    const auto roster =
+        rosterFrom(text("id,folder,number\nada,a,7\nADA,b,8\nzed,,7\ncy,,\ndi,,\n"), {});
+    QVERIFY(roster.ok());
+    QCOMPARE(made.read(*roster).remarks, (QStringList{text("the roster has ADA more than once"),
+                                                      text("the roster has 7 more than once")}));
 }
 
 void TestClassFolder::brokenRosterIsRefused_data()

@@ -122,9 +122,27 @@ QString studentIdFrom(const QString &name)
            + QString::fromLatin1(hash.left(8));
 }
 
+namespace {
+
+/// What two rows share is nobody's alone: an id gets an ending, values are drawn alike.
+void tellDoubles(ClassFolder &found, const std::vector<RosterRow> &roster,
+                 QString RosterRow::*field)
+{
+    QHash<QString, int> rows;
+    for (const RosterRow &row : roster) {
+        const QString text = row.*field;
+        if (!text.isEmpty() && ++rows[text.toCaseFolded()] == 2)
+            found.remarks.append(RosterMatchText::tr("the roster has %1 more than once").arg(text));
+    }
+}
+
+} // namespace
+
 void applyRoster(ClassFolder &found, const std::vector<RosterRow> &roster)
 {
     RosterMatch match(found.students);
+    tellDoubles(found, roster, &RosterRow::id);
+    tellDoubles(found, roster, &RosterRow::number);
     std::vector<bool> named(found.students.size(), false);
     for (const RosterRow &row : roster) {
         const int index = match.take(row);
