@@ -3687,6 +3687,46 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>the history is too large to be looked at</source>
         <translation>der Verlauf ist zu groß, um angesehen zu werden</translation>
     </message>
+    <message>
+        <source>what judging found cannot be kept: %1</source>
+        <translation>was beim Urteilen gefunden wurde, lässt sich nicht aufbewahren: %1</translation>
+    </message>
+    <message>
+        <source>%1: the roster has %2, what was handed in has %3; judged with the values of %2.</source>
+        <translation>%1: auf der Liste steht %2, im Abgegebenen steht %3; geurteilt wurde mit den Werten zu %2.</translation>
+    </message>
+    <message>
+        <source>%1 stands in what several handed in: %2.</source>
+        <translation>%1 steht in dem, was mehrere abgegeben haben: %2.</translation>
+    </message>
+    <message>
+        <source>Numbers that are not clear</source>
+        <translation>Nummern, die nicht eindeutig sind</translation>
+    </message>
+    <message>
+        <source>This lab draws values by a student&apos;s number: that of the roster, where it has one, else that of what was handed in. A mistyped number is likelier than anything else.</source>
+        <translation>Dieses Lab lost Werte nach der Nummer aus: nach der auf der Liste, wo dort eine steht, sonst nach der im Abgegebenen. Wahrscheinlicher als alles andere ist eine vertippte Nummer.</translation>
+    </message>
+    <message>
+        <source>and %1 more of that sort</source>
+        <translation>und %1 weitere dieser Art</translation>
+    </message>
+    <message>
+        <source>%1 is not looked into; unpack it in its place</source>
+        <translation>in %1 wird nicht hineingesehen; entpacken Sie die Datei an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
+        <translation>Im Abgegebenen steht die Nummer %2, die laut Liste nicht zu dieser Person gehört: Geurteilt wurde mit den Werten, die zur Nummer %1 ausgelost sind.</translation>
+    </message>
+    <message>
+        <source>The values of this lab were drawn by the number %1.</source>
+        <translation>Die Werte dieses Labs wurden nach der Nummer %1 ausgelost.</translation>
+    </message>
+    <message>
+        <source>the roster has %1 more than once</source>
+        <translation>%1 steht mehr als einmal auf der Liste</translation>
+    </message>
 </context>
 <context>
     <name>HandIn</name>
