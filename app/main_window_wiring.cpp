@@ -108,6 +108,9 @@ void MainWindow::showTask()
 void MainWindow::showProgress()
 {
     m_taskPane->setProgress(m_workbench.passed(), m_workbench.current(), m_workbench.pass());
+    m_taskPane->setAwaitsRun(m_workbench.awaitsRun());
+    m_taskPane->setOffersSolution(m_workbench.mode() == Mode::Code
+                                  && m_workbench.mayShowSolution());
 }
 
 /// An example tells what there is to see, and the tab that shows it comes to the front.
@@ -188,8 +191,7 @@ void MainWindow::titleTabs()
 
 void MainWindow::showReport()
 {
-    m_taskPane->setOffersSolution(m_workbench.mode() == Mode::Code
-                                  && m_workbench.mayShowSolution());
+    showProgress();
     m_taskPane->setReport(m_workbench.report());
     m_desk->showReport();
     std::vector<Timeline::Mark> marks;

@@ -59,7 +59,12 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
         }
     });
     connect(&m_simulation, &Simulation::frameReady, this, &Workbench::noteWatched);
-    connect(&m_code, &CodeSession::edited, this, &Workbench::markStale);
+    connect(&m_code, &CodeSession::edited, this, [this] {
+        forgetRun();
+        markStale();
+    });
+    connect(&m_code, &CodeSession::opened, this, &Workbench::forgetRun);
+    connect(&m_code, &CodeSession::textReplaced, this, &Workbench::forgetRun);
     connect(&m_code, &CodeSession::failed, this, &Workbench::failed);
     connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
     connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
@@ -189,7 +194,7 @@ void Workbench::openScene(const Preset &preset, std::optional<Example> example)
     m_simulation.pause();
     m_current = -1;
     m_example = example;
-    m_report.reset();
+    dropReport();
     m_code.close();
     setGhost(nullptr);
     m_document.setLocked({});
@@ -224,7 +229,7 @@ void Workbench::setMode(Mode mode)
     cancelCheck();
     m_document.leave();
     m_code.setActive(mode == Mode::Code);
-    m_report.reset();
+    dropReport();
     setGhost(nullptr);
     emit modeChanged();
     emit reportChanged();
@@ -238,7 +243,7 @@ void Workbench::openTaskAt(int index)
     m_simulation.pause();
     m_current = index;
     m_example.reset();
-    m_report.reset();
+    dropReport();
     m_store.lab(m_lab.id).currentTask = task()->id;
     setGhost(nullptr);
     m_code.setActive(false);  // the old program does not meet the new scene
@@ -267,6 +272,7 @@ void Workbench::openPreviousTask()
 
 void Workbench::keepEdited()
 {
+    forgetRun();
     markStale();
     if (!task())
         return;

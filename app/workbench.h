@@ -46,6 +46,8 @@ public:
     [[nodiscard]] bool mayShowSolution();
     [[nodiscard]] const std::optional<CheckReport> &report() const { return m_report; }
     [[nodiscard]] bool isChecking() const { return m_checker.isRunning(); }
+    /// Whether the last check passed, and the step counts as passed as soon as its run is shown.
+    [[nodiscard]] bool awaitsRun() const { return m_awaitsRun; }
     [[nodiscard]] std::vector<bool> passed() const; ///< one for each step
     [[nodiscard]] int hintsOpened();                ///< of the current step
     /// What the last check that the current step passed has left; invalid if there is none.
@@ -138,9 +140,15 @@ private:
     void keepChecked(const CheckReport &report);
     void keepEdited();
     void finishCheck(const CheckReport &report);
+    void commitChecked();
+    void countPass();
+    void awaitRun();
+    void dropReport();
+    void forgetRun();
     void showFirstFailure();
     void markStale();
     void noteWatched();
+    void noteSeen();
     void showReference(const CheckOutcome &outcome, qint64 step);
     void setGhost(std::shared_ptr<const Recording> ghost);
     [[nodiscard]] Submission submission() const;
@@ -161,7 +169,9 @@ private:
     std::optional<CheckReport> m_report;
     Submission m_judged; ///< what the last check was asked about
     std::shared_ptr<const Recording> m_ghost;
-    qint64 m_visited = 0; ///< step of showMoment()
+    qint64 m_visited = 0;     ///< step of showMoment()
+    bool m_runSeen = false;   ///< the run of the work as it is now was shown, beyond its start
+    bool m_awaitsRun = false; ///< see awaitsRun()
     QTimer m_saveSoon;
 };
 

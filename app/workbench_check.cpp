@@ -66,24 +66,57 @@ void Workbench::finishCheck(const CheckReport &report)
         return;
     m_report = report;
     keepChecked(report);
-    const bool finished = report.passed && isLast() && !progress().passed;
-    if (report.passed) {
-        progress().passed = true;
-        progress().pass = {.when = now(), .commit = report.commit};
-        m_saveSoon.start();
-        emit progressChanged();
-        emit guessChanged();
-    }
+    m_awaitsRun = false;
+    if (report.passed && (m_runSeen || progress().passed))
+        countPass();
+    else if (report.passed)
+        awaitRun();
     showFirstFailure();
     emit checkEnded();
     emit reportChanged();
     if (m_judged != submission())
         emit reportStale(true);
+}
+
+/// Who passes without ever having looked sees the run now: what was checked is what it shows.
+void Workbench::awaitRun()
+{
+    m_awaitsRun = true;
+    if (m_judged != submission())
+        return;
+    m_document.leave();
+    m_simulation.start();
+}
+
+/// Of the report, whose run was shown.
+void Workbench::countPass()
+{
+    const bool finished = isLast() && !progress().passed;
+    progress().passed = true;
+    progress().pass = {.when = now(), .commit = m_report->commit};
+    m_saveSoon.start();
+    commitChecked();
+    emit progressChanged();
+    emit guessChanged();
     if (finished)
         emit labFinished();
 }
 
-/// Every program that was judged is a version; one that passed, a commit.
+/// Of a step or a mode that is left.
+void Workbench::dropReport()
+{
+    m_report.reset();
+    m_awaitsRun = false;
+    forgetRun();
+}
+
+/// What is shown from now on is the run of other work.
+void Workbench::forgetRun()
+{
+    m_runSeen = false;
+}
+
+/// Every program that was judged is a version.
 void Workbench::keepChecked(const CheckReport &report)
 {
     if (!mayWrite())
@@ -97,12 +130,17 @@ void Workbench::keepChecked(const CheckReport &report)
                                                        : finding.mistake);
     if (m_judged.script)
         m_code.keepVersion(*m_judged.script, note);
-    if (!report.passed)
+}
+
+/// What was passed becomes a commit.
+void Workbench::commitChecked()
+{
+    if (!mayWrite())
         return;
     m_code.save();
     const auto scene =
         m_judged.preset == task()->preset ? std::nullopt : std::optional(m_judged.preset);
-    if (const auto error = m_code.workspace().commitPass(report, m_judged.script, scene))
+    if (const auto error = m_code.workspace().commitPass(*m_report, m_judged.script, scene))
         emit failed(*error);
     else
         emit stepCommitted();

@@ -79,9 +79,24 @@ void Workbench::answer(const QString &question, const QJsonValue &value)
     markStale();
 }
 
+/// A pass needs a run that was seen: of this work, not of a scene of the check or of the last text
+/// that could be read.
+void Workbench::noteSeen()
+{
+    if (m_runSeen || m_simulation.atStart() || !task() || m_document.isVisiting()
+        || (mode() == Mode::Code && m_code.runningText() != m_code.text()))
+        return;
+    m_runSeen = true;
+    if (!m_awaitsRun || m_judged != submission())
+        return;
+    m_awaitsRun = false;
+    countPass();
+}
+
 /// A question that waits until the scene has moved says so.
 void Workbench::noteWatched()
 {
+    noteSeen();
     if (m_simulation.atStart() || !task() || !task()->prediction || progress().guess.watched)
         return;
     progress().guess.watched = true;

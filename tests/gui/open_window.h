@@ -109,7 +109,8 @@ public:
     void check()
     {
         click(QStringLiteral("Check"));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.report() && !window.transportBar().isChecking(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.report() && !window.transportBar().isChecking() && !bench.awaitsRun(), 60'000);
     }
 
     QSettings settings;

@@ -57,6 +57,7 @@ private:
         QSignalSpy ended(&m_open->bench, &Workbench::checkEnded);
         m_open->bench.check();
         QVERIFY(!ended.isEmpty() || ended.wait(30'000));
+        QTRY_VERIFY(!m_open->bench.awaitsRun());
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

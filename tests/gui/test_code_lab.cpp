@@ -66,6 +66,7 @@ void TestCodeLab::check()
     QSignalSpy ended(&m_open->bench, &Workbench::checkEnded);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return, Qt::ControlModifier);
     QVERIFY2(!ended.isEmpty() || ended.wait(30'000), qPrintable(m_open->bench.code().text()));
+    QTRY_VERIFY(!m_open->bench.awaitsRun());
 }
 
 void TestCodeLab::solutionsPassWhenTyped_data()

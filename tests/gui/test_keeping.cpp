@@ -89,6 +89,7 @@ void check(windows::OpenWindow &open)
     QSignalSpy ended(&open.bench, &Workbench::checkEnded);
     open.bench.check();
     QVERIFY(ended.wait(patience));
+    QTRY_VERIFY(!open.bench.awaitsRun());
 }
 
 } // namespace

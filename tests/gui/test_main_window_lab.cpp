@@ -21,6 +21,9 @@ private slots:
     void cleanup() { m_open.reset(); }
     void firstStartShowsStepOnePaused();
     void firstStepIsSolvedByTyping();
+    void passCountsWhenItsRunIsShown();
+    void passOfWorkThatWasSeenCountsAtOnce();
+    void seenRunOfOtherWorkDoesNotCount();
     void allStepsAreSolved();
     void failedCheckShowsTheMomentAndTheWayBack();
     void momentOfTheOwnSceneIsNoVisit();
@@ -96,6 +99,59 @@ void TestMainWindowLab::firstStepIsSolvedByTyping()
     QVERIFY(m_open->says(QStringLiteral("Press Check")));
     QVERIFY(m_open->window.notice().isHidden());
     QVERIFY(m_open->isTicked(0) && !m_open->isTicked(1));
+}
+
+void TestMainWindowLab::passCountsWhenItsRunIsShown()
+{
+    QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
+    std::vector<bool> atVerdict;
+    connect(&m_open->bench, &Workbench::reportChanged, this, [&] {
+        atVerdict = m_open->bench.passed();
+        QVERIFY(m_open->simulation().atStart());
+    });
+    m_open->check();
+    QVERIFY(m_open->bench.report()->passed);
+    QVERIFY(!atVerdict.empty() && !atVerdict.front());
+    // Check itself plays what it passed; with that the step counts.
+    QVERIFY(m_open->simulation().isRunning());
+    QVERIFY(!m_open->simulation().atStart());
+    QVERIFY(m_open->isTicked(0));
+    QVERIFY(!m_open->says(QStringLiteral("as soon as the run")));
+}
+
+void TestMainWindowLab::passOfWorkThatWasSeenCountsAtOnce()
+{
+    QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
+    m_open->simulation().stepForward();
+    m_open->simulation().restart();
+    bool atVerdict = false;
+    connect(&m_open->bench, &Workbench::reportChanged, this,
+            [&] { atVerdict = m_open->bench.passed().front(); });
+    m_open->check();
+    QVERIFY(atVerdict);
+    QVERIFY(!m_open->simulation().isRunning());
+    QVERIFY(m_open->simulation().atStart());
+}
+
+void TestMainWindowLab::seenRunOfOtherWorkDoesNotCount()
+{
+    m_open->simulation().stepForward();
+    QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
+    QVERIFY(m_open->simulation().atStart());
+    m_open->bench.check();
+    // The work is changed before the verdict comes: what is shown later is not what was judged.
+    Preset other = m_open->solution();
+    other.circles.front().body.velocity.x *= 1.5;
+    QVERIFY(m_open->bench.document().edit(QStringLiteral("other"), other));
+    QTRY_VERIFY_WITH_TIMEOUT(m_open->bench.report(), 60'000);
+    QVERIFY(m_open->bench.report()->passed && m_open->bench.awaitsRun());
+    QVERIFY(m_open->says(QStringLiteral("as soon as the run")));
+    m_open->simulation().stepForward();
+    QVERIFY(!m_open->bench.passed().front());
+    m_open->bench.document().undoStack().undo();
+    m_open->simulation().stepForward();
+    QVERIFY(m_open->bench.passed().front());
+    QVERIFY(!m_open->says(QStringLiteral("as soon as the run")));
 }
 
 void TestMainWindowLab::allStepsAreSolved()

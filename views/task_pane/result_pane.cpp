@@ -77,6 +77,14 @@ void ResultPane::setStale(bool stale)
     rebuild();
 }
 
+void ResultPane::setAwaitsRun(bool awaits)
+{
+    if (awaits == m_awaitsRun)
+        return;
+    m_awaitsRun = awaits;
+    rebuild();
+}
+
 void ResultPane::setHasStep(bool hasStep)
 {
     if (hasStep == m_hasStep)

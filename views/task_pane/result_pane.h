@@ -28,6 +28,8 @@ public:
     void setReport(const std::optional<CheckReport> &report);
     void setChecking(bool checking, int done, int total);
     void setStale(bool stale); ///< the scene was changed since the check
+    /// The check passed, but the step counts only when the run of that work was shown.
+    void setAwaitsRun(bool awaits);
     /// \param last       whether no step follows the open one
     /// \param stillOpen  numbers of the other steps that are not passed
     void setLast(bool last, const QStringList &stillOpen);
@@ -75,6 +77,7 @@ private:
     int m_done = 0;
     int m_total = 0;
     bool m_stale = false;
+    bool m_awaitsRun = false;
     bool m_hasStep = true;
     bool m_passed = false;
     Pass m_pass;

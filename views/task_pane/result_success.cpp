@@ -25,6 +25,9 @@ void ResultPane::addSuccess(QVBoxLayout *column)
             : count == 1            ? tr("✓ Passed: the check")
                                     : tr("✓ Passed: all %1 checks").arg(count),
             "successTitle");
+    if (m_awaitsRun)
+        addText(column, tr("The step counts as passed as soon as the run of this work was shown."),
+                "plain");
     for (const Remark &remark : m_report->remarks)
         addRemark(column, remark);
     if (!m_report->commit.isEmpty())

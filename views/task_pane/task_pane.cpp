@@ -144,6 +144,11 @@ void TaskPane::setOffersSolution(bool offers)
     m_result->setOffersSolution(offers);
 }
 
+void TaskPane::setAwaitsRun(bool awaits)
+{
+    m_result->setAwaitsRun(awaits);
+}
+
 void TaskPane::setStale(bool stale)
 {
     m_result->setStale(stale);

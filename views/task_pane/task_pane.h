@@ -40,7 +40,8 @@ public:
     void setChecking(bool checking, int done = 0, int total = 0);
     /// Whether a student who passed can compare his program with the reference.
     void setOffersSolution(bool offers);
-    void setStale(bool stale); ///< the scene was changed since the check
+    void setStale(bool stale);      ///< the scene was changed since the check
+    void setAwaitsRun(bool awaits); ///< it passed, but its run was not shown yet
 
 signals:
     void stepChosen(int step);  ///< from the list, or by a link in the instructions
