@@ -196,10 +196,13 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
             changed.*member = on;
             w->showInScene(changed);
         });
+        return action;
     };
     addOption(MenuText::tr("&Velocities"), &SceneOptions::velocities);
     addOption(MenuText::tr("&Trails"), &SceneOptions::trails);
     addOption(MenuText::tr("&Parts of a hit"), &SceneOptions::hitParts);
+    addOption(MenuText::tr("&Loupe at a hit"), &SceneOptions::loupe)
+        ->setShortcut(Qt::SHIFT | Qt::Key_Z);
     addOption(MenuText::tr("&Momenta tip to tail"), &SceneOptions::momenta);
     addOption(MenuText::tr("&Centre of mass and its way"), &SceneOptions::centreOfMass);
     addOption(MenuText::tr("&Drawings of the program"), &SceneOptions::programDrawings);
@@ -219,6 +222,8 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
     QObject::connect(follow, &QAction::toggled, &window, &MainWindow::followCentreOfMass);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
+    add(menu, MenuText::tr("Zoom to the h&it"), QKeySequence(Qt::Key_Z), scene,
+        &SceneView::zoomToHit);
     add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
         &SceneView::fit);
 }

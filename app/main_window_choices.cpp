@@ -29,7 +29,8 @@ constexpr OptionKey optionKeys[] = {{"scene/velocities", &SceneOptions::velociti
                                     {"scene/hitParts", &SceneOptions::hitParts},
                                     {"scene/programDrawings", &SceneOptions::programDrawings},
                                     {"scene/momenta", &SceneOptions::momenta},
-                                    {"scene/centreOfMass", &SceneOptions::centreOfMass}};
+                                    {"scene/centreOfMass", &SceneOptions::centreOfMass},
+                                    {"scene/loupe", &SceneOptions::loupe}};
 
 } // namespace
 

@@ -42,6 +42,9 @@ private slots:
     void wheelAndDragMoveTheCamera();
     void cameraFollowsTheCentreOfMass();
     void momentaStandInAnInset();
+    void hitIsEnlargedInACorner();
+    void loupeIsOnlyWhereItShowsMore();
+    void hitIsZoomedTo();
     void emptySceneTellsWhatToDo();
     void pictureHasTheSizeAskedFor();
     void descriptionTellsPositions();
@@ -83,6 +86,7 @@ void TestSceneView::shapesLookAlikeToThePixel()
     ScenePicture picture = scene.view.picture();
     picture.list.labels.clear(); // their glyphs are smoothed in two ways
     picture.inset.reset();
+    picture.loupe.reset();
     picture.focusFrame = false;
     QImage byRaster(700, 700, QImage::Format_RGB32);
     {
@@ -198,6 +202,78 @@ void TestSceneView::momentaStandInAnInset()
     scene.view.setOptions(options);
     QVERIFY(!scene.view.picture().inset);
     QVERIFY(with != scene.view.renderToImage({700, 700}));
+}
+
+void TestSceneView::hitIsEnlargedInACorner()
+{
+    Scene scene;
+    QVERIFY(!scene.view.picture().loupe); // nothing hits anything
+    scene.simulation.seekNextHit();
+    const ScenePicture &shown = scene.view.picture();
+    QVERIFY(shown.loupe);
+    const Loupe &loupe = *shown.loupe;
+    const Hit &hit = scene.simulation.recording().hits().back();
+    const Circle &circle = scene.simulation.recording().circles(
+        scene.simulation.current())[static_cast<std::size_t>(hit.a)];
+    // The middle of the loupe is where the circle touched: on its edge, along the normal, before
+    // it moved on with its new velocity.
+    const double since = scene.simulation.time() - hit.time;
+    const Vec2 contact = circle.position - since * hit.afterA + circle.radius * hit.normal;
+    QVERIFY(length(loupe.camera.centre() - contact) < 1e-12);
+    QCOMPARE(loupe.magnification, loupe.camera.pixelsPerMetre() / shown.camera.pixelsPerMetre());
+    QVERIFY(loupe.magnification > 1.5);
+    // It hides no circle, no other inset and no label, and not the hit itself.
+    QVERIFY(!loupe.frame.contains(shown.camera.toPixels(contact)));
+    QVERIFY(!shown.inset || !loupe.frame.intersects(shown.inset->frame));
+    for (const Circle &each : scene.simulation.recording().circles(scene.simulation.current()))
+        QVERIFY(!loupe.frame.contains(shown.camera.toPixels(each.position)));
+    for (const DrawList::Label &label : shown.list.labels)
+        QVERIFY(!labelRect(label, shown.camera, QFontMetricsF(labelFont(shown.font)))
+                     .intersects(loupe.frame));
+    const QImage with = scene.view.renderToImage({700, 700});
+    SceneOptions options = scene.view.options();
+    options.loupe = false;
+    scene.view.setOptions(options);
+    QVERIFY(!scene.view.picture().loupe);
+    QVERIFY(with != scene.view.renderToImage({700, 700}));
+}
+
+void TestSceneView::loupeIsOnlyWhereItShowsMore()
+{
+    Scene scene;
+    scene.simulation.seekNextHit();
+    QVERIFY(scene.view.picture().loupe);
+    scene.simulation.start(); // a run would flicker, and pay for it
+    QVERIFY(!scene.view.picture().loupe);
+    scene.simulation.pause();
+    scene.simulation.restart();
+    scene.simulation.seekNextHit();
+    scene.view.resize(260, 220); // no room
+    QVERIFY(!scene.view.picture().loupe);
+    scene.view.resize(700, 700);
+    QVERIFY(scene.view.picture().loupe);
+    scene.view.zoomToHit(); // as near already
+    QVERIFY(!scene.view.picture().loupe);
+}
+
+void TestSceneView::hitIsZoomedTo()
+{
+    Scene scene;
+    const Camera before = scene.view.camera();
+    scene.view.zoomToHit();
+    QCOMPARE(scene.view.camera(), before);
+    QVERIFY(scene.chips().filter(QStringLiteral("No hit")).size() == 1);
+    scene.simulation.seekNextHit();
+    scene.view.followCentreOfMass(true);
+    scene.view.zoomToHit();
+    const std::optional<Camera> near =
+        cameraAtHit(SceneMoment(scene.simulation), -1, scene.view.size());
+    QVERIFY(near);
+    QVERIFY(length(scene.view.camera().centre() - near->centre()) < 1e-12);
+    QVERIFY(scene.view.camera().pixelsPerMetre() > 1.5 * before.pixelsPerMetre());
+    scene.view.followCentreOfMass(false);
+    scene.view.fit();
+    QCOMPARE(scene.view.camera(), before);
 }
 
 void TestSceneView::emptySceneTellsWhatToDo()

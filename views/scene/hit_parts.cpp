@@ -204,6 +204,15 @@ std::vector<ShownHit> shownHits(const SceneMoment &moment, int selected)
     return shown;
 }
 
+std::optional<Vec2> contactOf(const SceneMoment &moment, const Hit &hit)
+{
+    const std::optional<qint64> frame = frameOf(moment, hit);
+    if (!frame || hit.normal == Vec2{})
+        return std::nullopt;
+    const Circle circle = circleAtHit(moment, *frame, hit, hit.a, hit.afterA);
+    return circle.position + circle.radius * hit.normal;
+}
+
 void addHitParts(SceneDraft &draft, const SceneMoment &moment, const ShownHit &shown,
                  const Camera &camera)
 {

@@ -3,7 +3,7 @@
 #include "views/scene/momentum_inset.h"
 
 #include "model/measurements.h"
-#include "views/scene/handles.h"
+#include "views/scene/free_corner.h"
 #include "views/scene/scene_labels.h"
 #include "views/theme.h"
 
@@ -12,21 +12,18 @@
 #include <QPolygonF>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cradle {
 
 namespace {
 
-constexpr double frameMargin = 8.0; ///< px to the edges of the viewport
 constexpr QSizeF drawingSize{144.0, 78.0};
 constexpr double labelAside = 9.0;        ///< px from an arrow to the middle of its label
 constexpr double shortestLabelled = 12.0; ///< px of an arrow
 constexpr double labelRoom = 17.0;        ///< px that labels stand out from the arrows
 constexpr double widestShare = 0.45;      ///< of the viewport, that the frame may take
 constexpr double highestShare = 0.5;
-constexpr double discRoom = 10.0;    ///< px that the frame keeps from circles, if it can
 constexpr double laneGap = 19.0;     ///< px between arrows that would lie on each other
 constexpr double lanesShare = 0.8;   ///< of the room, that lanes may take
 constexpr double labelledGap = 15.0; ///< px; nearer ones have no room for labels
@@ -126,36 +123,6 @@ QSizeF frameSize(const QFont &font)
            + QSizeF(2.0 * MomentumInset::padding, 2.0 * MomentumInset::padding + 2.0 * row);
 }
 
-QRectF bestCorner(const SceneMoment &moment, const Camera &camera, QSizeF size,
-                  const std::vector<QRectF> &reserved)
-{
-    const QSizeF viewport = camera.viewport();
-    const double right = viewport.width() - frameMargin - size.width();
-    const double bottom = viewport.height() - frameMargin - size.height();
-    const auto price = [&](const QRectF &frame) {
-        double sum = 0.0;
-        for (const QRectF &other : reserved)
-            sum += frame.intersects(other) ? 100.0 : 0.0;
-        for (const Circle &circle : moment.recording.circles(moment.current)) {
-            const double reach = circle.radius * camera.pixelsPerMetre() + discRoom;
-            const Vec2 tip = arrowTip(circle.position, circle.velocity, moment.preset);
-            const QRectF near = frame.adjusted(-reach, -reach, reach, reach);
-            sum += near.contains(camera.toPixels(circle.position)) ? 1.0 : 0.0;
-            sum += frame.contains(camera.toPixels(tip)) ? 0.5 : 0.0;
-        }
-        return sum;
-    };
-    const std::array corners{QPointF(frameMargin, bottom), QPointF(right, bottom),
-                             QPointF(frameMargin, frameMargin), QPointF(right, frameMargin)};
-    QRectF best(corners.front(), size);
-    for (const QPointF corner : corners) {
-        const QRectF frame(corner, size);
-        if (price(frame) < price(best))
-            best = frame;
-    }
-    return best;
-}
-
 /// Labels stand beside the middles of their arrows, away from \p inside.
 void placeLabels(MomentumInset &inset, const std::vector<Link> &chain, Vec2 aside, double gap,
                  QPointF inside)
@@ -205,7 +172,7 @@ std::optional<MomentumInset> momentumInset(const SceneMoment &moment, const Came
     const double scale = scaleFor(chain, aside, gap, room);
 
     MomentumInset inset;
-    inset.frame = bestCorner(moment, camera, size, reserved);
+    inset.frame = freeCorner(moment, camera, size, reserved).frame;
     QPolygonF joints;
     for (const Link &link : chain) {
         const Vec2 shift = (gap * link.lane) * aside;

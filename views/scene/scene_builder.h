@@ -27,6 +27,7 @@ struct SceneOptions {
     bool programDrawings = true; ///< what the program draws in the step
     bool momenta = true;         ///< an inset with all momenta tip to tail; not in the DrawList
     bool centreOfMass = false;   ///< of all circles, with its way
+    bool loupe = true;           ///< at a hit, its place enlarged in a corner; not in the DrawList
 
     friend bool operator==(const SceneOptions &, const SceneOptions &) = default;
 };

@@ -123,6 +123,8 @@ QRectF chipRect(const Chip &chip, QSizeF viewport, const QFont &font)
 void paintOverlay(QPainter &painter, const ScenePicture &picture)
 {
     paintLabels(painter, picture.list, picture.camera, picture.font);
+    if (picture.loupe)
+        paintLoupe(painter, *picture.loupe, picture.font);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     if (picture.inset)

@@ -4,6 +4,7 @@
 
 #include "views/scene/camera.h"
 #include "views/scene/draw_list.h"
+#include "views/scene/loupe.h"
 #include "views/scene/momentum_inset.h"
 
 #include <QFont>
@@ -40,6 +41,7 @@ struct ScenePicture {
     QFont font{};
     std::vector<Chip> chips{};
     std::optional<MomentumInset> inset{};
+    std::optional<Loupe> loupe{};
     QRectF band{};           ///< px: what a rubber band is about to select; null if there is none
     bool focusFrame = false; ///< the keyboard acts here
 };

@@ -159,11 +159,13 @@ const ScenePicture &SceneView::picture()
     const std::optional<MomentumInset> inset = insetFor(seen, look);
     if (inset)
         look.reserved.push_back(inset->frame);
+    const std::optional<Loupe> loupe = loupeFor(seen, look);
     m_picture = {.list = buildScene(seen, m_options, look),
                  .camera = m_camera,
                  .font = font(),
                  .chips = std::move(shown),
                  .inset = inset,
+                 .loupe = loupe,
                  .band = m_band,
                  .focusFrame = m_focusFrame};
     return m_picture;
@@ -175,6 +177,17 @@ std::optional<MomentumInset> SceneView::insetFor(const SceneMoment &seen,
     if (!m_options.momenta)
         return std::nullopt;
     return momentumInset(seen, look.camera, look.font, look.reserved);
+}
+
+/// Labels stay clear of it.
+std::optional<Loupe> SceneView::loupeFor(const SceneMoment &seen, SceneLook &look) const
+{
+    if (!m_options.loupe || !m_options.hitParts)
+        return std::nullopt;
+    std::optional<Loupe> loupe = loupeAt(seen, m_options, look);
+    if (loupe)
+        look.reserved.push_back(loupe->frame);
+    return loupe;
 }
 
 SceneMoment SceneView::moment() const
@@ -207,6 +220,7 @@ ScenePicture SceneView::plainPicture(QSizeF size) const
     picture.inset = insetFor(seen, look);
     if (picture.inset)
         look.reserved.push_back(picture.inset->frame);
+    picture.loupe = loupeFor(seen, look);
     picture.list = buildScene(seen, m_options, look);
     return picture;
 }

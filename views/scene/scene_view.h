@@ -74,6 +74,7 @@ public slots:
     void followCentreOfMass(bool on); ///< keeps it where it is in the picture, first in the middle
     void zoomIn();
     void zoomOut();
+    void zoomToHit(); ///< that is shown; says so if there is none
 
 signals:
     void selectionChanged(int index);
@@ -132,6 +133,7 @@ private:
     void followCamera();
     [[nodiscard]] std::optional<MomentumInset> insetFor(const SceneMoment &seen,
                                                         const SceneLook &look) const;
+    [[nodiscard]] std::optional<Loupe> loupeFor(const SceneMoment &seen, SceneLook &look) const;
 
     PresetDocument &m_document;
     SceneEditor m_editor;

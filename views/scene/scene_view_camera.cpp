@@ -10,6 +10,7 @@ namespace cradle {
 namespace {
 
 constexpr double zoomStep = 1.25;
+constexpr double arrowsRoom = 2.0; ///< of what the loupe shows: the arrows of a hit are longer
 
 } // namespace
 
@@ -60,6 +61,18 @@ void SceneView::zoomIn()
 void SceneView::zoomOut()
 {
     m_camera.zoomAbout(m_camera.middle(), 1.0 / zoomStep);
+    refresh();
+}
+
+void SceneView::zoomToHit()
+{
+    const auto camera = cameraAtHit(moment(), m_editor.selected(), size());
+    if (!camera)
+        return notice(tr("No hit at this moment: N goes on to the next one"));
+    m_camera.zoomAbout(m_camera.middle(), m_camera.extent() / (arrowsRoom * camera->extent()));
+    m_camera.moveBy(camera->centre() - m_camera.centre());
+    const Simulation &simulation = m_document.simulation();
+    m_followed = centreOfMass(simulation.recording().circles(simulation.current()));
     refresh();
 }
 
