@@ -164,6 +164,13 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
     pauses->setShortcut(Qt::SHIFT | Qt::Key_N);
     pauses->setToolTip(MenuText::tr("A run stops at the step of every collision; Run goes on"));
     QObject::connect(pauses, &QAction::toggled, &window, &MainWindow::pauseAtHits);
+    QAction *slows = menu->addAction(MenuText::tr("Slow &motion around hits"));
+    slows->setCheckable(true);
+    slows->setChecked(simulation->slowsAtHits());
+    slows->setShortcut(Qt::SHIFT | Qt::Key_S);
+    slows->setToolTip(MenuText::tr("A run goes at 1/8× after every hit, and before those that are "
+                                   "recorded already; its steps stay as they are"));
+    QObject::connect(slows, &QAction::toggled, &window, &MainWindow::slowAtHits);
     QAction *frameTime = menu->addAction(MenuText::tr("Steps as long as the &frames took"));
     frameTime->setCheckable(true);
     frameTime->setChecked(simulation->usesFrameTime());

@@ -77,6 +77,7 @@ public slots:
     void chooseRenderer(cradle::Renderer renderer);
     void showExactMotion(bool shown); ///< beside the run
     void pauseAtHits(bool on);
+    void slowAtHits(bool on);
     void followCentreOfMass(bool on);
     void showInScene(const cradle::SceneOptions &options);
     void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by

@@ -15,6 +15,7 @@ namespace {
 
 constexpr QLatin1String exactKey("exactMotion");
 constexpr QLatin1String pauseKey("pauseAtHits");
+constexpr QLatin1String slowKey("slowAtHits");
 constexpr QLatin1String followKey("followCentreOfMass");
 
 struct OptionKey {
@@ -39,6 +40,7 @@ void MainWindow::restoreChoices()
     Simulation &simulation = m_workbench.simulation();
     simulation.setShadowed(m_settings.value(exactKey).toBool());
     simulation.setPausesAtHits(m_settings.value(pauseKey).toBool());
+    simulation.setSlowsAtHits(m_settings.value(slowKey).toBool());
     m_scene->followCentreOfMass(m_settings.value(followKey).toBool());
     SceneOptions options;
     for (const auto &[key, option] : optionKeys)
@@ -56,6 +58,12 @@ void MainWindow::pauseAtHits(bool on)
 {
     m_settings.setValue(pauseKey, on);
     m_workbench.simulation().setPausesAtHits(on);
+}
+
+void MainWindow::slowAtHits(bool on)
+{
+    m_settings.setValue(slowKey, on);
+    m_workbench.simulation().setSlowsAtHits(on);
 }
 
 void MainWindow::followCentreOfMass(bool on)

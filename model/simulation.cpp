@@ -99,6 +99,7 @@ void Simulation::start()
     }
     pause();
     m_clock.start();
+    followPace();
     emit runningChanged(true);
 }
 
@@ -114,6 +115,7 @@ void Simulation::stopClock()
     if (!isRunning())
         return;
     m_clock.pause();
+    followPace();
     emit runningChanged(false);
 }
 
@@ -185,13 +187,32 @@ void Simulation::setPausesAtHits(bool on)
 
 void Simulation::setSpeed(double speed)
 {
-    m_clock.setSpeed(std::clamp(speed, slowest, fastest));
+    m_speed = std::clamp(speed, slowest, fastest);
+    followPace();
+}
+
+void Simulation::setSlowsAtHits(bool on)
+{
+    m_slowsAtHits = on;
+    followPace();
+}
+
+/// Only while it runs: a run that stands has no slow motion to speak of.
+void Simulation::followPace()
+{
+    const bool slow = m_slowsAtHits && isRunning() && !m_frameTime && isNearHit();
+    const double pace = slow ? std::min(m_speed, slowMotion) : m_speed;
+    if (pace == m_clock.speed())
+        return;
+    m_clock.setSpeed(pace);
+    emit paceChanged();
 }
 
 void Simulation::setFrameTime(bool on)
 {
     m_frameTime = on;
     m_clock.setFrameTime(on);
+    followPace();
 }
 
 void Simulation::setShadowed(bool on)
@@ -216,6 +237,8 @@ void Simulation::advance(double dt)
     m_current = std::max(m_current + 1, m_recording.first());
     if (m_pausesAtHits && isRunning() && showsHit())
         pause();
+    if (m_slowsAtHits)
+        followPace();
 }
 
 /// After frames of any length the time goes on from where it is, never back to a multiple.

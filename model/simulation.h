@@ -22,6 +22,8 @@ class Simulation final : public QObject
 public:
     static constexpr double slowest = 1.0 / 16.0; ///< times real time
     static constexpr double fastest = 8.0;
+    static constexpr double slowMotion = 1.0 / 8.0; ///< times real time, around hits
+    static constexpr double slowReach = 0.12;       ///< s of the run before and after a hit
 
     explicit Simulation(const Preset &preset, QObject *parent = nullptr);
 
@@ -40,7 +42,9 @@ public:
     [[nodiscard]] double time() const { return m_recording.time(m_current); } ///< s
     [[nodiscard]] bool isRunning() const { return m_clock.isRunning(); }
     [[nodiscard]] bool atStart() const { return m_recording.step(m_current) == 0; }
-    [[nodiscard]] double speed() const { return m_clock.speed(); }
+    [[nodiscard]] double speed() const { return m_speed; }        ///< as set
+    [[nodiscard]] double pace() const { return m_clock.speed(); } ///< now: less around a hit
+    [[nodiscard]] bool slowsAtHits() const { return m_slowsAtHits; }
     [[nodiscard]] bool usesFrameTime() const { return m_frameTime; }
     [[nodiscard]] bool pausesAtHits() const { return m_pausesAtHits; }
     /// Since when the contacts of a run of exact timing are merged, as it could not follow each of
@@ -78,9 +82,13 @@ public slots:
     void seekNextHit();
     void seekPreviousHit(); ///< pauses; back to the last recorded hit before, else to the start
     void setPausesAtHits(bool on); ///< a run pauses at the step of every hit
-    void setSpeed(double speed);   ///< bounded to slowest … fastest
-    void setFrameTime(bool on);    ///< steps as long as the frames took, as the original lab did
-    void setShadowed(bool on);     ///< runs the exact motion beside the run, from its start
+    /// A run goes no faster than slowMotion around the beginning of every contact: after it, and
+    /// before it where that is recorded already. Its steps stay as they are; frames that are steps
+    /// as well (setFrameTime()) go on as they do.
+    void setSlowsAtHits(bool on);
+    void setSpeed(double speed); ///< bounded to slowest … fastest
+    void setFrameTime(bool on);  ///< steps as long as the frames took, as the original lab did
+    void setShadowed(bool on);   ///< runs the exact motion beside the run, from its start
 
 signals:
     void searchingChanged(bool searching);
@@ -92,6 +100,7 @@ signals:
     /// The program cannot go on; the run is paused on the state before. After restarted.
     void programFailed(const cradle::ProgramError &error);
     void runningChanged(bool running);
+    void paceChanged();
 
 private:
     /// A search for the next hit.
@@ -111,6 +120,8 @@ private:
     /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
     [[nodiscard]] bool isOnGrid(double dt) const;
     [[nodiscard]] bool showsHit() const; ///< the moment shown is the step of a hit
+    [[nodiscard]] bool isNearHit() const;
+    void followPace();
     bool appendStep(double dt);
     bool appendProgramStep(double dt);
     void begin();
@@ -135,6 +146,8 @@ private:
     QTimer m_searchTimer;
     bool m_frameTime = false;
     bool m_pausesAtHits = false;
+    bool m_slowsAtHits = false;
+    double m_speed = 1.0; ///< as set
 };
 
 } // namespace cradle

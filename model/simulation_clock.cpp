@@ -37,6 +37,9 @@ void SimulationClock::setStep(double stepSeconds)
 
 void SimulationClock::setSpeed(double speed)
 {
+    // What is late is no longer made up for at the old speed.
+    if (speed < m_speed)
+        m_backlog = std::min(m_backlog, 0.5 * m_step);
     m_speed = speed;
 }
 

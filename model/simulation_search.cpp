@@ -107,6 +107,16 @@ void Simulation::seekPreviousHit()
         seek(m_current - (step - std::prev(here)->step));
 }
 
+bool Simulation::isNearHit() const
+{
+    const auto &hits = m_recording.encounters();
+    const auto timeOf = [this](const Encounter &hit) { return m_recording.hitOf(hit).time; };
+    const auto near = std::partition_point(hits.begin(), hits.end(), [&](const Encounter &hit) {
+        return timeOf(hit) < time() - slowReach;
+    });
+    return near != hits.end() && timeOf(*near) <= time() + slowReach;
+}
+
 bool Simulation::showsHit() const
 {
     const auto &hits = m_recording.encounters();

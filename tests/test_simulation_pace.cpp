@@ -21,6 +21,8 @@ class TestSimulationPace : public QObject
 private slots:
     void speedIsBounded_data();
     void speedIsBounded();
+    void slowsAroundHits();
+    void slowsBeforeHitsThatAreRecorded();
     void startsAndPauses();
     void steppingPauses_data();
     void steppingPauses();
@@ -50,6 +52,59 @@ void TestSimulationPace::speedIsBounded()
     Simulation simulation(lively());
     simulation.setSpeed(asked);
     QCOMPARE(simulation.speed(), given);
+}
+
+void TestSimulationPace::slowsAroundHits()
+{
+    Preset preset = metronome();
+    preset.laws.timing = Timing::Continuous;
+    preset.circles[0].body.velocity.x = 4.0; // at the wall after 0.95 s
+    Simulation simulation(preset);
+    simulation.setSlowsAtHits(true);
+    simulation.setSpeed(4.0);
+    QSignalSpy changes(&simulation, &Simulation::paceChanged);
+    stepForward(simulation, 57);
+    QCOMPARE(simulation.recording().hits().size(), std::size_t{1});
+    QCOMPARE(simulation.pace(), 4.0); // it stands
+    simulation.start();
+    QCOMPARE(simulation.pace(), 0.125);
+    QCOMPARE(simulation.speed(), 4.0); // as chosen
+    simulation.setSpeed(0.0625);       // slower than that already
+    QCOMPARE(simulation.pace(), 0.0625);
+    simulation.setSpeed(2.0);
+    QCOMPARE(simulation.pace(), 0.125);
+    simulation.setSlowsAtHits(false);
+    QCOMPARE(simulation.pace(), 2.0);
+    simulation.setSlowsAtHits(true);
+    simulation.pause();
+    QCOMPARE(simulation.pace(), 2.0);
+    // 0.12 s after the hit it goes on as before.
+    while (simulation.time() < 0.95 + 0.12)
+        simulation.stepForward();
+    simulation.start();
+    QCOMPARE(simulation.pace(), 2.0);
+    QVERIFY(!changes.isEmpty());
+}
+
+void TestSimulationPace::slowsBeforeHitsThatAreRecorded()
+{
+    Preset preset = metronome();
+    preset.laws.timing = Timing::Continuous;
+    preset.circles[0].body.velocity.x = 4.0;
+    Simulation simulation(preset);
+    simulation.setSlowsAtHits(true);
+    stepForward(simulation, 100);
+    const auto paceAt = [&](double time) {
+        simulation.seek(simulation.recording().indexAt(time));
+        simulation.start();
+        const double pace = simulation.pace();
+        simulation.pause();
+        return pace;
+    };
+    QCOMPARE(paceAt(0.80), 1.0);
+    QCOMPARE(paceAt(0.86), 0.125);
+    QCOMPARE(paceAt(1.05), 0.125);
+    QCOMPARE(paceAt(1.10), 1.0);
 }
 
 void TestSimulationPace::startsAndPauses()

@@ -53,6 +53,7 @@ TransportBar::TransportBar(Simulation &simulation, QWidget *parent)
     connect(&m_simulation, &Simulation::frameReady, this, &TransportBar::showMoment);
     connect(&m_simulation, &Simulation::runningChanged, this, &TransportBar::showRunning);
     connect(&m_simulation, &Simulation::searchingChanged, this, &TransportBar::showSearch);
+    connect(&m_simulation, &Simulation::paceChanged, this, &TransportBar::showSpeed);
 }
 
 void TransportBar::makeActions()
@@ -194,7 +195,7 @@ void TransportBar::showSpeed()
     const int power = powerOf(m_simulation.speed());
     const QSignalBlocker blocked(m_speed);
     m_speed->setValue(power);
-    m_speedValue->setText(speedText(power));
+    m_speedValue->setText(speedText(powerOf(m_simulation.pace())));
     m_slower->setEnabled(power > slowestPower);
     m_faster->setEnabled(power < fastestPower);
 }
@@ -231,6 +232,8 @@ void TransportBar::retranslate()
     m_faster->setText(tr("Faster"));
     m_speedCaption->setText(tr("Speed"));
     m_speed->setAccessibleName(tr("Speed"));
+    m_speedValue->setAccessibleName(tr("Speed now"));
+    m_speedValue->setToolTip(tr("How fast it goes now: slower around a hit, if that is chosen"));
     m_speed->setToolTip(tr("Simulated time per real time ([ slower, ] faster)"));
     m_time->setAccessibleName(tr("Time"));
     m_stepCount->setAccessibleName(tr("Steps since the start"));

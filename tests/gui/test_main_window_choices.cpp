@@ -75,14 +75,15 @@ void TestMainWindowChoices::choicesAreKeptBetweenSessions()
 {
     QVERIFY(!m_open->simulation().pausesAtHits());
     QVERIFY(!m_open->window.scene().followsCentreOfMass());
-    for (const char *text :
-         {"Pause at hits", "Follow the centre", "Exact motion", "Trails", "Centre of mass"}) {
+    for (const char *text : {"Pause at hits", "Slow motion", "Follow the centre", "Exact motion",
+                             "Trails", "Centre of mass"}) {
         QVERIFY2(action(text), text);
         action(text)->trigger();
     }
     m_open.reset();
     m_open = std::make_unique<OpenWindow>(*m_folder);
     QVERIFY(m_open->simulation().pausesAtHits());
+    QVERIFY(m_open->simulation().slowsAtHits());
     QVERIFY(m_open->simulation().shadow());
     QVERIFY(m_open->window.scene().followsCentreOfMass());
     SceneOptions options;
