@@ -9,6 +9,7 @@
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/undo_actions.h"
+#include "views/announcer.h"
 #include "views/charts/chart_pane.h"
 #include "views/code/code_pane.h"
 #include "views/scene/scene_view.h"
@@ -287,6 +288,12 @@ void addView(MainWindow &window, QMenuBar &bar)
     showShowing();
     add(menu, MenuText::tr("Scene in a &window of its own"), {}, &window,
         &MainWindow::openSceneWindow);
+    QAction *says = menu->addAction(MenuText::tr("Hits to scree&n readers"));
+    says->setCheckable(true);
+    says->setChecked(window.announcer().saysHits());
+    says->setToolTip(MenuText::tr("They tell every hit that is shown; of a run that goes on, one "
+                                  "in a while"));
+    QObject::connect(says, &QAction::toggled, &window, &MainWindow::announceHits);
     add(menu, MenuText::tr("Ne&xt pane"), QKeySequence(Qt::Key_F6), &window,
         [w = &window] { w->focusNextPane(1); });
     add(menu, MenuText::tr("Pre&vious pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), &window,

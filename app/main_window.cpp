@@ -9,6 +9,7 @@
 #include "app/main_menu.h"
 #include "app/notice_bar.h"
 #include "views/accessible_roles.h"
+#include "views/announcer.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
@@ -95,6 +96,8 @@ void MainWindow::makePanes()
     auto *top = new QWidget(this);
     m_transport = new TransportBar(simulation, top);
     m_notice = new NoticeBar(top);
+    m_announcer = new Announcer(this);
+    m_announcer->follow(simulation);
     auto *rows = new QVBoxLayout(top);
     rows->setContentsMargins({});
     rows->setSpacing(0);

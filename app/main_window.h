@@ -16,6 +16,7 @@ class QSettings;
 
 namespace cradle {
 
+class Announcer;
 class AuthorWindow;
 class CodeDesk;
 class CodePane;
@@ -55,6 +56,7 @@ public:
     [[nodiscard]] CodeDesk &codeDesk() { return *m_desk; }
     [[nodiscard]] VersionsPane &versions() { return *m_versions; }
     [[nodiscard]] NotesPane &notes() { return *m_notes; }
+    [[nodiscard]] Announcer &announcer() { return *m_announcer; }
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
@@ -78,6 +80,7 @@ public slots:
     void showExactMotion(bool shown); ///< beside the run
     void pauseAtHits(bool on);
     void slowAtHits(bool on);
+    void announceHits(bool on); ///< to screen readers
     void followCentreOfMass(bool on);
     void showInScene(const cradle::SceneOptions &options);
     void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by
@@ -148,6 +151,7 @@ private:
     void showProgress();
     void showLooseScene();
     void showReport();
+    void announceVerdict();
     void showVisit(bool visiting);
     void showMode();
     void chooseMode(int index);
@@ -187,6 +191,7 @@ private:
     QWidget *m_speeds = nullptr;
     PhaseChart *m_phase = nullptr;
     NoticeBar *m_notice = nullptr;
+    Announcer *m_announcer = nullptr;
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;

@@ -5,6 +5,7 @@
 #include "app/main_window.h"
 
 #include "app/workbench.h"
+#include "views/announcer.h"
 #include "views/scene/scene_view.h"
 
 #include <QSettings>
@@ -16,6 +17,7 @@ namespace {
 constexpr QLatin1String exactKey("exactMotion");
 constexpr QLatin1String pauseKey("pauseAtHits");
 constexpr QLatin1String slowKey("slowAtHits");
+constexpr QLatin1String announceKey("announceHits");
 constexpr QLatin1String followKey("followCentreOfMass");
 
 struct OptionKey {
@@ -42,6 +44,7 @@ void MainWindow::restoreChoices()
     simulation.setPausesAtHits(m_settings.value(pauseKey).toBool());
     simulation.setSlowsAtHits(m_settings.value(slowKey).toBool());
     m_scene->followCentreOfMass(m_settings.value(followKey).toBool());
+    m_announcer->setSaysHits(m_settings.value(announceKey, true).toBool());
     SceneOptions options;
     for (const auto &[key, option] : optionKeys)
         options.*option = m_settings.value(QLatin1String(key), options.*option).toBool();
@@ -64,6 +67,12 @@ void MainWindow::slowAtHits(bool on)
 {
     m_settings.setValue(slowKey, on);
     m_workbench.simulation().setSlowsAtHits(on);
+}
+
+void MainWindow::announceHits(bool on)
+{
+    m_settings.setValue(announceKey, on);
+    m_announcer->setSaysHits(on);
 }
 
 void MainWindow::followCentreOfMass(bool on)

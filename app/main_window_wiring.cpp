@@ -5,12 +5,15 @@
 #include "app/code_desk.h"
 #include "app/lab_drop.h"
 #include "app/notice_bar.h"
+#include "tasks/lab_report/lab_report.h"
+#include "views/announcer.h"
 #include "views/charts/phase_chart.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/console_view.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
+#include "views/task_pane/result_cards.h"
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
@@ -18,6 +21,8 @@
 
 #include <QDockWidget>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace cradle {
 
@@ -32,6 +37,7 @@ void MainWindow::wireWorkbench()
     connect(bench, &Workbench::guessChanged, this,
             [this] { m_taskPane->setGuess(m_workbench.guess()); });
     connect(bench, &Workbench::reportChanged, this, &MainWindow::showReport);
+    connect(bench, &Workbench::reportChanged, this, &MainWindow::announceVerdict);
     connect(bench, &Workbench::reportStale, m_taskPane, &TaskPane::setStale);
     connect(bench, &Workbench::checkStarted, this, [this] {
         m_transport->setChecking(true);
@@ -187,6 +193,25 @@ void MainWindow::titleTabs()
     m_values->setTabTitle(m_plots, m_plots->windowTitle());
     m_values->setTabTitle(m_speeds, m_speeds->windowTitle());
     m_values->setTabTitle(m_phase, m_phase->windowTitle());
+}
+
+/// In the words of the result's first line.
+void MainWindow::announceVerdict()
+{
+    const std::optional<CheckReport> &report = m_workbench.report();
+    if (!report)
+        return;
+    const Finding *found = report->diagnosis();
+    const auto failed = std::find_if(report->checks.begin(), report->checks.end(),
+                                     [](const CheckOutcome &check) { return !check.passed; });
+    if (report->passed)
+        m_announcer->say(tr("Check passed."));
+    else if (report->error)
+        m_announcer->say(describeError(*report->error).headline);
+    else if (found)
+        m_announcer->say(tr("Not yet: %1").arg(headlineOf(found->message)));
+    else if (failed != report->checks.end())
+        m_announcer->say(tr("Not yet: %1").arg(failed->title));
 }
 
 void MainWindow::showReport()

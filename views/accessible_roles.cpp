@@ -60,6 +60,7 @@ QAccessibleInterface *makeInterface(const QString &className, QObject *object)
         {QStringLiteral("cradle::ChartPlot"), QAccessible::Chart},
         {QStringLiteral("cradle::PhasePlot"), QAccessible::Chart},
         {QStringLiteral("cradle::SpeedPlot"), QAccessible::Chart},
+        {QStringLiteral("cradle::Announcer"), QAccessible::AlertMessage},
         {QStringLiteral("cradle::StepDots"), QAccessible::List},
     };
     if (className == QLatin1String("cradle::MarkdownView"))

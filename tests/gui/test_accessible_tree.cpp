@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
+#include "views/announcer.h"
 #include "views/markdown_view.h"
 #include "views/spoken_formula.h"
 
@@ -77,6 +78,8 @@ private slots:
     void nothingIsNameless();
     void sceneTellsItsCircles();
     void chartsTellTheirCurves();
+    void verdictsAreAnnounced();
+    void hitsAreAnnounced();
     void formulasAreSpoken_data();
     void formulasAreSpoken();
     void textsHaveNoHoles();
@@ -128,6 +131,46 @@ void TestAccessibleTree::sceneTellsItsCircles()
     QVERIFY2(told.contains(QStringLiteral("circle 1 at (−2.00, 2.00) m with (2.00, 0.00) m/s, "
                                           "radius 0.2 m")),
              qPrintable(told));
+}
+
+void TestAccessibleTree::verdictsAreAnnounced()
+{
+    QTemporaryDir folder;
+    OpenWindow open(folder);
+    QAccessibleInterface *live = QAccessible::queryAccessibleInterface(&open.window.announcer());
+    QVERIFY(live);
+    QCOMPARE(live->role(), QAccessible::AlertMessage);
+    QVERIFY(live->text(QAccessible::Name).isEmpty());
+    QVERIFY(open.bench.openTask(QStringLiteral("L42T1")));
+    open.bench.setMode(Mode::Explore);
+    open.check();
+    QVERIFY2(live->text(QAccessible::Name).startsWith(QStringLiteral("Not yet: ")),
+             qPrintable(live->text(QAccessible::Name)));
+    QVERIFY(open.bench.document().edit(QStringLiteral("solve"), open.solution()));
+    open.check();
+    QCOMPARE(live->text(QAccessible::Name), QStringLiteral("Check passed."));
+}
+
+void TestAccessibleTree::hitsAreAnnounced()
+{
+    QTemporaryDir folder;
+    OpenWindow open(folder);
+    QVERIFY(open.bench.openTask(QStringLiteral("L42T12")));
+    open.bench.setMode(Mode::Explore);
+    QVERIFY(open.bench.document().edit(QStringLiteral("solve"), open.solution()));
+    const Announcer &live = open.window.announcer();
+    QVERIFY(live.said().isEmpty());
+    open.simulation().seekNextHit();
+    const Hit &hit = open.simulation().recording().hits().front();
+    QVERIFY2(
+        live.said().startsWith(
+            QStringLiteral("Hit at %1 s: circle 1 and ").arg(QString::number(hit.time, 'f', 3))),
+        qPrintable(live.said()));
+    QVERIFY(live.said().endsWith(QStringLiteral("N s")));
+    open.window.announceHits(false);
+    const QString before = live.said();
+    open.simulation().seekNextHit();
+    QCOMPARE(live.said(), before);
 }
 
 void TestAccessibleTree::chartsTellTheirCurves()

@@ -12,6 +12,21 @@
 
 namespace cradle {
 
+QString wallName(int wall)
+{
+    switch (static_cast<Wall>(wall)) {
+    case Wall::Left:
+        return HitsModel::tr("left wall");
+    case Wall::Right:
+        return HitsModel::tr("right wall");
+    case Wall::Bottom:
+        return HitsModel::tr("floor");
+    case Wall::Top:
+        break;
+    }
+    return HitsModel::tr("ceiling");
+}
+
 namespace {
 
 /// Less than this part of the momentum is rounding, not change.
@@ -42,21 +57,6 @@ private:
     double m_scale;
     bool m_isLevel;
 };
-
-QString wallName(int wall)
-{
-    switch (static_cast<Wall>(wall)) {
-    case Wall::Left:
-        return HitsModel::tr("left wall");
-    case Wall::Right:
-        return HitsModel::tr("right wall");
-    case Wall::Bottom:
-        return HitsModel::tr("floor");
-    case Wall::Top:
-        break;
-    }
-    return HitsModel::tr("ceiling");
-}
 
 QString whoMet(const Hit &hit)
 {

@@ -20,6 +20,9 @@ struct HitMomentum {
 /// Of both circles, or of the one that met a wall.
 [[nodiscard]] HitMomentum momentumOf(const Hit &hit, std::span<const Circle> circles);
 
+/// "left wall". \param wall  a Wall as an int
+[[nodiscard]] QString wallName(int wall);
+
 /// "Hit 1 at 1.868 s: momentum before 522.8, after 522.8, change 0 kg m/s." Of a momentum along x
 /// only x is told, with its sign, of any other both parts.
 [[nodiscard]] QString describeHit(qint64 number, const Hit &hit, std::span<const Circle> circles);
