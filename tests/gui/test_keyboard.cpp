@@ -20,7 +20,7 @@ private slots:
     void init();
     void tabGoesRoundAndOn_data();
     void tabGoesRoundAndOn();
-    void f6GoesRoundThePanes_data() { tabGoesRoundAndOn_data(); }
+    void f6GoesRoundThePanes_data();
     void f6GoesRoundThePanes();
     void controlLGoesIntoTheProgram();
     void hiddenInspectorChangesNothing();
@@ -54,14 +54,18 @@ void TestKeyboard::init()
 void TestKeyboard::tabGoesRoundAndOn_data()
 {
     QTest::addColumn<Mode>("mode");
-    QTest::newRow("explore") << Mode::Explore;
-    QTest::newRow("code") << Mode::Code;
+    QTest::addColumn<bool>("backwards");
+    QTest::newRow("explore") << Mode::Explore << false;
+    QTest::newRow("code") << Mode::Code << false;
+    QTest::newRow("explore, backwards") << Mode::Explore << true;
+    QTest::newRow("code, backwards") << Mode::Code << true;
 }
 
 /// But in the program, where Tab indents: F6 goes on from there.
 void TestKeyboard::tabGoesRoundAndOn()
 {
     QFETCH(Mode, mode);
+    QFETCH(bool, backwards);
     m_open->bench.setMode(mode);
     QTest::qWait(50);
     m_open->window.scene().setFocus();
@@ -77,7 +81,9 @@ void TestKeyboard::tabGoesRoundAndOn()
                                 .arg(met.size())));
         met.insert(focused);
         if (editor.isAncestorOf(focused))
-            m_open->window.focusNextPane(1);
+            m_open->window.focusNextPane(backwards ? -1 : 1);
+        else if (backwards)
+            QTest::keyClick(focused, Qt::Key_Backtab, Qt::ShiftModifier);
         else
             QTest::keyClick(focused, Qt::Key_Tab);
         // In the scene, Tab goes from circle to circle first.
@@ -87,6 +93,13 @@ void TestKeyboard::tabGoesRoundAndOn()
     }
     QVERIFY2(back, qPrintable(QString::number(met.size())));
     QVERIFY(met.size() >= 12);
+}
+
+void TestKeyboard::f6GoesRoundThePanes_data()
+{
+    QTest::addColumn<Mode>("mode");
+    QTest::newRow("explore") << Mode::Explore;
+    QTest::newRow("code") << Mode::Code;
 }
 
 void TestKeyboard::f6GoesRoundThePanes()
