@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QSettings>
+#include <QTabBar>
 #include <QToolBar>
 
 #include <algorithm>
@@ -211,6 +212,13 @@ bool MainWindow::event(QEvent *event)
     if (event->type() == QEvent::MouseButtonPress
         && isSeparator(static_cast<QMouseEvent *>(event)->position().toPoint()))
         m_keepsSizes = true;
+    // Qt makes the tabs of panes and cuts their titles where there is no room; these are scrolled.
+    if (event->type() == QEvent::ChildPolished) {
+        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child())) {
+            tabs->setElideMode(Qt::ElideNone);
+            tabs->setUsesScrollButtons(true);
+        }
+    }
     return QMainWindow::event(event);
 }
 

@@ -4,6 +4,7 @@
 #include "tests/gui/open_window.h"
 
 #include <QPushButton>
+#include <QTabBar>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -109,6 +110,16 @@ void TestLargeTexts::nothingIsLost()
         if (button && button->width() + 1 < button->minimumSizeHint().width())
             lost << nameOf(*each) + QStringLiteral(" is too narrow");
         texts.push_back(each);
+    }
+    for (const auto *tabs : open.window.findChildren<QTabBar *>()) {
+        if (!tabs->isVisible())
+            continue;
+        if (tabs->elideMode() != Qt::ElideNone || !tabs->usesScrollButtons())
+            lost << QStringLiteral("titles of tabs are cut: ") + tabs->tabText(0);
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->tabRect(i).width() < tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
+                lost << QStringLiteral("no room for the title ") + tabs->tabText(i);
+        }
     }
     for (std::size_t i = 0; i < texts.size(); ++i) {
         for (std::size_t k = i + 1; k < texts.size(); ++k) {
