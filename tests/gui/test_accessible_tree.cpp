@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
 #include "views/announcer.h"
+#include "views/charts/chart_plot.h"
 #include "views/markdown_view.h"
 #include "views/spoken_formula.h"
 
@@ -78,6 +79,7 @@ private slots:
     void nothingIsNameless();
     void sceneTellsItsCircles();
     void chartsTellTheirCurves();
+    void chartsAreSteppedThroughByKeys();
     void verdictsAreAnnounced();
     void hitsAreAnnounced();
     void formulasAreSpoken_data();
@@ -131,6 +133,49 @@ void TestAccessibleTree::sceneTellsItsCircles()
     QVERIFY2(told.contains(QStringLiteral("circle 1 at (−2.00, 2.00) m with (2.00, 0.00) m/s, "
                                           "radius 0.2 m")),
              qPrintable(told));
+}
+
+void TestAccessibleTree::chartsAreSteppedThroughByKeys()
+{
+    QTemporaryDir folder;
+    OpenWindow open(folder);
+    QVERIFY(QTest::qWaitForWindowActive(&open.window));
+    QVERIFY(open.bench.openTask(QStringLiteral("L42T12")));
+    open.bench.setMode(Mode::Explore);
+    open.window.resize(1440, 900);
+    open.simulation().goTo(30);
+    ChartPlot *plot = nullptr;
+    const auto find = [&] {
+        for (auto *each : open.window.findChildren<ChartPlot *>()) {
+            const bool seen = each->isVisible() && !each->viewport()->visibleRegion().isEmpty();
+            if (seen && each->curves().size() >= 2 && !plot)
+                plot = each;
+        }
+        return plot != nullptr;
+    };
+    QTRY_VERIFY(find());
+    QVERIFY(plot->toldCurve().isEmpty());
+    const auto value = [plot] {
+        return QAccessible::queryAccessibleInterface(plot)->text(QAccessible::Value);
+    };
+    plot->setFocus(Qt::TabFocusReason);
+    const QString first = plot->toldCurve();
+    QVERIFY(first.startsWith(plot->curves().front().label + QStringLiteral(": ")));
+    QVERIFY2(value().startsWith(first), qPrintable(value()));
+    QTest::keyClick(plot, Qt::Key_Up); // there is none before it
+    QCOMPARE(plot->toldCurve(), first);
+    QTest::keyClick(plot, Qt::Key_Down);
+    const QString second = plot->toldCurve();
+    QVERIFY(second.startsWith(plot->curves()[1].label + QStringLiteral(": ")));
+    QVERIFY2(value().startsWith(second), qPrintable(value()));
+    // The window's keys go on from the chart: a step, and with it the value told.
+    QTest::keyClick(plot, Qt::Key_Right);
+    QCOMPARE(open.simulation().current(), qint64{31});
+    QTest::keyClick(plot, Qt::Key_N);
+    QVERIFY(open.simulation().current() > 31);
+    QTRY_VERIFY(value().startsWith(plot->toldCurve()));
+    QTest::keyClick(plot, Qt::Key_Up);
+    QVERIFY(plot->toldCurve().startsWith(plot->curves().front().label));
 }
 
 void TestAccessibleTree::verdictsAreAnnounced()

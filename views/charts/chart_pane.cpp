@@ -211,16 +211,19 @@ void ChartPane::redraw()
     fitRange(shown, moment);
     m_plot->showMoment(moment, shown, m_simulation.recording());
     if (!m_simulation.isRunning())
-        describe(moment);
+        describe();
 }
 
-void ChartPane::describe(const ChartMoment &moment)
+/// First the curve that the keys are at, then what is written in the chart.
+void ChartPane::describe()
 {
     QStringList values;
+    if (const QString told = m_plot->toldCurve(); !told.isEmpty())
+        values.append(told);
     for (const auto &[text, place] : m_plot->labels())
         values.append(text);
-    if (moment.note)
-        values.append(moment.note->sentence());
+    if (m_plot->note())
+        values.append(m_plot->note()->sentence());
     m_plot->setAccessibleDescription(values.join(QStringLiteral(", ")));
 }
 

@@ -105,7 +105,7 @@ private:
     void showLegend();
     void paintPicture(QPainter &painter, QSizeF size) const;
     void fitRange(const std::vector<ChartCurve> &shown, ChartMoment &moment);
-    void describe(const ChartMoment &moment);
+    void describe();
     [[nodiscard]] std::optional<HitNote> hitNote() const;
     [[nodiscard]] double end() const; ///< of all curves, s
     [[nodiscard]] TimeWindow::Span whole() const;

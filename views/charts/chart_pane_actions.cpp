@@ -53,6 +53,7 @@ void ChartPane::wirePlot()
         m_window->panBy(seconds, m_plot->timeSpan(), whole());
     });
     connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetByClick);
+    connect(m_plot, &ChartPlot::curveTold, this, &ChartPane::describe);
     connect(m_plot, &ChartPlot::resized, this, &ChartPane::redraw);
 }
 

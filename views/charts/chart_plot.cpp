@@ -60,7 +60,7 @@ ChartPlot::ChartPlot(QWidget *parent)
     setRenderHint(QPainter::Antialiasing);
     setInteractive(false);
     setMinimumSize(160, 96);
-    setFocusPolicy(Qt::NoFocus); // the keys of the timeline do the same
+    setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::CrossCursor);
     chart()->setMargins({});
     chart()->setBackgroundVisible(false);

@@ -84,6 +84,9 @@ public:
     [[nodiscard]] QRectF plotArea() const { return m_area; }
     /// The labels shown with their places, for tests and for screen readers.
     [[nodiscard]] std::vector<std::pair<QString, QRectF>> labels() const;
+    /// The curve that the keys Up and Down are at, with its value at the moment shown; empty before
+    /// the chart first had the focus.
+    [[nodiscard]] QString toldCurve() const;
 
 signals:
     void pickingBegan();                          ///< before the first pick of a press
@@ -96,7 +99,8 @@ signals:
                    const std::optional<cradle::ValueSpan> &values);
     void panned(double seconds, double values); ///< what is shown is to move by
     void resetRequested();
-    void resized(); ///< what is shown is to be shown anew
+    void curveTold(); ///< toldCurve() is of another curve
+    void resized();   ///< what is shown is to be shown anew
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;
@@ -108,6 +112,9 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     /// A column of hits.
@@ -131,6 +138,8 @@ private:
     void drawAreas(QPainter &painter) const;
     void drawDense(QPainter &painter) const;
     void drawBox(QPainter &painter) const;
+    void drawFocus(QPainter &painter) const;
+    void tellNext(int direction);
     void pick(double x);
     void chooseBox();
     [[nodiscard]] QRectF box() const; ///< px: that is dragged
@@ -144,6 +153,7 @@ private:
     AxisScale m_scale;
     QRectF m_area; ///< px
     bool m_showsRun = false;
+    int m_told = -1; ///< index of the curve that the keys are at
     Drag m_drag = Drag::None;
     QPointF m_dragStart;    ///< px
     QPointF m_dragEnd;      ///< px

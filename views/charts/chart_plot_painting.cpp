@@ -169,6 +169,8 @@ void ChartPlot::drawForeground(QPainter *painter, const QRectF &)
         painter->drawText(QRectF(viewport()->rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                           Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     }
+    if (hasFocus())
+        drawFocus(*painter);
 }
 
 void ChartPlot::paint(QPainter &painter) const
