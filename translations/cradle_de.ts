@@ -4361,6 +4361,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>Loupe</name>
+    <message>
+        <source>%1×</source>
+        <comment>magnification</comment>
+        <translation>%1×</translation>
+    </message>
+</context>
+<context>
     <name>LuaApi</name>
     <message>
         <source>You write it: runs once, before the first step</source>
@@ -5131,6 +5139,30 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>&amp;Tour of the window</source>
         <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion around hits</source>
+        <translation>Zeit&amp;lupe um Stöße</translation>
+    </message>
+    <message>
+        <source>A run goes at 1/8× after every hit, and before those that are recorded already; its steps stay as they are</source>
+        <translation>Ein Lauf geht nach jedem Stoß mit 1/8×, und vor denen, die schon aufgezeichnet sind; seine Schritte bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;Loupe at a hit</source>
+        <translation>&amp;Lupe bei einem Stoß</translation>
+    </message>
+    <message>
+        <source>Zoom to the h&amp;it</source>
+        <translation>Zum S&amp;toß zoomen</translation>
+    </message>
+    <message>
+        <source>Hits to scree&amp;n readers</source>
+        <translation>Stöße an Scree&amp;nreader</translation>
+    </message>
+    <message>
+        <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
+        <translation>Sie sagen jeden Stoß an, der gezeigt wird; in einem laufenden Lauf ab und zu einen</translation>
     </message>
 </context>
 <context>
@@ -6969,6 +7001,13 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
         <translation>`%1` gehört nicht zum Lua des Labs; was dazugehört, steht in der API-Referenz (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Announcer</name>
+    <message>
+        <source>Hit at %1 s: %2 and %3, impulse %4 N s</source>
+        <translation>Stoß bei %1 s: %2 und %3, Kraftstoß %4 N s</translation>
     </message>
 </context>
 <context>
@@ -9341,6 +9380,18 @@ Ihre Nummer:</translation>
         <source>Scene</source>
         <translation>Szene</translation>
     </message>
+    <message>
+        <source>Check passed.</source>
+        <translation>Prüfung bestanden.</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart</source>
+        <translation>Von Kurve zu Kurve eines Diagramms</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MarkdownView</name>
@@ -10442,6 +10493,10 @@ Ihre Nummer:</translation>
         <source>Compare with the reference ▸</source>
         <translation>Mit der Referenz vergleichen ▸</translation>
     </message>
+    <message>
+        <source>The step counts as passed as soon as the run of this work was shown.</source>
+        <translation>Der Schritt gilt als bestanden, sobald der Lauf dieser Arbeit gezeigt wurde.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneActions</name>
@@ -10700,6 +10755,10 @@ Ihre Nummer:</translation>
     <message>
         <source>%1 at %2 m with %3 m/s, radius %4 m</source>
         <translation>%1 bei %2 m mit %3 m/s, Radius %4 m</translation>
+    </message>
+    <message>
+        <source>No hit at this moment: N goes on to the next one</source>
+        <translation>Kein Stoß in diesem Moment: N geht weiter zum nächsten</translation>
     </message>
 </context>
 <context>
@@ -11295,6 +11354,14 @@ Ihre Nummer:</translation>
     <message>
         <source>Progress of the search for a hit</source>
         <translation>Fortschritt der Suche nach einem Stoß</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>Tempo jetzt</translation>
+    </message>
+    <message>
+        <source>How fast it goes now: slower around a hit, if that is chosen</source>
+        <translation>Wie schnell es jetzt geht: um einen Stoß herum langsamer, wenn das gewählt ist</translation>
     </message>
 </context>
 <context>
