@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
 
+#include <algorithm>
 #include <csignal>
 
 #include <unistd.h>
@@ -59,6 +60,15 @@ bool isThere(pid_t pid)
     const QString stat =
         QString::fromUtf8(contentOf(text("/proc/") + QString::number(pid) + text("/stat")));
     return !stat.isEmpty() && stat.mid(stat.lastIndexOf(u')') + 2).at(0) != u'Z';
+}
+
+/// How many of them are ours.
+std::ptrdiff_t judging(const std::vector<pid_t> &processes)
+{
+    return std::count_if(processes.begin(), processes.end(), [](pid_t pid) {
+        return contentOf(text("/proc/") + QString::number(pid) + text("/comm"))
+            .startsWith("cradle-cli");
+    });
 }
 
 int resultsIn(const GradedClass &made, const QString &out)
@@ -164,8 +174,9 @@ void TestCliGradeBrokenOff::stoppedGraderLeavesNoWorkers()
     process.start(cradle::cliProgram(), made.arguments(text("out")));
     QVERIFY(process.waitForStarted());
     std::vector<pid_t> workers;
-    // bubblewrap is two processes, the server one, the worker one; without it there are two.
-    while (workers.size() < 2 && !process.waitForFinished(1))
+    // The server and its worker, whatever bubblewrap starts beside them. Killed before it has
+    // started them, bubblewrap leaves a process that waits for ever, as `kill -9` of bwrap does.
+    while (judging(workers) < 2 && !process.waitForFinished(1))
         workers = descendantsOf(process.processId());
     process.kill();
     process.waitForFinished(patience);
