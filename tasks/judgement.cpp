@@ -79,10 +79,8 @@ int lineOf(const Submission &submission, const Variant &variant, const Fault &fa
 class Judgement
 {
 public:
-    Judgement(const Lab &lab, const Task &task, SubmissionRuns &runs, qint64 seed,
-              const JudgeHooks &hooks)
-        : m_lab(lab)
-        , m_task(task)
+    Judgement(const Task &task, SubmissionRuns &runs, qint64 seed, const JudgeHooks &hooks)
+        : m_task(task)
         , m_runs(runs)
         , m_submission(runs.submission())
         , m_seed(seed)
@@ -272,7 +270,6 @@ private:
             report.remarks = remarksOn(m_task, m_submission, m_seed);
     }
 
-    const Lab &m_lab;
     const Task &m_task;
     SubmissionRuns &m_runs;
     const Submission &m_submission;
@@ -310,7 +307,7 @@ std::optional<CheckReport> judgeTask(const Lab &lab, const Task &task, Submissio
     timer.start();
     CheckReport report{
         .labId = lab.id, .labHash = lab.hash, .taskId = task.id, .seed = seed, .passed = true};
-    if (!Judgement(lab, task, runs, seed, hooks).run(report))
+    if (!Judgement(task, runs, seed, hooks).run(report))
         return std::nullopt;
     for (CheckOutcome &outcome : judgeAnswers(task.questions, runs.submission().answers)) {
         report.passed = report.passed && outcome.passed;
