@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/meeting_scene.h"
 
+#include "model/world.h"
+
 #include <algorithm>
 
 namespace cradle {
@@ -9,6 +11,7 @@ namespace cradle {
 namespace {
 
 constexpr double timeToContact = 0.5;  ///< from the start of an encounter, s
+constexpr double stepsToWall = 4.5;    ///< of circle 2 after a hit that is followed by another
 constexpr double placeOfContact = 1.0; ///< encounters happen within ± this of the middle, m
 
 double range(Vec2 lowHigh, Random &random)
@@ -81,6 +84,26 @@ void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees
     const Vec2 place = placeOf(preset, random);
     a.position += place;
     b.position += place;
+}
+
+void placeAgain(Preset &preset, const SceneSpec &spec, Random &random)
+{
+    Circle &a = preset.circles[0].body;
+    Circle &b = preset.circles[1].body;
+    const Vec2 n = outwardNormal(allWalls[static_cast<std::size_t>(random.between(0.0, 3.999))]);
+    const Vec2 along = perpendicular(n);
+    b.radius = a.radius;
+    b.density = a.density;
+    preset.timestep = *std::min_element(spec.timesteps.begin(), spec.timesteps.end());
+    const double speed = std::max(2.0, range(spec.speeds, random));
+    b.velocity = random.between(-0.5, 0.5) * along;
+    a.velocity = speed * n + b.velocity;
+    const double step = speed * preset.timestep;
+    b.position = (preset.halfWidth - b.radius - stepsToWall * step) * n
+                 + random.between(-1.0, 1.0) * along - timeToContact * b.velocity;
+    // A part of a step more, so that the moment of contact falls anywhere inside a step.
+    a.position =
+        b.position - (a.radius + b.radius + timeToContact * speed + random.uniform() * step) * n;
 }
 
 void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random)

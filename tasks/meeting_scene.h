@@ -22,6 +22,10 @@ namespace cradle {
 /// with whom and who rests.
 void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees, Random &random);
 
+/// Circles 1 and 2, now equal, meet straight on in front of a wall that sends circle 2 back within
+/// a few of the shortest timesteps: a program that pauses after a hit misses the second.
+void placeAgain(Preset &preset, const SceneSpec &spec, Random &random);
+
 /// As after a hit that was told late: circles 1 and 2 overlap, and for one update more while they
 /// part along a line at \p degrees.
 void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random);

@@ -43,6 +43,7 @@ SceneSpec::SceneSpec(const CheckSpec &check, double ownTimestep)
     densities = pair("densities", {7.8, 7.8});
     offset = value("offset").toDouble(0.0);
     bothMove = value("both_move").toBool(false);
+    again = value("again").toBool(false);
 }
 
 } // namespace cradle

@@ -26,6 +26,7 @@ struct SceneSpec {
     Vec2 densities{};
     double offset = 0.0;
     bool bothMove = false;
+    bool again = false; ///< some meet a second time at once
 };
 
 } // namespace cradle

@@ -226,6 +226,15 @@ private:
         Preset preset = stage(i, 2);
         const double degrees = spread(i + m_random.between(0.0, 1.0));
         placeEncounter(preset, m_spec, i, degrees, m_random);
+        const auto all = static_cast<int>(m_spec.restitutions.size());
+        // Where something is lost, the two would come to the wall together.
+        const bool again = m_spec.again && preset.restitution == 1.0 && (i / all) % 2 == 0
+                           && (all > 1 || i % 8 == 4);
+        if (again) {
+            placeAgain(preset, m_spec, m_random);
+            add(VariantText::tr("contact %1, in front of a wall").arg(i + 1), preset);
+            return;
+        }
         add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);
     }
 

@@ -24,6 +24,8 @@ private slots:
     void wrongMotionIsNoFaultOfTheHits_data();
     void wrongMotionIsNoFaultOfTheHits();
     void returnFromTheWallTellsMemoryFromDirection();
+    void pauseAfterAHitIsNamed_data();
+    void pauseAfterAHitIsNamed();
 };
 
 namespace {
@@ -181,6 +183,29 @@ void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()
     LawProgram open = withHit(hitOf(hitWays[0], {.mass = QStringLiteral("1")}));
     open.walls.clear();
     QCOMPARE(step.contact(written(open, structures[0])), QStringList());
+}
+
+void TestContactLaw::pauseAfterAHitIsNamed_data()
+{
+    QTest::addColumn<QString>("approach");
+    QTest::addColumn<QString>("after");
+    QTest::newRow("some tenths of a second") << "closing > 0 and time - last > 0.2"
+                                             << " if closing > 0 then last = time end";
+    QTest::newRow("nine steps") << "closing > 0 and step - last > 9"
+                                << " if closing > 0 then last = step end";
+}
+
+void TestContactLaw::pauseAfterAHitIsNamed()
+{
+    QFETCH(QString, approach);
+    QFETCH(QString, after);
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    HitLaw law{.approach = approach, .mass = QStringLiteral("1")};
+    law.answer += after;
+    LawProgram pauses = withHit(hitOf(hitWays[0], law));
+    pauses.start = QStringLiteral("last = -100");
+    QCOMPARE(bench.contact(written(pauses, structures[0])),
+             QStringList(text("A hit soon after another is not answered")));
 }
 
 QTEST_GUILESS_MAIN(TestContactLaw)

@@ -32,6 +32,7 @@ private slots:
     void encountersMeetInTheMiddle();
     void encountersComeFromAllSides();
     void encountersTakeTurnsInWhoCatchesUp();
+    void someMeetAgainInFrontOfAWall();
     void whatIsNotShotAtAWallStaysFree();
     void dropsFallOntoTheFloor();
     void restitutionsAndTimestepsAreMixed();
@@ -234,6 +235,34 @@ void TestVariant::encountersTakeTurnsInWhoCatchesUp()
         twoRests += b.velocity == Vec2{} ? 1 : 0;
     }
     QVERIFY(byOne >= 2 && byTwo >= 2 && oneRests >= 2 && twoRests >= 2);
+}
+
+void TestVariant::someMeetAgainInFrontOfAWall()
+{
+    CheckSpec again = spec(QStringLiteral("encounters"));
+    again.scene.insert(QStringLiteral("gravity"), json({0.0, 0.0}));
+    again.scene.insert(QStringLiteral("again"), true);
+    Preset preset = odd();
+    preset.laws = {WallLaw::Reflect, CircleLaw::SwapNormal, Timing::Exact};
+    for (PresetCircle &circle : preset.circles)
+        circle.body.density = 1.0;
+    int twice = 0;
+    for (const Variant &variant : makeVariants(preset, again, 1)) {
+        const Observation o = observe(variant);
+        // How often the velocity of circle 1 changes, and when.
+        std::vector<qint64> hits;
+        for (qint64 k = 0; k < o.steps(); ++k) {
+            const Vec2 push = o.circle(0, k + 1).velocity - o.circle(0, k).velocity;
+            if (length(push) > 1.0)
+                hits.push_back(k);
+        }
+        if (hits.size() < 2 || hits[1] - hits[0] > 10)
+            continue;
+        ++twice;
+        QCOMPARE(variant.preset.restitution, 1.0);
+        QCOMPARE(o.circle(0, 0).radius, o.circle(1, 0).radius);
+    }
+    QVERIFY2(twice >= 2, qPrintable(QString::number(twice)));
 }
 
 void TestVariant::whatIsNotShotAtAWallStaysFree()

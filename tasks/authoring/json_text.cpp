@@ -101,13 +101,14 @@ QByteArray joined(const std::vector<QByteArray> &parts, const char *brackets, bo
 
 /// The keys of all formats, in the order that people read them in.
 constexpr std::array keyOrder{
-    "format",    "id",       "name",       "kind",      "title",        "version",    "language",
-    "commit",    "question", "preset",     "square",    "half_width",   "gravity",    "restitution",
-    "timestep",  "laws",     "walls",      "fill",      "count",        "compare",    "duration",
-    "timesteps", "speeds",   "offset",     "both_move", "restitutions", "radii",      "densities",
-    "position",  "velocity", "radius",     "density",   "colour",       "integrator", "rms_speed",
-    "seed",      "hints",    "code_hints", "circles",   "points",       "parameters", "scene",
-    "checks",    "mistakes", "remarks",    "steps",     "moves",        "extra",      "locked"};
+    "format",    "id",       "name",     "kind",       "title",      "version",      "language",
+    "commit",    "question", "preset",   "square",     "half_width", "gravity",      "restitution",
+    "timestep",  "laws",     "walls",    "fill",       "count",      "compare",      "duration",
+    "timesteps", "speeds",   "offset",   "both_move",  "again",      "restitutions", "radii",
+    "densities", "position", "velocity", "radius",     "density",    "colour",       "integrator",
+    "rms_speed", "seed",     "hints",    "code_hints", "circles",    "points",       "parameters",
+    "scene",     "checks",   "mistakes", "remarks",    "steps",      "moves",        "extra",
+    "locked"};
 
 } // namespace
 

@@ -298,6 +298,15 @@ private:
             return addUnanswered(
                 ContactText::tr("Nothing happens when it is circle 2 that comes nearer"),
                 *m_own.returning);
+        if (m_own.ranThroughAtOnce)
+            return add(
+                ContactText::tr("A hit soon after another is not answered"),
+                ContactText::tr(
+                    "Circle 2 was hit, was back from the wall close behind it within a "
+                    "few steps and ran into circle 1 without an answer; from a wall "
+                    "farther off it gets one. How long ago the last hit was does not matter: what "
+                    "counts is whether they overlap and come nearer."),
+                m_own.contacts.front());
         add(ContactText::tr("Only the first hit is answered"),
             ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
                             "circle 1. What your program remembers of a hit must be forgotten when "

@@ -89,6 +89,7 @@ struct MeasuredPair {
     std::optional<PairHit> own{};       ///< the first hit of the student's own scene
     int ownContacts = 0;                ///< how often they meet again when a wall sends one back
     bool ranThrough = false;            ///< and whether it ran through the other then
+    bool ranThroughAtOnce = false;      ///< only from so near a wall that it is back at once
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };
 

@@ -134,11 +134,26 @@ std::optional<PairHit> PairRange::own() const
 
 void PairRange::meetAgain(MeasuredPair &pair) const
 {
+    comeBack(pair, 3.13, 0.2);
+    // From so near a wall that it is back within a few steps.
+    const int contacts = pair.ownContacts;
+    if (contacts > 1 && !pair.ranThrough) {
+        comeBack(pair, 3.74, 0.345);
+        pair.ranThroughAtOnce = pair.ranThrough;
+        pair.ownContacts = pair.ranThrough ? 1 : contacts;
+    }
+    if (pair.ranThrough)
+        pair.returning = scan({.velocities = {.along2 = -1.2}});
+}
+
+void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
+{
+    pair.ownContacts = 0;
     Preset preset = m_ground.stage();
     preset.timestep = m_h;
-    preset.circles[0].body.position = {2.57, 0.41};
+    preset.circles[0].body.position = {place - 0.56, 0.41};
     preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
-    preset.circles[1].body.position = {3.13, 0.41};
+    preset.circles[1].body.position = {place, 0.41};
     Probe probe(m_program, {preset, true});
     const std::vector<Flight> &flights = m_flight.at({}, m_h);
     PairHit hit{.slowness = slowness(m_h)};
@@ -155,10 +170,8 @@ void PairRange::meetAgain(MeasuredPair &pair) const
         pair.ownContacts += is && !was ? 1 : 0;
         was = is;
         const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
-        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < 0.2;
+        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < tooNear;
     }
-    if (pair.ranThrough)
-        pair.returning = scan({.velocities = {.along2 = -1.2}});
 }
 
 Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h) const

@@ -39,6 +39,9 @@ public:
     void meetAgain(MeasuredPair &pair) const;
 
 private:
+    /// The same with circle 2 at x = \p place, m.
+    /// \param tooNear  so near the centres come only if nothing is answered in time, m
+    void comeBack(MeasuredPair &pair, double place, double tooNear) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
