@@ -26,6 +26,7 @@ endif()
 if(CRADLE_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
                         -fno-omit-frame-pointer)
+    add_compile_definitions(CRADLE_SANITIZED)
     add_link_options(-fsanitize=address,undefined)
 endif()
 

@@ -40,7 +40,7 @@ private:
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(CRADLE_SANITIZED)
 constexpr qint64 soon = 10'000; ///< ms
 #else
 constexpr qint64 soon = 3'000;

@@ -16,7 +16,7 @@ using namespace cradle::programs;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(CRADLE_SANITIZED)
 constexpr qint64 seeds = 1; // ten times slower
 #else
 constexpr qint64 seeds = 3;

@@ -154,7 +154,7 @@ void TestLockdown::computingGoesOn()
 
 void TestLockdown::memoryEnds()
 {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(CRADLE_SANITIZED)
     QSKIP("a sanitizer needs all addresses");
 #endif
     const int status = statusOf([] {

@@ -27,14 +27,8 @@ struct LockdownText {
 
 // A sanitizer's shadow takes terabytes of addresses, it looks through a pipe whether memory is
 // there, and calls what judging does not.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(CRADLE_SANITIZED)
 constexpr bool isSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool isSanitized = true;
-#else
-constexpr bool isSanitized = false;
-#endif
 #else
 constexpr bool isSanitized = false;
 #endif
