@@ -56,6 +56,7 @@ void ContinuousSolver::join(Slot a, Slot b)
 void ContinuousSolver::findGroups()
 {
     m_members.clear();
+    m_kicked = 0.0;
     m_inVain.clear();
     for (const Candidates &pair : m_resting)
         join(pair.a, pair.b);
@@ -97,6 +98,8 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
             solve(places);
             begin += places.size();
         }
+        for (const Place &place : m_order)
+            m_kicked = std::max(m_kicked, m_members[place.member].fastest);
         for (const Place &place : m_order) {
             if (m_members[place.member].disturbed)
                 widen(place.member);
@@ -148,6 +151,7 @@ bool ContinuousSolver::foreseePiles()
                 continue;
             member.foreseen = found = true;
             member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
+            m_kicked = std::max(m_kicked, member.fastest);
             widen(place.member);
         }
     }
@@ -230,9 +234,15 @@ void ContinuousSolver::widen(std::size_t index)
         if (other != member.slot && lengthSquared(m_motions[other].position - place) <= near * near)
             join(member.slot, other);
     };
-    // Most are farther than even the fastest could come.
-    const double foreseen =
-        driftIn(m_dt, m_fastest + m_gravity * static_cast<double>(m_index) * m_dt);
+    // Most are farther than even the fastest could come. Where this one was kicked harder than the
+    // grid knows, others that were, too, may come from farther than it knows.
+    double farthest = driftAfter(m_index + 1);
+    double foreseen = driftIn(m_dt, m_fastest + m_gravity * static_cast<double>(m_index) * m_dt);
+    if (member.fastest > m_fastest) {
+        const double kicked = driftIn(m_dt, m_kicked);
+        farthest = std::max(farthest, driftAfter(m_index) + kicked);
+        foreseen = std::max(foreseen, kicked);
+    }
     const double far = reach + m_smallRadius + foreseen;
     const auto look = [&](Slot begin, Slot end) {
         for (Slot other = begin; other < end; ++other) {
@@ -240,14 +250,9 @@ void ContinuousSolver::widen(std::size_t index)
                 consider(other, driftIn(m_dt, fastestOf(other)));
         }
     };
-    m_grid.visitRuns(place, reach + m_smallRadius + driftAfter(m_index + 1), look);
+    m_grid.visitRuns(place, reach + m_smallRadius + farthest, look);
     for (auto giant = static_cast<Slot>(m_small); giant < m_motions.size(); ++giant)
         consider(giant, driftIn(m_dt, fastestOf(giant)));
-    // Others that were kicked as hard may come from farther than the grid knows.
-    if (member.fastest > m_fastest) {
-        for (std::size_t i = 0; i < m_members.size(); ++i)
-            consider(m_members[i].slot, driftIn(m_dt, m_members[i].fastest));
-    }
 }
 
 } // namespace cradle

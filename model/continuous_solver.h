@@ -186,6 +186,7 @@ private:
     std::array<std::vector<Candidates>, mostSteps> m_due; ///< who may first meet in each step
     std::vector<Candidates> m_resting;                    ///< stay in touch from step to step
     std::vector<Member> m_members;                        ///< of this step
+    double m_kicked = 0;                                  ///< the fastest of them, m/s
     std::vector<Candidates> m_inVain;                     ///< did not meet after all
     std::vector<Place> m_order;
     std::vector<std::pair<double, std::uint32_t>> m_sequence; ///< of the hits found, by time
