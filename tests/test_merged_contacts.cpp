@@ -21,6 +21,7 @@ class TestMergedContacts : public QObject
 private slots:
     void aHeapIsMergedWhateverTheTimestep();
     void aHeapThatIsMergedComesToRest();
+    void aThousandTakeBoundedWork();
     void whatCanBeFollowedStaysExact();
     void anotherWorldIsExactAgain();
     void partsOfAStepMakeTheStep();
@@ -92,6 +93,37 @@ void TestMergedContacts::aHeapThatIsMergedComesToRest()
     }
     for (std::size_t i = 1; i < hits.size(); ++i)
         QVERIFY(hits[i].time >= hits[i - 1].time);
+}
+
+/// 1,000 circles that lose little in hits: followed hit by hit their third second would not end.
+void TestMergedContacts::aThousandTakeBoundedWork()
+{
+    constexpr std::size_t eventsAPart = 10'000;
+    constexpr int mostParts = 20; // a step takes no more than some 0.2 s
+    Preset preset = fallingHeap(1, 0.9);
+    preset.halfWidth = 4.0;
+    preset.fill->count = 1000;
+    preset.fill->rmsSpeed = 1.0;
+    preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    Stepper stepper(preset);
+    World world = initialWorld(preset);
+    std::vector<Hit> hits;
+    std::optional<double> merged;
+    const double start = measure(world.circles, preset.gravity, preset.halfWidth).total();
+    for (int step = 1; step <= 180; ++step) {
+        int parts = 1;
+        while (!stepper.advanceWithin(eventsAPart, world, dt, step * dt, hits))
+            ++parts;
+        QVERIFY2(parts <= mostParts, QByteArray::number(parts).constData());
+        if (merged)
+            QVERIFY(stepper.mergedFrom() == merged);
+        merged = stepper.mergedFrom();
+    }
+    QVERIFY(merged.has_value());
+    // They lie three rows deep at the least, and the first has fallen for less than this.
+    QVERIFY(*merged > 0.9 * std::sqrt(2.0 * preset.halfWidth / g));
+    QVERIFY(*merged < 3.0);
+    QVERIFY(measure(world.circles, preset.gravity, preset.halfWidth).total() < start);
 }
 
 void TestMergedContacts::whatCanBeFollowedStaysExact()
