@@ -16,7 +16,7 @@ constexpr double reboundTolerance = 0.01;
 /// Sweeps over the contacts for it, at most.
 constexpr int mostSweeps = 60;
 /// Sweeps that part what overlaps in the end.
-constexpr int mostParting = 200;
+constexpr int mostParting = 1000;
 
 } // namespace
 

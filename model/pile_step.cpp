@@ -17,8 +17,11 @@ constexpr double exactness = 5e-5;
 /// Of the same: a larger overlap shrinks, this share of it in a step.
 constexpr double bearable = 5e-5;
 constexpr double repaired = 0.1;
-/// Sweeps over the contacts in a step, at most.
+/// Sweeps over the contacts in a step, at most; of heaps higher than those of 1,000 circles so many
+/// more for each row that as many alike would fill a square with.
 constexpr int mostSweeps = 120;
+constexpr double sweepsPerRow = 10.0;
+constexpr double fewRows = 32.0;
 /// Then it is seen whether there are other contacts.
 constexpr int firstSweeps = 16;
 /// So often, at most, however few the sweeps.
@@ -108,7 +111,8 @@ void PileStep::findMotion()
 {
     activateFirst(false);
     int looks = 1;
-    int left = mostSweeps;
+    const double rows = std::sqrt(static_cast<double>(m_circles.size()));
+    int left = mostSweeps + static_cast<int>(sweepsPerRow * std::max(0.0, rows - fewRows));
     int part = firstSweeps;
     for (int round = 0; round < mostRounds; ++round) {
         setFree();
