@@ -89,15 +89,17 @@ private:
     QString formulaHtml(const QString &tex, const SetFormula &formula)
     {
         if (m_drawings == Drawings::Inside)
-            return QStringLiteral("<svg aria-label=\"%1\" style=\"vertical-align: %2ex\" %3")
+            return QStringLiteral(
+                       "<svg role=\"img\" aria-label=\"%1\" style=\"vertical-align: %2ex\" %3")
                 .arg(tex.toHtmlEscaped(), QString::number(-formula.depth),
                      QString::fromUtf8(formula.svg.mid(5))); // after "<svg "
         m_page.drawings.push_back(formula.svg);
-        return QStringLiteral("<img src=\"formula:%1:%2:%3:%4\">")
+        return QStringLiteral("<img src=\"formula:%1:%2:%3:%4\" alt=\"%5\">")
             .arg(m_page.drawings.size() - 1)
             .arg(formula.width)
             .arg(formula.height)
-            .arg(formula.depth);
+            .arg(formula.depth)
+            .arg(tex.toHtmlEscaped());
     }
 
     void draw(const QByteArray &svg, int width, int height, int percent = 100)
@@ -214,7 +216,7 @@ private:
             return;
         addText("h3", PageText::tr("Expected and found"));
         addMarkdown(step.question);
-        const QString right = PageText::tr("It comes true: %1").arg(step.right).toHtmlEscaped();
+        const QString right = PageText::tr("What happens: %1").arg(step.right).toHtmlEscaped();
         const QString expected = PageText::tr("Expected: %1").arg(step.expected).toHtmlEscaped()
                                  + (step.wasRight ? QStringLiteral(" ✓") : QString());
         add(QStringLiteral("<p>%1</p>")
