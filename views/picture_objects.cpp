@@ -18,6 +18,8 @@
 #include <QUrl>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -188,6 +190,7 @@ void PictureObjects::drawObject(QPainter *painter, const QRectF &rect, QTextDocu
     painter->setFont(picture.font);
     painter->drawText(QPointF(0, picture.baseline), picture.before);
     painter->drawText(QPointF(target.right(), picture.baseline), picture.after);
+    drawBeneath(*painter, target, picture);
     if (picture.svg.isEmpty())
         drawImage(*painter, target, picture);
     else
@@ -198,6 +201,21 @@ void PictureObjects::drawObject(QPainter *painter, const QRectF &rect, QTextDocu
 size_t PictureObjects::index(const QTextFormat &format)
 {
     return size_t(format.intProperty(indexProperty));
+}
+
+void PictureObjects::drawBeneath(QPainter &painter, const QRectF &target, const Picture &picture)
+{
+    const double width = picture.advance(picture.beneath);
+    if (width <= 0.0)
+        return;
+    painter.save();
+    painter.translate(target.left(), picture.baseline);
+    // Evenly: else the gaps between words would be too narrow for readers to find.
+    const double scale = std::min(1.0, target.width() / width);
+    painter.scale(scale, scale);
+    painter.setPen(QColor(0, 0, 0, 0)); // a PDF keeps text of which nothing shows
+    painter.drawText(QPointF(), picture.beneath);
+    painter.restore();
 }
 
 void PictureObjects::drawImage(QPainter &painter, const QRectF &target, Picture &picture)

@@ -27,6 +27,7 @@ struct Picture {
     double above = 0.0; ///< px of empty space over the picture
     double below = 0.0; ///< px of empty space under it
     QString markdown;   ///< what the clipboard gets
+    QString beneath; ///< unseen text where the picture is, for who selects or hears a printed page
 
     /// Text that no line break may part from the picture, with its font and, in px from the top
     /// of the empty space, its baseline. QTextDocument would break beside any object.
@@ -86,6 +87,7 @@ public:
 
 private:
     static size_t index(const QTextFormat &format);
+    static void drawBeneath(QPainter &painter, const QRectF &target, const Picture &picture);
     static void drawImage(QPainter &painter, const QRectF &target, Picture &picture);
     static void drawSvg(QPainter &painter, const QRectF &target, Picture &picture,
                         const QColor &colour);

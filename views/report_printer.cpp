@@ -8,6 +8,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QFontInfo>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextBlock>
@@ -59,8 +60,11 @@ void placeFormulas(QTextDocument &document, const std::vector<QByteArray> &drawi
             continue;
         Picture picture;
         picture.font = format.font().resolve(document.defaultFont());
+        // Points would be those of the paper, in which the painter does not measure here.
+        picture.font.setPixelSize(QFontInfo(picture.font).pixelSize());
         const double ex = QFontMetricsF(picture.font).xHeight() * formulaScale;
         picture.svg = drawings[number];
+        picture.beneath = format.stringProperty(QTextFormat::ImageAltText);
         picture.size = QSizeF(parts[2].toDouble(), parts[3].toDouble()) * ex;
         QTextCharFormat plain;
         plain.setForeground(QColor(0x212529));
