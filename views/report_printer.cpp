@@ -31,6 +31,7 @@ constexpr double marginMm = 16.0;  ///< on all sides
 constexpr double textSize = 9.0;   ///< pt, where the page says nothing else; of headings, too
 constexpr int footerText = 11;     ///< px
 constexpr double footerPx = 28.0;  ///< below the text
+constexpr double littleUsed = 0.4; ///< of a page, on which another section may begin
 constexpr double roundedPx = 1.0;  ///< by which a layout may miss the top of a page
 constexpr int fineness = 1200;     ///< dots per inch that places are rounded to
 /// At equal x-height TeX's capitals and digits stand above those of other fonts.
@@ -72,24 +73,54 @@ void placeFormulas(QTextDocument &document, const std::vector<QByteArray> &drawi
     }
 }
 
+/// Where a page begins; all is laid out anew, for QTextDocument forgets lines where it mends a
+/// part.
+void setPageBreak(QTextDocument &document, const QTextBlock &block,
+                  QTextFormat::PageBreakFlag policy)
+{
+    QTextBlockFormat format;
+    format.setPageBreakPolicy(policy);
+    QTextCursor(block).mergeBlockFormat(format);
+    document.markContentsDirty(0, document.characterCount());
+}
+
+/// Where the first or the last line of a block ends, px from the top of all pages. A block may
+/// begin above the place that its first line found.
+double endOfLine(const QTextDocument &document, const QTextBlock &block, bool last)
+{
+    const QTextLayout &lines = *block.layout();
+    const double top = document.documentLayout()->blockBoundingRect(block).top();
+    return lines.lineCount() == 0
+               ? top
+               : top + lines.lineAt(last ? lines.lineCount() - 1 : 0).rect().bottom();
+}
+
+/// A section begins a page of its own only where the one before has used most of its last page:
+/// three lines make no page, and the space below a table must not.
+void fillPages(QTextDocument &document, double pageHeight)
+{
+    for (QTextBlock block = document.begin().next(); block.isValid(); block = block.next()) {
+        if ((block.blockFormat().pageBreakPolicy() & QTextFormat::PageBreak_AlwaysBefore) == 0)
+            continue;
+        const double before = endOfLine(document, block.previous(), true) / pageHeight;
+        const double first = endOfLine(document, block, false) / pageHeight;
+        const bool isPageEmpty = std::floor(first) > std::floor(before) + 1.0;
+        if (isPageEmpty || before - std::floor(before) < littleUsed)
+            setPageBreak(document, block, QTextFormat::PageBreak_Auto);
+    }
+}
+
 /// A heading goes to the next page with what it is about.
 void keepHeadingsWithText(QTextDocument &document, double pageHeight)
 {
     const auto pageOf = [&](const QTextBlock &block) {
-        // A block may begin above the place that its first line found.
-        const QTextLayout *lines = block.layout();
-        const double top = document.documentLayout()->blockBoundingRect(block).top();
-        const double first = lines->lineCount() > 0 ? lines->lineAt(0).y() : 0.0;
-        return static_cast<int>((top + first + roundedPx) / pageHeight);
+        return std::floor((endOfLine(document, block, false) - roundedPx) / pageHeight);
     };
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         const QTextBlock next = block.next();
-        if (block.blockFormat().headingLevel() == 0 || !next.isValid()
-            || pageOf(block) == pageOf(next))
-            continue;
-        QTextBlockFormat format;
-        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-        QTextCursor(block).mergeBlockFormat(format);
+        if (block.blockFormat().headingLevel() > 0 && next.isValid()
+            && pageOf(block) != pageOf(next))
+            setPageBreak(document, block, QTextFormat::PageBreak_AlwaysBefore);
     }
 }
 
@@ -124,6 +155,7 @@ QByteArray printedPdf(const LabReportPage &page, const QString &title)
     withoutLigatures(document);
     placeFormulas(document, page.drawings, formulas);
     document.setPageSize(sheet);
+    fillPages(document, sheet.height());
     keepHeadingsWithText(document, sheet.height());
 
     QPainter painter(&writer);

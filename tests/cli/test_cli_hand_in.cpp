@@ -128,6 +128,9 @@ void TestCliHandIn::printsADocument()
     const QString text = tool("pdftotext", {file, QStringLiteral("-")});
     for (const char *words : {"Ada", "BALL1", "What changed in the program", "2 of 3 steps pass"})
         QVERIFY2(text.contains(QLatin1String(words)), qPrintable(text.left(500)));
+    const QStringList pages = text.split(QLatin1Char('\f'), Qt::SkipEmptyParts);
+    for (const QString &page : pages) // has more than its number and the title at its foot
+        QVERIFY2(page.trimmed().count(QLatin1Char('\n')) > 4, qPrintable(page));
     const QString fonts = tool("pdffonts", {file});
     const QStringList lines = fonts.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     QVERIFY2(lines.size() > 3, qPrintable(fonts));
