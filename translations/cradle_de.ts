@@ -4166,8 +4166,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Erwartet: %1</translation>
     </message>
     <message>
-        <source>It comes true: %1</source>
-        <translation>Es tritt ein: %1</translation>
+        <source>What happens: %1</source>
+        <translation>Was geschieht: %1</translation>
     </message>
     <message>
         <source>The run</source>
