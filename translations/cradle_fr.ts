@@ -1,0 +1,11651 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>ChartExport</name>
+    <message>
+        <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
+        <translation>le nom se termine par .%1, mais c&apos;est un fichier .%2 ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Dessins (*.svg)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Enregistrer le graphique</translation>
+    </message>
+    <message>
+        <source>Save the numbers of the chart</source>
+        <translation>Enregistrer les nombres du graphique</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l&apos;image</translation>
+    </message>
+    <message>
+        <source>Picture as PN&amp;G…</source>
+        <translation>Image en PN&amp;G…</translation>
+    </message>
+    <message>
+        <source>Picture as &amp;SVG…</source>
+        <translation>Image en &amp;SVG…</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers as CSV…</source>
+        <translation>&amp;Nombres en CSV…</translation>
+    </message>
+</context>
+<context>
+    <name>CheckKinds</name>
+    <message>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <source>What is right; that of the scene if left out</source>
+        <translation>La bonne valeur ; celle de la scène si omise</translation>
+    </message>
+    <message>
+        <source>Circles collide</source>
+        <translation>Cercles en collision</translation>
+    </message>
+    <message>
+        <source>Leave out the moments at which circles may touch</source>
+        <translation>Exclure les instants où des cercles peuvent se toucher</translation>
+    </message>
+    <message>
+        <source>Restitution e</source>
+        <translation>Restitution e</translation>
+    </message>
+    <message>
+        <source>Hits at least</source>
+        <translation>Chocs au moins</translation>
+    </message>
+    <message>
+        <source>How often walls must turn the circles round, together, in every scene</source>
+        <translation>Combien de fois les parois doivent renvoyer les cercles, en tout, dans chaque scène</translation>
+    </message>
+    <message>
+        <source>Visits at least</source>
+        <translation>Passages au moins</translation>
+    </message>
+    <message>
+        <source>How often each circle must come to a wall</source>
+        <translation>Combien de fois chaque cercle doit arriver à une paroi</translation>
+    </message>
+    <message>
+        <source>Free at least</source>
+        <translation>Libre au moins</translation>
+    </message>
+    <message>
+        <source>How long each circle must be free of walls and circles; a tenth of the duration if left out</source>
+        <translation>Combien de temps chaque cercle doit rester loin des parois et des autres cercles ; un dixième de la durée si omis</translation>
+    </message>
+    <message>
+        <source>How many hits there must be</source>
+        <translation>Combien de chocs il doit y avoir</translation>
+    </message>
+    <message>
+        <source>Integrators</source>
+        <translation>Intégrateurs</translation>
+    </message>
+    <message>
+        <source>Any of these is right</source>
+        <translation>N&apos;importe lequel convient</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Lois</translation>
+    </message>
+    <message>
+        <source>Any of these is right: both stop; they swap their velocities; they swap the parts along the line of centres; the impulse of masses and e</source>
+        <translation>N&apos;importe laquelle convient : les deux s&apos;arrêtent ; ils échangent leurs vitesses ; ils échangent les composantes suivant la ligne des centres ; l&apos;impulsion des masses et de e</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>How far off is still right</source>
+        <translation>L&apos;écart encore admis</translation>
+    </message>
+    <message>
+        <source>One for each of the circles; not looked at if left out</source>
+        <translation>Une pour chacun des cercles ; non examinée si omise</translation>
+    </message>
+    <message>
+        <source>Not looked at if left out</source>
+        <translation>Non examiné si omis</translation>
+    </message>
+    <message>
+        <source>Starts with these values</source>
+        <translation>Démarre avec ces valeurs</translation>
+    </message>
+    <message>
+        <source>The values that a circle starts with</source>
+        <translation>Les valeurs avec lesquelles un cercle démarre</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Masse volumique</translation>
+    </message>
+    <message>
+        <source>How many circles there are</source>
+        <translation>Combien de cercles il y a</translation>
+    </message>
+    <message>
+        <source>Moves by an integrator</source>
+        <translation>Se déplace selon un intégrateur</translation>
+    </message>
+    <message>
+        <source>Every step far from walls is one of the named integrators under the named gravity</source>
+        <translation>Chaque pas loin des parois est celui d&apos;un des intégrateurs nommés, sous la pesanteur nommée</translation>
+    </message>
+    <message>
+        <source>Follows x₀ + v₀t + ½gt²</source>
+        <translation>Suit x₀ + v₀t + ½gt²</translation>
+    </message>
+    <message>
+        <source>Up to the first bounce it is where the formula says</source>
+        <translation>Jusqu&apos;au premier rebond, il est là où le dit la formule</translation>
+    </message>
+    <message>
+        <source>Stay together</source>
+        <translation>Restent ensemble</translation>
+    </message>
+    <message>
+        <source>Two circles are in the same place with the same velocity at every step</source>
+        <translation>Deux cercles sont au même endroit avec la même vitesse à chaque pas</translation>
+    </message>
+    <message>
+        <source>Use the same integrator</source>
+        <translation>Utilisent le même intégrateur</translation>
+    </message>
+    <message>
+        <source>Two circles follow one and the same integrator, whichever it is</source>
+        <translation>Deux cercles suivent un seul et même intégrateur, quel qu&apos;il soit</translation>
+    </message>
+    <message>
+        <source>Is there at a moment</source>
+        <translation>Est là à un instant</translation>
+    </message>
+    <message>
+        <source>Positions and velocities at a moment; between two steps, on the straight line between them</source>
+        <translation>Positions et vitesses à un instant ; entre deux pas, sur le segment qui les joint</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Instant</translation>
+    </message>
+    <message>
+        <source>Seconds from the start; the end if left out</source>
+        <translation>En secondes depuis le début ; la fin si omis</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Walls reflect with e</source>
+        <translation>Les parois renvoient avec e</translation>
+    </message>
+    <message>
+        <source>At a wall v_n&apos; = −e v_n; the part along the wall stays; at the rim and in time</source>
+        <translation>À une paroi v_n&apos; = −e v_n ; la composante le long de la paroi reste ; au bord et à temps</translation>
+    </message>
+    <message>
+        <source>Stays inside</source>
+        <translation>Reste à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Never further beyond a wall than the way of one step and the tolerance</source>
+        <translation>Jamais plus loin derrière une paroi que le chemin d&apos;un pas et la tolérance</translation>
+    </message>
+    <message>
+        <source>Bounces to the heights e²ⁿ h₀</source>
+        <translation>Rebondit aux hauteurs e²ⁿ h₀</translation>
+    </message>
+    <message>
+        <source>After the n-th bounce it rises to e²ⁿ times the height it came from</source>
+        <translation>Après le n-ième rebond, il remonte à e²ⁿ fois la hauteur d&apos;où il venait</translation>
+    </message>
+    <message>
+        <source>Bounces</source>
+        <translation>Rebonds</translation>
+    </message>
+    <message>
+        <source>How many are looked at; those lower than the tolerance are not</source>
+        <translation>Combien sont examinés ; ceux plus bas que la tolérance ne le sont pas</translation>
+    </message>
+    <message>
+        <source>How far off is still right, as a share of the first height</source>
+        <translation>L&apos;écart encore admis, en part de la première hauteur</translation>
+    </message>
+    <message>
+        <source>Comes to rest</source>
+        <translation>S&apos;immobilise</translation>
+    </message>
+    <message>
+        <source>At the end it lies on the floor as still as its integrator allows</source>
+        <translation>À la fin, il repose sur le sol, aussi immobile que le permet son intégrateur</translation>
+    </message>
+    <message>
+        <source>Collide by a law</source>
+        <translation>Se heurtent selon une loi</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 answer every contact, in time, by one of the named laws: stop, exchange velocities, exchange normal parts, impulse with e</source>
+        <translation>Les cercles 1 et 2 réagissent à chaque contact, à temps, selon l&apos;une des lois nommées : arrêt, échange des vitesses, échange des composantes normales, impulsion avec e</translation>
+    </message>
+    <message>
+        <source>Hit when the gap closes</source>
+        <translation>Choc quand l&apos;écart se ferme</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 answer every contact when their rims meet, neither earlier nor later, in whatever way</source>
+        <translation>Les cercles 1 et 2 réagissent à chaque contact quand leurs bords se rencontrent, ni plus tôt ni plus tard, de quelque façon que ce soit</translation>
+    </message>
+    <message>
+        <source>Part with e times the speed</source>
+        <translation>Se séparent avec e fois la vitesse</translation>
+    </message>
+    <message>
+        <source>In every hit of circles 1 and 2 their relative speed along the line of centres becomes e times what it was</source>
+        <translation>À chaque choc des cercles 1 et 2, leur vitesse relative suivant la ligne des centres devient e fois ce qu&apos;elle était</translation>
+    </message>
+    <message>
+        <source>Keep momentum and energy</source>
+        <translation>Conservent quantité de mouvement et énergie</translation>
+    </message>
+    <message>
+        <source>Every hit of circles 1 and 2 keeps the momentum and, if asked, the kinetic energy</source>
+        <translation>Chaque choc des cercles 1 et 2 conserve la quantité de mouvement et, si c&apos;est demandé, l&apos;énergie cinétique</translation>
+    </message>
+    <message>
+        <source>Kinetic energy, too</source>
+        <translation>L&apos;énergie cinétique aussi</translation>
+    </message>
+    <message>
+        <source>Else only the momentum is looked at</source>
+        <translation>Sinon, seule la quantité de mouvement est examinée</translation>
+    </message>
+    <message>
+        <source>What share may be missing</source>
+        <translation>Quelle part peut manquer</translation>
+    </message>
+    <message>
+        <source>Leave the first hit with</source>
+        <translation>Quittent le premier choc avec</translation>
+    </message>
+    <message>
+        <source>The velocities of circles 1 and 2 after their first hit</source>
+        <translation>Les vitesses des cercles 1 et 2 après leur premier choc</translation>
+    </message>
+    <message>
+        <source>One for each of the two circles</source>
+        <translation>Une pour chacun des deux cercles</translation>
+    </message>
+    <message>
+        <source>Lose energy</source>
+        <translation>Perdent de l&apos;énergie</translation>
+    </message>
+    <message>
+        <source>The first hit of circles 1 and 2 takes kinetic energy</source>
+        <translation>Le premier choc des cercles 1 et 2 prend de l&apos;énergie cinétique</translation>
+    </message>
+    <message>
+        <source>Pass through each other</source>
+        <translation>Se traversent</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 cross without changing</source>
+        <translation>Les cercles 1 et 2 se croisent sans changer</translation>
+    </message>
+    <message>
+        <source>Your own, in Lua</source>
+        <translation>La vôtre, en Lua</translation>
+    </message>
+    <message>
+        <source>The function check(run) of a file looks at the whole run and says what is wrong with it</source>
+        <translation>La fonction check(run) d&apos;un fichier examine toute l&apos;exécution et dit ce qui n&apos;y va pas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>In the folder checks of the step, such as heights.lua</source>
+        <translation>Dans le dossier checks de l&apos;étape, par exemple heights.lua</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> dans %1</translation>
+    </message>
+    <message>
+        <source> from %1 to %2</source>
+        <translation> de %1 à %2</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>une valeur parmi %1</translation>
+    </message>
+    <message>
+        <source>a list out of %1</source>
+        <translation>une liste prise dans %1</translation>
+    </message>
+    <message>
+        <source>a list [x, y], each %1</source>
+        <translation>une liste [x, y], chacun %1</translation>
+    </message>
+    <message>
+        <source>a list of lists [x, y], each %1</source>
+        <translation>une liste de listes [x, y], chacun %1</translation>
+    </message>
+    <message>
+        <source>a list [least, most], each %1</source>
+        <translation>une liste [minimum, maximum], chacun %1</translation>
+    </message>
+    <message>
+        <source>a list, each %1</source>
+        <translation>une liste, chaque élément %1</translation>
+    </message>
+    <message>
+        <source>the name of a file in the folder checks, such as heights.lua</source>
+        <translation>le nom d&apos;un fichier du dossier checks, par exemple heights.lua</translation>
+    </message>
+    <message>
+        <source>the moment %1 s is after the end of the scene; at most its duration of %2 s is right</source>
+        <translation>l&apos;instant %1 s est après la fin de la scène ; au plus sa durée de %2 s convient</translation>
+    </message>
+    <message numerus="yes">
+        <source>there is no circle %1; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>il n&apos;y a pas de cercle %1 ; la scène de l&apos;étape a %n cercle</numerusform>
+            <numerusform>il n&apos;y a pas de cercle %1 ; la scène de l&apos;étape a %n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not right here; right would be one of %2</source>
+        <translation>%1 ne convient pas ici ; il faudrait une valeur parmi %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 needs %2 circles; the scene of the step has %n circle(s)</source>
+        <translation>
+            <numerusform>%1 a besoin de %2 cercles ; la scène de l&apos;étape a %n cercle</numerusform>
+            <numerusform>%1 a besoin de %2 cercles ; la scène de l&apos;étape a %n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing; right would be %2</source>
+        <translation>« %1 » manque ; il faudrait %2</translation>
+    </message>
+    <message>
+        <source>%1 has no parameters</source>
+        <translation>%1 n&apos;a pas de paramètres</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter &quot;%2&quot;; it has %3</source>
+        <translation>%1 n&apos;a pas de paramètre « %2 » ; il a %3</translation>
+    </message>
+    <message>
+        <source>%1 is not right here; right would be %2</source>
+        <translation>%1 ne convient pas ici ; il faudrait %2</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How long every scene runs</source>
+        <translation>Combien de temps dure chaque scène</translation>
+    </message>
+    <message>
+        <source>Timesteps</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>The scenes take turns with these; 1/60 s if left out, in the student&apos;s own scene its own</source>
+        <translation>Les scènes les prennent à tour de rôle ; 1/60 s si omis, et dans la scène de l&apos;étudiant le sien</translation>
+    </message>
+    <message>
+        <source>Drawn between the least and the most</source>
+        <translation>Tiré au sort entre le minimum et le maximum</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>From the x axis; the scenes divide them evenly</source>
+        <translation>À partir de l&apos;axe x ; les scènes les répartissent régulièrement</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Scènes</translation>
+    </message>
+    <message>
+        <source>How many scenes are drawn</source>
+        <translation>Combien de scènes sont tirées au sort</translation>
+    </message>
+    <message>
+        <source>Radii</source>
+        <translation>Rayons</translation>
+    </message>
+    <message>
+        <source>Densities</source>
+        <translation>Masses volumiques</translation>
+    </message>
+    <message>
+        <source>None if left out</source>
+        <translation>Aucune si omise</translation>
+    </message>
+    <message>
+        <source>Restitutions e</source>
+        <translation>Restitutions e</translation>
+    </message>
+    <message>
+        <source>The scenes take turns with these</source>
+        <translation>Les scènes les prennent à tour de rôle</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>The same scenes in every check; drawn anew with the seed of the check if left out</source>
+        <translation>Les mêmes scènes à chaque vérification ; tirées à nouveau avec la graine de la vérification si omise</translation>
+    </message>
+    <message>
+        <source>The student&apos;s own scene</source>
+        <translation>La scène de l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>With each of the timesteps</source>
+        <translation>Avec chacun des pas de temps</translation>
+    </message>
+    <message>
+        <source>Throws</source>
+        <translation>Lancers</translation>
+    </message>
+    <message>
+        <source>The circles thrown together from the middle, in any direction</source>
+        <translation>Les cercles lancés ensemble depuis le milieu, dans n&apos;importe quelle direction</translation>
+    </message>
+    <message>
+        <source>Shots in all directions</source>
+        <translation>Tirs dans toutes les directions</translation>
+    </message>
+    <message>
+        <source>Each of the circles at the walls, all round, while the others move on where nothing meets them</source>
+        <translation>Chacun des cercles contre les parois, tout autour, pendant que les autres avancent là où rien ne les rencontre</translation>
+    </message>
+    <message>
+        <source>Shots at the corners</source>
+        <translation>Tirs dans les coins</translation>
+    </message>
+    <message>
+        <source>Each of the circles straight at the corners and just beside them, while the others move on where nothing meets them</source>
+        <translation>Chacun des cercles droit dans les coins et juste à côté, pendant que les autres avancent là où rien ne les rencontre</translation>
+    </message>
+    <message>
+        <source>Encounters</source>
+        <translation>Rencontres</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 thrown so that they meet, from all angles</source>
+        <translation>Cercles 1 et 2 lancés de façon à se rencontrer, sous tous les angles</translation>
+    </message>
+    <message>
+        <source>Off centre</source>
+        <translation>Décentrage</translation>
+    </message>
+    <message>
+        <source>How far off centre they meet at most, in r₁ + r₂</source>
+        <translation>De combien ils se rencontrent au plus hors du centre, en r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>Both move</source>
+        <translation>Les deux bougent</translation>
+    </message>
+    <message>
+        <source>Also one after the other, or one of them at rest; else circle 2 rests before the hit</source>
+        <translation>Aussi l&apos;un derrière l&apos;autre, ou l&apos;un d&apos;eux au repos ; sinon le cercle 2 est au repos avant le choc</translation>
+    </message>
+    <message>
+        <source>Circles that part</source>
+        <translation>Cercles qui se séparent</translation>
+    </message>
+    <message>
+        <source>Circles 1 and 2 overlap, as after a hit that was told late, and move apart already; ask for 0 hits</source>
+        <translation>Les cercles 1 et 2 se chevauchent, comme après un choc constaté trop tard, et se séparent déjà ; demandez 0 choc</translation>
+    </message>
+    <message>
+        <source>Slow hits</source>
+        <translation>Chocs lents</translation>
+    </message>
+    <message>
+        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
+        <translation>Les cercles arrivent lentement au sol et au plafond, plus ou moins tôt dans un pas : ce qui quitte une paroi plus lentement qu&apos;il n&apos;y est arrivé est facilement renvoyé deux fois</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Chutes</translation>
+    </message>
+    <message>
+        <source>The circles fall onto the floor</source>
+        <translation>Les cercles tombent sur le sol</translation>
+    </message>
+    <message>
+        <source>Sideways</source>
+        <translation>Vers le côté</translation>
+    </message>
+    <message>
+        <source>Speed to the right, drawn between the least and the most</source>
+        <translation>Vitesse vers la droite, tirée au sort entre le minimum et le maximum</translation>
+    </message>
+</context>
+<context>
+    <name>Checks</name>
+    <message>
+        <source>There is no circle %1; add one</source>
+        <translation>Il n&apos;y a pas de cercle %1 ; ajoutez-en un</translation>
+    </message>
+    <message>
+        <source>A check runs at most %1 circles; there are %2</source>
+        <translation>Une vérification fait tourner au plus %1 cercles ; il y en a %2</translation>
+    </message>
+    <message>
+        <source>The timestep %1 s is too short to be judged; %2 s or more is right</source>
+        <translation>Le pas de temps %1 s est trop court pour être évalué ; il faut %2 s ou plus</translation>
+    </message>
+    <message>
+        <source>After bounce %1 circle %2 rises to %3 m above the floor; e to the power of %4 times the first height, with e = %5, is %6 m</source>
+        <translation>Après le rebond %1, le cercle %2 remonte à %3 m au-dessus du sol ; e à la puissance %4 fois la première hauteur, avec e = %5, donne %6 m</translation>
+    </message>
+    <message>
+        <source>Circle %1 comes off the floor and down again %2 times; at least %3 is right</source>
+        <translation>Le cercle %1 quitte le sol et y retombe %2 fois ; il faut au moins %3 fois</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 hit a wall and its velocity along the wall changed from %3 to %4 m/s; only the part into the wall should change</source>
+        <translation>Au pas %1, le cercle %2 a heurté une paroi et sa vitesse le long de la paroi est passée de %3 à %4 m/s ; seule la composante vers la paroi doit changer</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 turned round although its rim was still %3 m from the %4; it should touch first</source>
+        <translation>Au pas %1, le cercle %2 a fait demi-tour alors que son bord n&apos;avait pas encore atteint %4 (il restait %3 m) ; il doit d&apos;abord y avoir contact</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was already leaving the %3 with %4 m/s and was turned round again; it should be left alone</source>
+        <translation>Au pas %1, le cercle %2 quittait déjà %3 à %4 m/s et a été renvoyé de nouveau ; il faut le laisser partir</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s ; il faut %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s</source>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s ; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
+    </message>
+    <message>
+        <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
+        <translation>En %1 s, les parois ont renvoyé un cercle %2 fois ; il faut en voir au moins %3 pour les évaluer</translation>
+    </message>
+    <message>
+        <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
+        <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m ; au plus le chemin d&apos;un pas, %5 m, est admis</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5 ; la paroi doit le renvoyer aussitôt</translation>
+    </message>
+    <message>
+        <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
+        <translation>En %1 s, le cercle %2 est arrivé %3 fois à une paroi ; il faut le voir au moins %4 fois pour juger s&apos;il reste à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
+        <translation>Au pas %1, les cercles ont changé de vitesse alors que leurs bords étaient encore à %2 m l&apos;un de l&apos;autre ; ils doivent d&apos;abord se toucher, à une distance de r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
+        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc ; il faut laisser en paix des cercles qui s&apos;éloignent</translation>
+    </message>
+    <message>
+        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
+        <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s ; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
+        <translation>Au pas %1, les cercles se sont rencontrés à %2 m/s suivant la ligne des centres et séparés à %3 m/s ; e fois autant, avec e = %4, donne %5 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était ; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>The circles hit each other %1 times; at least %2 is right</source>
+        <translation>Les cercles se sont heurtés %1 fois ; il faut au moins %2 fois</translation>
+    </message>
+    <message>
+        <source>The circles never hit each other; they should</source>
+        <translation>Les cercles ne se sont jamais heurtés ; ils doivent le faire</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit changed the total momentum from %2 to %3 kg m/s; it should stay</source>
+        <translation>Au pas %1, le choc a fait passer la quantité de mouvement totale de %2 à %3 kg m/s ; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit changed the kinetic energy from %2 to %3 J; it should stay</source>
+        <translation>Au pas %1, le choc a fait passer l&apos;énergie cinétique de %2 à %3 J ; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 left the first hit with %3 m/s; %4 m/s is right</source>
+        <translation>Au pas %1, le cercle %2 est sorti du premier choc à %3 m/s ; il faut %4 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the kinetic energy was %2 J before the hit and %3 J after it; with e below 1 it should be less</source>
+        <translation>Au pas %1, l&apos;énergie cinétique valait %2 J avant le choc et %3 J après ; avec e inférieur à 1, elle doit diminuer</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s; the circles should pass through each other unchanged</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s ; les cercles doivent se traverser sans rien changer</translation>
+    </message>
+    <message>
+        <source>At %1 s circle %2 is at %3 m; %4 m is right</source>
+        <translation>À %1 s, le cercle %2 est à %3 m ; il faut %4 m</translation>
+    </message>
+    <message>
+        <source>At %1 s circle %2 moves with %3 m/s; %4 m/s is right</source>
+        <translation>À %1 s, le cercle %2 se déplace à %3 m/s ; il faut %4 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed by %3 m/s, an acceleration of %4 m/s²; %5 m/s² is right here</source>
+        <translation>Au pas %1, la vitesse du cercle %2 a changé de %3 m/s, soit une accélération de %4 m/s² ; il faut ici %5 m/s²</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m ; selon %4, il se déplace de %5 m</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m ; sa vitesse multipliée par le pas de temps donne %4 m</translation>
+    </message>
+    <message>
+        <source>. This is what %1 does</source>
+        <translation>. C&apos;est ce que fait %1</translation>
+    </message>
+    <message>
+        <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
+        <translation>Le cercle %1 n&apos;a été loin des parois et des autres cercles que pendant %2 s ; il faut le voir au moins %3 s pour évaluer son mouvement</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source>Circle %1 moves by none of the four integrators under gravity %2 m/s²</source>
+        <translation>Le cercle %1 ne se déplace selon aucun des quatre intégrateurs sous la pesanteur %2 m/s²</translation>
+    </message>
+    <message>
+        <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
+        <translation>Le cercle %1 se déplace selon %2 et le cercle %3 selon %4 ; il faut le même pour les deux</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is at %3 m; x₀ + v₀t + ½gt² is %4 m</source>
+        <translation>Au pas %1, le cercle %2 est à %3 m ; x₀ + v₀t + ½gt² donne %4 m</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m d&apos;un coup ; avec sa vitesse, il parcourt %4 m</translation>
+    </message>
+    <message>
+        <source>left wall</source>
+        <translation>la paroi gauche</translation>
+    </message>
+    <message>
+        <source>right wall</source>
+        <translation>la paroi droite</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>le sol</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>le plafond</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation>Euler symplectique</translation>
+    </message>
+    <message>
+        <source>velocity Verlet</source>
+        <translation>Verlet vitesse</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation>Runge-Kutta 4</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>le cercle %1</translation>
+    </message>
+    <message>
+        <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
+        <translation>%1 : la vérification elle-même s&apos;est arrêtée, elle ne dit donc rien de votre travail : %2</translation>
+    </message>
+    <message>
+        <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
+        <translation>Le cercle %1 n&apos;est jamais tombé sur le sol en %2 s ; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
+    </message>
+    <message>
+        <source>After %1 s circle %2 still comes %3 m above the floor with e = %4; at most %5 m is right for its integrator</source>
+        <translation>Après %1 s, le cercle %2 remonte encore à %3 m au-dessus du sol avec e = %4 ; au plus %5 m convient pour son intégrateur</translation>
+    </message>
+    <message>
+        <source>%1 is %2 %4 at the start; %3 %4 is asked for</source>
+        <translation>%1 vaut %2 %4 au début ; il faut %3 %4</translation>
+    </message>
+    <message>
+        <source>The position of circle %1</source>
+        <translation>La position du cercle %1</translation>
+    </message>
+    <message>
+        <source>The velocity of circle %1</source>
+        <translation>La vitesse du cercle %1</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1</source>
+        <translation>Le rayon du cercle %1</translation>
+    </message>
+    <message>
+        <source>The density of circle %1</source>
+        <translation>La masse volumique du cercle %1</translation>
+    </message>
+    <message>
+        <source>There are %1 circles; %2 are asked for</source>
+        <translation>Il y a %1 cercles ; %2 sont demandés</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is at %3 m with %4 m/s and circle %5 at %6 m with %7 m/s; they should be in the same place with the same velocity</source>
+        <translation>Au pas %1, le cercle %2 est à %3 m à %4 m/s et le cercle %5 à %6 m à %7 m/s ; ils doivent être au même endroit avec la même vitesse</translation>
+    </message>
+    <message>
+        <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
+        <translation>Le cercle %1 a parcouru %2 m en %3 s ; il faut voir au moins son diamètre de %4 m pour juger s&apos;ils restent ensemble</translation>
+    </message>
+    <message>
+        <source>not judged: what moves the circles is not what the step asks for</source>
+        <translation>non évalué : ce qui déplace les cercles n&apos;est pas ce que demande l&apos;étape</translation>
+    </message>
+    <message>
+        <source>not judged: the program stopped with an error</source>
+        <translation>non évalué : le programme s&apos;est arrêté sur une erreur</translation>
+    </message>
+    <message>
+        <source>Your program moves the circles</source>
+        <translation>Votre programme déplace les cercles</translation>
+    </message>
+    <message>
+        <source>The laws of the scene move the circles</source>
+        <translation>Les lois de la scène déplacent les cercles</translation>
+    </message>
+    <message>
+        <source>Nothing moves the circles: write on_update</source>
+        <translation>Rien ne déplace les cercles : écrivez on_update</translation>
+    </message>
+    <message>
+        <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
+        <translation>Votre programme déplace les cercles : supprimez on_update, et les lois de la scène le feront</translation>
+    </message>
+    <message>
+        <source>What the step fixes is as the step has it</source>
+        <translation>Ce que l&apos;étape impose est comme l&apos;étape le veut</translation>
+    </message>
+    <message>
+        <source>the check took more than %1 million instructions; an update should take a few thousand</source>
+        <translation>la vérification a utilisé plus de %1 millions d&apos;instructions ; une mise à jour devrait en prendre quelques milliers</translation>
+    </message>
+    <message>
+        <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
+        <translation>arrêtée par la machine : la vérification a pris plus de %1 s. Ce n&apos;est pas un verdict sur le programme</translation>
+    </message>
+</context>
+<context>
+    <name>CircleClipboard</name>
+    <message>
+        <source>The clipboard is empty: copy circles first</source>
+        <translation>Le presse-papiers est vide : copiez d&apos;abord des cercles</translation>
+    </message>
+    <message>
+        <source>The clipboard holds too much text to be circles</source>
+        <translation>Le presse-papiers contient trop de texte pour que ce soient des cercles</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no circles: %1</source>
+        <translation>Le presse-papiers ne contient pas de cercles : %1</translation>
+    </message>
+    <message>
+        <source>The scene on the clipboard has no circles</source>
+        <translation>La scène du presse-papiers n&apos;a pas de cercles</translation>
+    </message>
+</context>
+<context>
+    <name>CircleName</name>
+    <message>
+        <source>circle %1</source>
+        <translation>cercle %1</translation>
+    </message>
+</context>
+<context>
+    <name>Cli</name>
+    <message>
+        <source>an object with an answer for each id of a question is right</source>
+        <translation>un objet avec une réponse pour chaque id d&apos;une question convient</translation>
+    </message>
+    <message>
+        <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
+        <translation>Évalue un programme, ou avec --preset seul les lois du moteur, pour une étape : d&apos;après ce qu&apos;ils font. Un programme qui ne se charge pas ou qui s&apos;arrête ne réussit pas ; la raison est aussi sur la sortie d&apos;erreur, sous la forme FICHIER:LIGNE: message.</translation>
+    </message>
+    <message>
+        <source>the step, like L42T5</source>
+        <translation>l&apos;étape, par exemple L42T5</translation>
+    </message>
+    <message>
+        <source>the program to judge; - is standard input</source>
+        <translation>le programme à évaluer ; - est l&apos;entrée standard</translation>
+    </message>
+    <message>
+        <source>the scene; without it that of the step</source>
+        <translation>la scène ; par défaut celle de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>the answers to the step&apos;s questions: {&quot;ID&quot;: ANSWER}</source>
+        <translation>les réponses aux questions de l&apos;étape : {&quot;ID&quot;: RÉPONSE}</translation>
+    </message>
+    <message>
+        <source>number of the student for whom the lab draws its values</source>
+        <translation>numéro de l&apos;étudiant pour qui le TP tire ses valeurs au sort</translation>
+    </message>
+    <message>
+        <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab</source>
+        <translation>le dossier du TP ou NOM.cradle ; par défaut le TP fourni</translation>
+    </message>
+    <message>
+        <source>of the scenes; 1 without it</source>
+        <translation>des scènes ; 1 par défaut</translation>
+    </message>
+    <message>
+        <source>one of %1; text without it</source>
+        <translation>une valeur parmi %1 ; text par défaut</translation>
+    </message>
+    <message>
+        <source>where to write; without it the terminal</source>
+        <translation>où écrire ; par défaut le terminal</translation>
+    </message>
+    <message>
+        <source>judge only where rlimits, seccomp and namespaces are to be had</source>
+        <translation>n&apos;évaluer que là où rlimits, seccomp et espaces de noms sont disponibles</translation>
+    </message>
+    <message>
+        <source>exit with 0 also if it did not pass</source>
+        <translation>terminer avec 0 même en cas d&apos;échec</translation>
+    </message>
+    <message>
+        <source>SCRIPT.lua or --preset P.json is missing: what is to be judged?</source>
+        <translation>SCRIPT.lua ou --preset P.json manque : que faut-il évaluer ?</translation>
+    </message>
+    <message>
+        <source>unknown format %1; one of %2 is right</source>
+        <translation>format inconnu : %1 ; il faut une valeur parmi %2</translation>
+    </message>
+    <message>
+        <source>--seed %1 is not a whole number</source>
+        <translation>--seed %1 n&apos;est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>the lab has no step %1; it has %2</source>
+        <translation>le TP n&apos;a pas d&apos;étape %1 ; il a %2</translation>
+    </message>
+    <message>
+        <source>left out of the zip: %1</source>
+        <translation>laissé hors du zip : %1</translation>
+    </message>
+    <message>
+        <source>the results may not go where the submissions are</source>
+        <translation>les résultats ne peuvent pas aller là où sont les rendus</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>il n&apos;y a pas de dossier %1</translation>
+    </message>
+    <message>
+        <source>a secret was made for the scenes of this class: %1; keep it, and publish it to nobody</source>
+        <translation>un secret a été créé pour les scènes de cette classe : %1 ; conservez-le et ne le donnez à personne</translation>
+    </message>
+    <message>
+        <source>the lab</source>
+        <translation>le TP</translation>
+    </message>
+    <message>
+        <source>the secret</source>
+        <translation>le secret</translation>
+    </message>
+    <message>
+        <source>the language</source>
+        <translation>la langue</translation>
+    </message>
+    <message>
+        <source>--require-isolation: this machine has only: %1</source>
+        <translation>--require-isolation : cette machine n&apos;a que : %1</translation>
+    </message>
+    <message>
+        <source>%1 holds results of another version (%2); another folder is right, or --again to begin anew</source>
+        <translation>%1 contient des résultats d&apos;une autre version (%2) ; prenez un autre dossier, ou --again pour tout recommencer</translation>
+    </message>
+    <message>
+        <source>the shard</source>
+        <translation>le lot</translation>
+    </message>
+    <message>
+        <source>programs: %1</source>
+        <translation>programmes : %1</translation>
+    </message>
+    <message>
+        <source>nothing to judge</source>
+        <translation>rien à évaluer</translation>
+    </message>
+    <message>
+        <source>missing: %1 %2</source>
+        <translation>manque : %1 %2</translation>
+    </message>
+    <message>
+        <source>students: %1</source>
+        <translation>étudiants : %1</translation>
+    </message>
+    <message>
+        <source>none of the folders has the lab; --lab LAB is right</source>
+        <translation>aucun des dossiers n&apos;a le TP ; il faut --lab TP</translation>
+    </message>
+    <message>
+        <source>the results were judged by another version of the lab</source>
+        <translation>les résultats ont été évalués par une autre version du TP</translation>
+    </message>
+    <message>
+        <source>the results of all may not go where those of a shard are</source>
+        <translation>les résultats de tous ne peuvent pas aller là où sont ceux d&apos;un lot</translation>
+    </message>
+    <message>
+        <source>--language %1: the results are in the language %2, in which they were judged</source>
+        <translation>--language %1 : les résultats sont dans la langue %2, celle de leur évaluation</translation>
+    </message>
+    <message>
+        <source>%1 holds results of another version; another folder is right, or --again to begin anew</source>
+        <translation>%1 contient des résultats d&apos;une autre version ; prenez un autre dossier, ou --again pour tout recommencer</translation>
+    </message>
+    <message>
+        <source>isolation: %1</source>
+        <translation>isolation : %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students</source>
+        <translation>%1 étudiants sur %2</translation>
+    </message>
+    <message>
+        <source>, %1 a minute, %2 left</source>
+        <translation>, %1 par minute, reste %2</translation>
+    </message>
+    <message>
+        <source>, %1 steps not passed</source>
+        <translation>, %1 étapes non réussies</translation>
+    </message>
+    <message>
+        <source>, %1 not graded</source>
+        <translation>, %1 non notées</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
+        <translation>%1 étudiants sur %2, dont %3 inchangés ; étapes : %4 réussies, %5 non réussies, %6 non notées ; %7</translation>
+    </message>
+    <message>
+        <source>the folder of the results</source>
+        <translation>le dossier des résultats</translation>
+    </message>
+    <message>
+        <source>from which, with the id, each student&apos;s scenes follow; without it one is made and kept in RESULTS/secret.txt</source>
+        <translation>dont découlent, avec l&apos;identifiant, les scènes de chaque étudiant ; sinon un secret est créé et gardé dans RESULTS/secret.txt</translation>
+    </message>
+    <message>
+        <source>students at a time; without it as many as processors</source>
+        <translation>étudiants à la fois ; par défaut autant que de processeurs</translation>
+    </message>
+    <message>
+        <source>who is in the class: a table with columns id, folder, name, number, email, late days</source>
+        <translation>qui est dans la classe : un tableau avec les colonnes id, folder, name, number, email, late days</translation>
+    </message>
+    <message>
+        <source>what each late day takes of the points; 0 without it</source>
+        <translation>ce que chaque jour de retard retire aux points ; 0 par défaut</translation>
+    </message>
+    <message>
+        <source>more percent are never taken; 100 without it</source>
+        <translation>jamais plus de pour cent ne sont retirés ; 100 par défaut</translation>
+    </message>
+    <message>
+        <source>judge part I of N of the class, for --merge</source>
+        <translation>évaluer la part I sur N de la classe, pour --merge</translation>
+    </message>
+    <message>
+        <source>judge nothing; put together the results of shards, each a folder</source>
+        <translation>ne rien évaluer ; réunir les résultats de lots, chacun un dossier</translation>
+    </message>
+    <message>
+        <source>of the pages and of what students are told: en or de; en without it</source>
+        <translation>des pages et de ce qu&apos;on dit aux étudiants : en ou de ; en par défaut</translation>
+    </message>
+    <message>
+        <source>tell how the folder was understood, and judge nothing</source>
+        <translation>dire comment le dossier a été compris, et ne rien évaluer</translation>
+    </message>
+    <message>
+        <source>begin anew where RESULTS holds those of another version</source>
+        <translation>recommencer quand RESULTS contient ceux d&apos;une autre version</translation>
+    </message>
+    <message>
+        <source>text, or json: events on standard output, one a line</source>
+        <translation>text, ou json : des événements sur la sortie standard, un par ligne</translation>
+    </message>
+    <message>
+        <source>exit with 0 also if somebody did not pass, if only all are graded</source>
+        <translation>terminer avec 0 même si quelqu&apos;un a échoué, du moment que tous sont notés</translation>
+    </message>
+    <message>
+        <source>--jobs %1: a number from 1 to %2 is right</source>
+        <translation>--jobs %1 : il faut un nombre de 1 à %2</translation>
+    </message>
+    <message>
+        <source>--shard %1: I/N is right, with I from 1 to N</source>
+        <translation>--shard %1 : il faut I/N, avec I de 1 à N</translation>
+    </message>
+    <message>
+        <source>--shard needs --secret FILE, the same for every shard</source>
+        <translation>--shard demande --secret FICHIER, le même pour chaque lot</translation>
+    </message>
+    <message>
+        <source>--language %1: en or de is right</source>
+        <translation>--language %1 : il faut en ou de</translation>
+    </message>
+    <message>
+        <source>--late-percent and --late-most are numbers from 0 to 100</source>
+        <translation>--late-percent et --late-most sont des nombres de 0 à 100</translation>
+    </message>
+    <message>
+        <source>Judges a class: every step of every student, each in a process of its own that can do nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if not all passed.</source>
+        <translation>Évalue une classe : chaque étape de chaque étudiant, chacune dans un processus à part qui ne peut rien faire d&apos;autre. SUBMISSIONS est un dossier de dossiers ou de fichiers .cradle-work, un téléchargement de Moodle, Canvas ou Blackboard, des clones de GitHub Classroom, ou un zip de tout cela ; rien n&apos;y est écrit. Arrêtée à tout moment, l&apos;évaluation reprend où elle en était. Code de sortie : 1 si tous n&apos;ont pas réussi.</translation>
+    </message>
+    <message>
+        <source>what was handed in; with --merge: results</source>
+        <translation>ce qui a été rendu ; avec --merge : des résultats</translation>
+    </message>
+    <message>
+        <source>unexpected argument %1; see %2 --help</source>
+        <translation>argument inattendu : %1 ; voir %2 --help</translation>
+    </message>
+    <message>
+        <source>--out RESULTS is missing: where are the results to go?</source>
+        <translation>--out RESULTS manque : où doivent aller les résultats ?</translation>
+    </message>
+    <message>
+        <source>there is no verdict; of the process that judged: %1</source>
+        <translation>il n&apos;y a pas de verdict ; du processus qui évaluait : %1</translation>
+    </message>
+    <message>
+        <source>this is a folder; a file is right</source>
+        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>illisible : %1</translation>
+    </message>
+    <message>
+        <source>the application that prints PDF is not beside cradle-cli; F.html is right without it</source>
+        <translation>l&apos;application qui imprime le PDF n&apos;est pas à côté de cradle-cli ; F.html convient sans elle</translation>
+    </message>
+    <message>
+        <source>the report could not be printed: %1</source>
+        <translation>le rapport n&apos;a pas pu être imprimé : %1</translation>
+    </message>
+    <message>
+        <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>
+        <translation>Fait tourner une scène, selon ses lois ou par un programme, et écrit ce qui se passe : des tableaux, ou sinon un résumé. Si le programme s&apos;arrête, la raison est sur la sortie d&apos;erreur sous la forme FICHIER:LIGNE: message, les tableaux vont jusque-là et le code de sortie est 1. Ctrl+C met fin à l&apos;exécution : ce qui est écrit va jusque-là, et le code de sortie est 130.</translation>
+    </message>
+    <message>
+        <source>the scene</source>
+        <translation>la scène</translation>
+    </message>
+    <message>
+        <source>stopped at %1 s</source>
+        <translation>arrêté à %1 s</translation>
+    </message>
+    <message>
+        <source>%1 % of the run; Ctrl+C ends it here</source>
+        <translation>%1 % de l&apos;exécution ; Ctrl+C l&apos;arrête ici</translation>
+    </message>
+    <message>
+        <source>how long, s</source>
+        <translation>durée, en s</translation>
+    </message>
+    <message>
+        <source>instead of the preset&apos;s, s</source>
+        <translation>au lieu de celui du préréglage, en s</translation>
+    </message>
+    <message>
+        <source>discrete, continuous or exact</source>
+        <translation>discrete, continuous ou exact</translation>
+    </message>
+    <message>
+        <source>a program that moves the circles; what it prints goes to standard error, what it plots and draws is dropped, its hits are inferred</source>
+        <translation>un programme qui déplace les cercles ; ce qu&apos;il affiche va sur la sortie d&apos;erreur, ce qu&apos;il trace et dessine est ignoré, ses chocs sont déduits</translation>
+    </message>
+    <message>
+        <source>write every N-th step only</source>
+        <translation>n&apos;écrire qu&apos;un pas sur N</translation>
+    </message>
+    <message>
+        <source>table of the circles&apos; states</source>
+        <translation>tableau des états des cercles</translation>
+    </message>
+    <message>
+        <source>table of momentum and energy</source>
+        <translation>tableau de la quantité de mouvement et de l&apos;énergie</translation>
+    </message>
+    <message>
+        <source>table of the hits</source>
+        <translation>tableau des chocs</translation>
+    </message>
+    <message>
+        <source>of the summary: text, or json, which is written beside tables, too</source>
+        <translation>du résumé : text, ou json, qui est écrit même à côté de tableaux</translation>
+    </message>
+    <message>
+        <source>--%1 %2 is not right; %3 is right</source>
+        <translation>--%1 %2 ne convient pas ; il faut %3</translation>
+    </message>
+    <message>
+        <source>a number above 0 and at most %1</source>
+        <translation>un nombre supérieur à 0 et d&apos;au plus %1</translation>
+    </message>
+    <message>
+        <source>a table and the summary cannot both go to standard output; a file for the table is right</source>
+        <translation>un tableau et le résumé ne peuvent pas aller tous deux sur la sortie standard ; il faut un fichier pour le tableau</translation>
+    </message>
+    <message>
+        <source>--duration S is missing: how long, in s?</source>
+        <translation>--duration S manque : combien de temps, en s ?</translation>
+    </message>
+    <message>
+        <source>a whole number from 1</source>
+        <translation>un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>%1 steps are too many; at most %2 are right</source>
+        <translation>%1 pas, c&apos;est trop ; au plus %2 conviennent</translation>
+    </message>
+    <message>
+        <source>contacts merged from %1 s on</source>
+        <translation>contacts fusionnés à partir de %1 s</translation>
+    </message>
+    <message>
+        <source>%1: %2 circles, %3 steps, %4 s, %5 hits
+momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
+</source>
+        <translation>%1 : %2 cercles, %3 pas, %4 s, %5 chocs
+quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9 J
+</translation>
+    </message>
+    <message>
+        <source>an argument is missing; see %1 --help</source>
+        <translation>un argument manque ; voir %1 --help</translation>
+    </message>
+    <message>
+        <source>      passes every check
+</source>
+        <translation>      réussit toutes les vérifications
+</translation>
+    </message>
+    <message>
+        <source>      fails %1 without a diagnosis: %2
+</source>
+        <translation>      échoue à %1 sans diagnostic : %2
+</translation>
+    </message>
+    <message>
+        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
+        <translation>Fabrique, à partir des corrigés d&apos;un TP, des erreurs que font les étudiants, et nomme celles qui réussissent toutes les vérifications (il manque peut-être une vérification) et celles qui échouent sans diagnostic (il manque peut-être une erreur).</translation>
+    </message>
+    <message>
+        <source>the lab&apos;s folder, or NAME.cradle</source>
+        <translation>le dossier du TP, ou NOM.cradle</translation>
+    </message>
+    <message>
+        <source>this step alone</source>
+        <translation>cette étape seulement</translation>
+    </message>
+    <message>
+        <source>the lab has no step %1</source>
+        <translation>le TP n&apos;a pas d&apos;étape %1</translation>
+    </message>
+    <message>
+        <source>It was stopped after %1 s of processor time.</source>
+        <translation>Il a été arrêté après %1 s de temps de processeur.</translation>
+    </message>
+    <message>
+        <source>It was stopped: it asked the system for what no program needs.</source>
+        <translation>Il a été arrêté : il demandait au système ce dont aucun programme n&apos;a besoin.</translation>
+    </message>
+    <message>
+        <source>The process that judged it broke down.</source>
+        <translation>Le processus qui l&apos;évaluait est tombé en panne.</translation>
+    </message>
+    <message>
+        <source>No process could be had to judge it.</source>
+        <translation>Aucun processus n&apos;a pu être obtenu pour l&apos;évaluer.</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2 mistakes, %3 problems, %4 s
+</source>
+        <translation>%1 étapes, %2 erreurs, %3 problèmes, %4 s
+</translation>
+    </message>
+    <message>
+        <source>%1 programs became differences, %2 lines fewer</source>
+        <translation>%1 programmes sont devenus des différences, %2 lignes de moins</translation>
+    </message>
+    <message>
+        <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
+        <translation>Évalue un TP lui-même : les programmes de départ échouent à une vérification, les corrigés réussissent, chaque erreur connue échoue et est reconnue, et chaque vérification est mise en échec par une erreur. Affiche quelle erreur (ligne) échoue à quelle vérification (colonne, x) et pour quoi elle est prise.</translation>
+    </message>
+    <message>
+        <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
+        <translation>garder erreurs et remarques comme différences d&apos;avec leur corrigé quand c&apos;est plus court</translation>
+    </message>
+    <message>
+        <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
+        <translation>demander aussi pour chaque vérification si une modification du corrigé échoue par elle seule ; prend des minutes</translation>
+    </message>
+    <message>
+        <source>with how many seeds every solution is judged, 1 to 1000</source>
+        <translation>avec combien de graines chaque corrigé est évalué, de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>--seeds takes a whole number from 1 to 1000, not %1</source>
+        <translation>--seeds prend un nombre entier de 1 à 1000, pas %1</translation>
+    </message>
+    <message>
+        <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab that the work belongs to</source>
+        <translation>le dossier du TP ou NOM.cradle ; par défaut le TP fourni auquel le travail appartient</translation>
+    </message>
+    <message>
+        <source>of the student</source>
+        <translation>de l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>to the teacher</source>
+        <translation>à l&apos;enseignant</translation>
+    </message>
+    <message>
+        <source>where to write</source>
+        <translation>où écrire</translation>
+    </message>
+    <message>
+        <source>of the report: en or de; without it that of the system</source>
+        <translation>du rapport : en ou de ; par défaut celle du système</translation>
+    </message>
+    <message>
+        <source>Writes the report of a student&apos;s work: what was asked, what the program does, how it came about. Every step is judged anew.</source>
+        <translation>Écrit le rapport du travail d&apos;un étudiant : ce qui était demandé, ce que fait le programme, comment il est né. Chaque étape est évaluée à nouveau.</translation>
+    </message>
+    <message>
+        <source>the folder, or a FILE.cradle-work</source>
+        <translation>le dossier, ou un FICHIER.cradle-work</translation>
+    </message>
+    <message>
+        <source>--output F.pdf or --output F.html is right</source>
+        <translation>il faut --output F.pdf ou --output F.html</translation>
+    </message>
+    <message>
+        <source>Writes a student&apos;s work into one file to be handed in: the programs, scenes, notes, the history and a report. Every step is judged once more.</source>
+        <translation>Écrit le travail d&apos;un étudiant dans un seul fichier à rendre : les programmes, les scènes, les remarques, l&apos;historique et un rapport. Chaque étape est évaluée encore une fois.</translation>
+    </message>
+    <message>
+        <source>the folder</source>
+        <translation>le dossier</translation>
+    </message>
+    <message>
+        <source>--output FILE.cradle-work is right</source>
+        <translation>il faut --output FICHIER.cradle-work</translation>
+    </message>
+    <message>
+        <source>this is too long for a program; at most %1 are right</source>
+        <translation>c&apos;est trop long pour un programme ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>this is text in UTF-16; UTF-8 would be right</source>
+        <translation>c&apos;est du texte en UTF-16 ; il faudrait UTF-8</translation>
+    </message>
+    <message>
+        <source>this is no text in UTF-8, which would be right</source>
+        <translation>ce n&apos;est pas du texte en UTF-8, qu&apos;il faudrait</translation>
+    </message>
+</context>
+<context>
+    <name>Deviation</name>
+    <message>
+        <source>%1 m</source>
+        <comment>a distance</comment>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>up to %1 m (rms %2 m)</source>
+        <translation>jusqu&apos;à %1 m (moyenne quadratique %2 m)</translation>
+    </message>
+    <message>
+        <source>%1 J</source>
+        <comment>an energy, with its sign</comment>
+        <translation>%1 J</translation>
+    </message>
+    <message>
+        <source>Off the exact motion: %1, %2.</source>
+        <comment>energy, distance</comment>
+        <translation>Écart au mouvement exact : %1, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
+
+No hit is aimed at anything, yet within a second or two the speeds spread until they lie along one curve, that of Maxwell and Boltzmann. No energy is lost: only how the circles share it changes.
+
+- Go back on the timeline: the curve is the same all the time, as it depends on the mean energy alone.
+- Set the restitution to 0.99: the gas cools, and the curve moves to the left.
+- The colours say which half a circle comes from. They mix much more slowly than the speeds.</source>
+        <translation>Mille cercles égaux partent à la même vitesse, 2 m/s, dans toutes les directions. Appuyez sur Lancer et observez les vitesses en bas à droite.
+
+Aucun choc n&apos;est visé, et pourtant en une ou deux secondes les vitesses s&apos;étalent jusqu&apos;à se placer sur une courbe, celle de Maxwell et Boltzmann. Aucune énergie ne se perd : seule change la façon dont les cercles la partagent.
+
+- Remontez la ligne de temps : la courbe est toujours la même, car elle ne dépend que de l&apos;énergie moyenne.
+- Mettez la restitution à 0.99 : le gaz se refroidit et la courbe se déplace vers la gauche.
+- Les couleurs disent de quelle moitié vient un cercle. Elles se mélangent bien plus lentement que les vitesses.</translation>
+    </message>
+    <message>
+        <source>A heavy circle falls onto a bed of 124 light ones, each of which has a six-thousandth of its mass. Press Run and watch the energy.
+
+A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each other. Yet here a fifth of all energy goes in less than a tenth of a second, most of it in two blows, at 0.94 s and 0.99 s: light circles that are caught between the heavy one and the floor are hit to and fro ever faster, hundreds of times in a hundredth of a second. That is how an inelastic collapse begins.
+
+- Go back on the timeline to the blows, and step through them with → and ←.
+- Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
+        <translation>Un cercle lourd tombe sur un lit de 124 cercles légers, dont chacun a un six-millième de sa masse. Appuyez sur Lancer et observez l&apos;énergie.
+
+Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rapprochement. Pourtant, ici, un cinquième de toute l&apos;énergie disparaît en moins d&apos;un dixième de seconde, surtout en deux coups, à 0.94 s et 0.99 s : des cercles légers pris entre le lourd et le sol sont renvoyés de l&apos;un à l&apos;autre de plus en plus vite, des centaines de fois en un centième de seconde. C&apos;est ainsi que commence un effondrement inélastique.
+
+- Remontez la ligne de temps jusqu&apos;à ces coups et parcourez-les pas à pas avec → et ←.
+- Mettez la restitution à 1 : le lit devient un gaz sous un piston, et le renvoie.</translation>
+    </message>
+    <message>
+        <source>Gas</source>
+        <translation>Gaz</translation>
+    </message>
+    <message>
+        <source>Piston drop</source>
+        <translation>Chute d&apos;un piston</translation>
+    </message>
+    <message>
+        <source>This scene belongs to no step. Choose a step above to go back to the lab.</source>
+        <translation>Cette scène n&apos;appartient à aucune étape. Choisissez une étape ci-dessus pour revenir au TP.</translation>
+    </message>
+</context>
+<context>
+    <name>Expression</name>
+    <message>
+        <source>“%1” is not expected there</source>
+        <translation>« %1 » n&apos;est pas attendu là</translation>
+    </message>
+    <message>
+        <source>it comes to no finite number</source>
+        <translation>cela ne donne pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>“%1” is no number: %2</source>
+        <translation>« %1 » n&apos;est pas un nombre : %2</translation>
+    </message>
+    <message>
+        <source>it is too deep</source>
+        <translation>c&apos;est trop imbriqué</translation>
+    </message>
+    <message>
+        <source>a closing parenthesis is missing</source>
+        <translation>il manque une parenthèse fermante</translation>
+    </message>
+    <message>
+        <source>something is missing at its end</source>
+        <translation>il manque quelque chose à la fin</translation>
+    </message>
+    <message>
+        <source>there is no value called %1</source>
+        <translation>il n&apos;y a pas de valeur nommée %1</translation>
+    </message>
+    <message>
+        <source>a parenthesis behind %1 is missing</source>
+        <translation>il manque une parenthèse après %1</translation>
+    </message>
+    <message>
+        <source>a comma and another number are missing</source>
+        <translation>il manque une virgule et un autre nombre</translation>
+    </message>
+    <message>
+        <source>an expression of at most %1 characters is right</source>
+        <translation>une expression d&apos;au plus %1 caractères convient</translation>
+    </message>
+</context>
+<context>
+    <name>FileIo</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation>votre part du disque est pleine</translation>
+    </message>
+    <message>
+        <source>a file may not be so large here</source>
+        <translation>un fichier ne peut pas être aussi grand ici</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>le disque est en lecture seule</translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation>vous n&apos;avez pas le droit d&apos;écrire ici</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>ce dossier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>a file is where a folder should be</source>
+        <translation>il y a un fichier là où il faudrait un dossier</translation>
+    </message>
+    <message>
+        <source>this is a folder; the name of a file is right</source>
+        <translation>c&apos;est un dossier ; il faut le nom d&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>le nom est trop long</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>il est fermé</translation>
+    </message>
+    <message>
+        <source>the disk has a fault</source>
+        <translation>le disque a un défaut</translation>
+    </message>
+</context>
+<context>
+    <name>Findings</name>
+    <message>
+        <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
+        <translation>Les bords se touchent quand la distance des centres vaut r₁ + r₂, ici %1 m.</translation>
+    </message>
+    <message>
+        <source>Only half of r₁ + r₂ counts in the test of contact</source>
+        <translation>Seule la moitié de r₁ + r₂ compte dans le test de contact</translation>
+    </message>
+    <message>
+        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
+        <translation>Un seul rayon, ou la moitié de r₁ + r₂, compte dans le test de contact</translation>
+    </message>
+    <message>
+        <source>The circles answer only when their centres have met</source>
+        <translation>Les cercles ne réagissent que lorsque leurs centres se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>Boxes are compared, not circles</source>
+        <translation>Ce sont des boîtes qui sont comparées, pas des cercles</translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
+        <translation>Côte à côte, ils réagissent à temps, mais en diagonale dès que leurs centres sont encore à %2 m l&apos;un de l&apos;autre : x et y examinés séparément décrivent des carrés. Faites des deux différences une seule distance.</translation>
+    </message>
+    <message>
+        <source>|Δx| + |Δy| is not the distance</source>
+        <translation>|Δx| + |Δy| n&apos;est pas la distance</translation>
+    </message>
+    <message>
+        <source>Side by side they answer in time, but on a diagonal only when their centres are %2 m apart. A distance is the root of the sum of the squares.</source>
+        <translation>Côte à côte, ils réagissent à temps, mais en diagonale seulement quand leurs centres sont à %2 m l&apos;un de l&apos;autre. Une distance est la racine de la somme des carrés.</translation>
+    </message>
+    <message>
+        <source>A squared distance is compared with a length</source>
+        <translation>Le carré d&apos;une distance est comparé à une longueur</translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
+        <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre : c&apos;est le carré de cette distance qui vaut r₁ + r₂. Un carré est en m², une longueur en m.</translation>
+    </message>
+    <message>
+        <source>Diameters are added in the test of contact, not radii</source>
+        <translation>Dans le test de contact, on additionne des diamètres, pas des rayons</translation>
+    </message>
+    <message>
+        <source>Contact is tested at %1, not at r₁ + r₂</source>
+        <translation>Le contact est testé avec %1, pas avec r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>the larger radius</source>
+        <translation>le plus grand rayon</translation>
+    </message>
+    <message>
+        <source>the smaller radius</source>
+        <translation>le plus petit rayon</translation>
+    </message>
+    <message>
+        <source>the difference of the radii</source>
+        <translation>la différence des rayons</translation>
+    </message>
+    <message>
+        <source>twice the larger radius</source>
+        <translation>le double du plus grand rayon</translation>
+    </message>
+    <message>
+        <source>the sum of the diameters</source>
+        <translation>la somme des diamètres</translation>
+    </message>
+    <message>
+        <source>The circles are put back and keep their velocities</source>
+        <translation>Les cercles sont remis en arrière et gardent leurs vitesses</translation>
+    </message>
+    <message>
+        <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
+        <translation>Quand ils se touchent, une position change et aucune vitesse, si bien que le pas suivant les y ramène. Un choc change les vitesses : regardez si ces lignes s&apos;exécutent, et ce qu&apos;elles demandent.</translation>
+    </message>
+    <message>
+        <source>The circles run through each other</source>
+        <translation>Les cercles se traversent</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
+        <translation>Lancés l&apos;un vers l&apos;autre dans %1 directions, aucun des deux n&apos;a jamais changé de vitesse.</translation>
+    </message>
+    <message>
+        <source>The circles act on each other</source>
+        <translation>Les cercles agissent l&apos;un sur l&apos;autre</translation>
+    </message>
+    <message>
+        <source>In this step they should still pass through each other.</source>
+        <translation>À cette étape, ils doivent encore se traverser.</translation>
+    </message>
+    <message>
+        <source>The circles answer when they part, not when they meet</source>
+        <translation>Les cercles réagissent quand ils se séparent, pas quand ils se rencontrent</translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à une distance des centres de %1 m, et n&apos;ont réagi que lorsqu&apos;elle augmentait de nouveau. Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, n allant de 1 vers 2 : regardez la comparaison, et dans quel sens pointe votre normale.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, se rencontrant sous %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>A number stands for r₁ + r₂ in the test of contact</source>
+        <translation>Un nombre tient lieu de r₁ + r₂ dans le test de contact</translation>
+    </message>
+    <message>
+        <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
+        <translation>Quels que soient les rayons, ils réagissent à la même distance, entre %1 et %2 m.</translation>
+    </message>
+    <message>
+        <source>The circles answer before they touch</source>
+        <translation>Les cercles réagissent avant de se toucher</translation>
+    </message>
+    <message>
+        <source>The circles answer too late</source>
+        <translation>Les cercles réagissent trop tard</translation>
+    </message>
+    <message>
+        <source>A hit puts circle %1 somewhere else
+
+When they touched it was put to %2 m, far from where it came from. Each circle goes back to its *own* old place: look at which one it gets.</source>
+        <translation>Un choc déplace le cercle %1
+
+Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle retourne à sa *propre* ancienne position : regardez laquelle il reçoit.</translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 2 that comes nearer</source>
+        <translation>Rien ne se passe quand c&apos;est le cercle 2 qui se rapproche</translation>
+    </message>
+    <message>
+        <source>Nothing happens when it is circle 1 that comes nearer</source>
+        <translation>Rien ne se passe quand c&apos;est le cercle 1 qui se rapproche</translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation>Certaines rencontres restent sans réaction</translation>
+    </message>
+    <message>
+        <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
+        <translation>Suivant la ligne des centres, le cercle 1 avait %1 m/s et le cercle 2 %2 m/s ; ils se rapprochaient donc à %3 m/s, et sont entrés l&apos;un dans l&apos;autre ; d&apos;autres rencontres provoquent une réaction. Ce qui compte est la vitesse de l&apos;un par rapport à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Only the first hit is answered</source>
+        <translation>Seul le premier choc provoque une réaction</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
+        <translation>Le cercle 2 a été heurté, est revenu de la paroi derrière lui et a traversé le cercle 1. Ce que votre programme retient d&apos;un choc doit être oublié quand ils se sont séparés.</translation>
+    </message>
+    <message>
+        <source>Circles that already part are hit again</source>
+        <translation>Des cercles qui se séparent déjà subissent un nouveau choc</translation>
+    </message>
+    <message>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation>Ils se chevauchaient et s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s ; le pas suivant a donné %2 et %3 m/s. Des cercles qui s&apos;éloignent ont déjà eu leur choc : demandez s&apos;ils se rapprochent.</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>le cercle %1</translation>
+    </message>
+    <message>
+        <source>both circles</source>
+        <translation>les deux cercles</translation>
+    </message>
+    <message>
+        <source>all circles</source>
+        <translation>tous les cercles</translation>
+    </message>
+    <message>
+        <source>the circles %1</source>
+        <translation>les cercles %1</translation>
+    </message>
+    <message>
+        <source>A number stands for gravity in the motion of %who</source>
+        <translation>Un nombre tient lieu de pesanteur dans le mouvement, pour %who</translation>
+    </message>
+    <message>
+        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation>Dans une scène où la pesanteur vaut %1 m/s², l&apos;accélération est de %2 m/s², comme dans toutes les autres. Le nom `gravity` contient la valeur de la scène ; cherchez où votre programme a la sienne.</translation>
+    </message>
+    <message>
+        <source>Gravity pulls %who in a wrong direction</source>
+        <translation>La pesanteur tire dans une mauvaise direction, pour %who</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the velocity changes by %2 m/s in a step of %3 s; it should change by %4 m/s.</source>
+        <translation>Sous la pesanteur %1 m/s², la vitesse change de %2 m/s en un pas de %3 s ; elle doit changer de %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Gravity moves %who at once and changes no velocity</source>
+        <translation>La pesanteur agit aussitôt sur la position et ne change aucune vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
+        <translation>Sous la pesanteur %1 m/s², un cercle au repos se retrouve à %2 m de là après un pas de %3 s, et sa vitesse est toujours 0. La pesanteur est une accélération : elle change la vitesse, et c&apos;est la vitesse qui change la position.</translation>
+    </message>
+    <message>
+        <source>Gravity does not act alike on light and heavy ones (%who)</source>
+        <translation>La pesanteur n&apos;agit pas de la même façon sur les légers et les lourds (%who)</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
+        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² quand le rayon est 1.25 fois et la masse volumique 1.5 fois plus grande. La pesanteur est déjà une accélération : tous les corps tombent de la même façon, quelle que soit leur masse.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who for a whole second in every step</source>
+        <translation>À chaque pas, la pesanteur agit une seconde entière sur %who</translation>
+    </message>
+    <message>
+        <source>An acceleration says what a second changes; a step lasts only Δt. Compare the units on both sides.</source>
+        <translation>Une accélération dit ce que change une seconde ; un pas ne dure que Δt. Comparez les unités des deux côtés.</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is multiplied by the timestep twice</source>
+        <translation>La pesanteur est multipliée deux fois par le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that changes the velocity.</source>
+        <translation>Comptez combien de fois le pas de temps figure dans la ligne qui change la vitesse.</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the fall of %who</source>
+        <translation>Un nombre fixe tient lieu de pas de temps dans la chute, pour %who</translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation>Quel que soit Δt, la pesanteur agit pendant %1 s. Prenez le paramètre de `on_update`.</translation>
+    </message>
+    <message>
+        <source>Gravity does not act on %who</source>
+        <translation>La pesanteur n&apos;agit pas sur %who</translation>
+    </message>
+    <message>
+        <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
+        <translation>À chaque pas, la pesanteur doit changer la vitesse : cherchez la ligne qui le fait, et les conditions devant elle.</translation>
+    </message>
+    <message>
+        <source>Gravity pushes %who against its own direction</source>
+        <translation>La pesanteur pousse %who contre son propre sens</translation>
+    </message>
+    <message>
+        <source>Look at the signs.</source>
+        <translation>Regardez les signes.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who twice in every step</source>
+        <translation>La pesanteur agit deux fois par pas sur %who</translation>
+    </message>
+    <message>
+        <source>Count the lines of a step that change the velocity.</source>
+        <translation>Comptez les lignes d&apos;un pas qui changent la vitesse.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets only half of gravity</source>
+        <translation>La vitesse ne reçoit que la moitié de la pesanteur, pour %who</translation>
+    </message>
+    <message>
+        <source>Where a method takes two halves, both count.</source>
+        <translation>Quand une méthode prend deux moitiés, les deux comptent.</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is %1 times as strong as it should be</source>
+        <translation>La pesanteur agit %1 fois aussi fort qu&apos;il le faudrait sur %who</translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that changes the velocity.</source>
+        <translation>Regardez les facteurs de la ligne qui change la vitesse.</translation>
+    </message>
+    <message>
+        <source>The fall of %who is not that of the gravity in the scene</source>
+        <translation>La chute n&apos;est pas celle de la pesanteur de la scène, pour %who</translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
+        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s² ; la vitesse change de %2 m/s² au premier pas et de %3 m/s² au deuxième. Cherchez ce qui change encore la vitesse, loin de tout choc.</translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
+        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s², et la vitesse change de %2 m/s en une seconde. Une copie de la pesanteur garde la valeur de l&apos;instant où elle a été faite : avant ou après que `on_load` l&apos;a fixée ?</translation>
+    </message>
+    <message>
+        <source>In your own scene the first step changes the velocity of %who</source>
+        <translation>Dans votre propre scène, le premier pas change la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
+        <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s ; rien à heurter n&apos;est proche. Regardez les valeurs que prend la ligne : sont-elles celles de ce pas, ou plus anciennes ?</translation>
+    </message>
+    <message>
+        <source>%1 is asked for.</source>
+        <translation>Demandé : %1.</translation>
+    </message>
+    <message>
+        <source>One of these is asked for.</source>
+        <translation>L&apos;un de ceux-ci est demandé.</translation>
+    </message>
+    <message>
+        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
+        <translation>Depuis le repos sous la pesanteur %1 m/s², un pas avance de %2 a Δt² en plus de v Δt. Euler avance avec l&apos;ancienne vitesse : 0 ; Euler symplectique avec la nouvelle : 1 ; les méthodes exactes avec ½.</translation>
+    </message>
+    <message>
+        <source>The motion of %who is no known method</source>
+        <translation>Le mouvement ne suit aucune méthode connue, pour %who</translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1, not %2</source>
+        <translation>La méthode n&apos;est pas la bonne pour %who : %1, pas %2</translation>
+    </message>
+    <message>
+        <source>The motion of %who is no known method; %1 is asked for</source>
+        <translation>Le mouvement ne suit aucune méthode connue, pour %who ; demandé : %1</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation>Euler symplectique</translation>
+    </message>
+    <message>
+        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
+        <translation>la parabole exacte (Verlet, Runge-Kutta 4)</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Chaque cercle a la méthode de l&apos;autre
+
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt² ; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation>Les cercles se déplacent selon des méthodes différentes
+
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt² ; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
+    </message>
+    <message>
+        <source>Every step puts %who where circle %1 is</source>
+        <translation>Chaque pas met %who là où est le cercle %1</translation>
+    </message>
+    <message>
+        <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
+        <translation>Où que les deux démarrent, un pas plus tard ils sont au même endroit. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles : regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is set anew in every step</source>
+        <translation>À chaque pas, la vitesse est fixée à neuf pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
+        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer ; le départ se fixe une fois, dans `on_load`.</translation>
+    </message>
+    <message>
+        <source>The x of the velocity of %who is set anew in every step</source>
+        <translation>À chaque pas, le x de la vitesse est fixé à neuf pour %who</translation>
+    </message>
+    <message>
+        <source>The y of the velocity of %who is set anew in every step</source>
+        <translation>À chaque pas, le y de la vitesse est fixé à neuf pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
+        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et cette composante est la même pour tout autre départ. Un pas calcule chaque composante à partir de celle du cercle, et la garde pour le suivant.</translation>
+    </message>
+    <message>
+        <source>The velocity of circle %1 moves %who</source>
+        <translation>La vitesse du cercle %1 déplace %who</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>Dans une scène où seul le cercle %1 a une vitesse, ce qui avance de v Δt, c&apos;est : %who. Chaque cercle se déplace avec sa propre vitesse : regardez les noms dans la ligne qui le déplace.</translation>
+    </message>
+    <message>
+        <source>The new place of %who does not depend on the old one</source>
+        <translation>La nouvelle position ne dépend pas de l&apos;ancienne, pour %who</translation>
+    </message>
+    <message>
+        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
+        <translation>Quel que soit le départ, après les deux mêmes pas la position est la même. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
+    </message>
+    <message>
+        <source>The old place of %who is multiplied, too</source>
+        <translation>L&apos;ancienne position est multipliée elle aussi, pour %who</translation>
+    </message>
+    <message>
+        <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
+        <translation>Deux cercles partis à 1 m l&apos;un de l&apos;autre, au repos, sont à %1 m l&apos;un de l&apos;autre un pas de %2 s plus tard. L&apos;ancienne position se garde telle quelle ; on lui ajoute le chemin v Δt : regardez les parenthèses.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m ; v Δt vaut %4 m.</translation>
+    </message>
+    <message>
+        <source>The x of %who never changes</source>
+        <translation>Le x ne change jamais pour %who</translation>
+    </message>
+    <message>
+        <source>The y of %who never changes</source>
+        <translation>Le y ne change jamais pour %who</translation>
+    </message>
+    <message>
+        <source> Both parts of the position must change, each by its own part of the velocity.</source>
+        <translation> Les deux coordonnées de la position doivent changer, chacune avec sa propre composante de la vitesse.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m ; avec %4 m/s, de %5 m ; v Δt vaut %6 et %7 m.</translation>
+    </message>
+    <message>
+        <source>Each part of the position changes by its own part of the velocity.</source>
+        <translation>Chaque coordonnée de la position change avec sa propre composante de la vitesse.</translation>
+    </message>
+    <message>
+        <source>The x part of the velocity moves %who in y</source>
+        <translation>La composante x de la vitesse déplace %who en y</translation>
+    </message>
+    <message>
+        <source>The y part of the velocity moves %who in x</source>
+        <translation>La composante y de la vitesse déplace %who en x</translation>
+    </message>
+    <message>
+        <source>x and y of the velocity are exchanged where %who moves</source>
+        <translation>x et y de la vitesse sont échangés dans le déplacement, pour %who</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is not v Δt</source>
+        <translation>Le chemin d&apos;un pas n&apos;est pas v Δt pour %who</translation>
+    </message>
+    <message>
+        <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
+        <translation>Regardez ce que prend la ligne qui change la position, et les conditions devant elle.</translation>
+    </message>
+    <message>
+        <source>What changes the velocity of %who asks how it moves</source>
+        <translation>Ce qui change la vitesse dépend du mouvement lui-même, pour %who</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>Sous la pesanteur %1 m/s² et avec la vitesse %2 m/s, elle change de %3 m/s en un pas de %4 s, avec %5 m/s de %6 m/s ; il faut %7 et %8 m/s. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
+    </message>
+    <message>
+        <source>The way of %who is not multiplied by the timestep</source>
+        <translation>Le chemin n&apos;est pas multiplié par le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>A velocity says how far it gets in a whole second; a step lasts only Δt.</source>
+        <translation>Une vitesse dit le chemin d&apos;une seconde entière ; un pas ne dure que Δt.</translation>
+    </message>
+    <message>
+        <source>The way of %who is multiplied by the timestep twice</source>
+        <translation>Le chemin est multiplié deux fois par le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>Count how often the timestep stands in the line that moves it.</source>
+        <translation>Comptez combien de fois le pas de temps figure dans la ligne du déplacement.</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep in the way of %who</source>
+        <translation>Un nombre fixe tient lieu de pas de temps dans le chemin, pour %who</translation>
+    </message>
+    <message>
+        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation>Quel que soit Δt, le chemin est celui de %1 s. Prenez le paramètre de `on_update`.</translation>
+    </message>
+    <message>
+        <source>Look at the line that changes the position.</source>
+        <translation>Regardez la ligne qui change la position.</translation>
+    </message>
+    <message>
+        <source>Nothing moves %who</source>
+        <translation>Rien ne déplace %who</translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added.</source>
+        <translation>À chaque pas, on ajoute v Δt à la position.</translation>
+    </message>
+    <message>
+        <source>The way of %who is subtracted instead of added</source>
+        <translation>Le chemin est soustrait au lieu d&apos;être ajouté, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the sign in the line that moves it.</source>
+        <translation>Regardez le signe dans la ligne du déplacement.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who twice</source>
+        <translation>Chaque pas déplace deux fois %who</translation>
+    </message>
+    <message>
+        <source>Count the lines that change the position in a step without a hit.</source>
+        <translation>Comptez les lignes qui changent la position dans un pas sans choc.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is %1 times v Δt</source>
+        <translation>Le chemin d&apos;un pas vaut %1 fois v Δt pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the factors in the line that moves it.</source>
+        <translation>Regardez les facteurs dans la ligne du déplacement.</translation>
+    </message>
+    <message>
+        <source>The place of %who acts on its velocity otherwise than asked</source>
+        <translation>La position agit sur la vitesse autrement que demandé, pour %who</translation>
+    </message>
+    <message>
+        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
+        <translation>Pour chaque mètre de plus vers l&apos;extérieur, l&apos;accélération change de %1 m/s² ; il faut %2.</translation>
+    </message>
+    <message>
+        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
+        <translation>Pour chaque m/s de vitesse, l&apos;accélération est de %1 m/s² ; il faut %2.</translation>
+    </message>
+    <message>
+        <source>Something slows %who down on the way</source>
+        <translation>Quelque chose freine %who en chemin</translation>
+    </message>
+    <message>
+        <source>Something makes %who faster on the way</source>
+        <translation>Quelque chose accélère %who en chemin</translation>
+    </message>
+    <message>
+        <source>Nothing slows %who down on the way</source>
+        <translation>Rien ne freine %who en chemin</translation>
+    </message>
+    <message>
+        <source>Nothing makes %who faster on the way</source>
+        <translation>Rien n&apos;accélère %who en chemin</translation>
+    </message>
+    <message>
+        <source>What should slow %who down makes it faster</source>
+        <translation>Ce qui devrait freiner %who accélère</translation>
+    </message>
+    <message>
+        <source>What should make %who faster slows it down</source>
+        <translation>Ce qui devrait accélérer %who freine</translation>
+    </message>
+    <message>
+        <source>What acts on the velocity of %who is %1 times as strong as it should be</source>
+        <translation>Ce qui agit sur la vitesse vaut %1 fois ce qu&apos;il faudrait, pour %who</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), le changement de v₁ valait %5 fois celui de v₂ ; il faut m₂/m₁ = %6.</translation>
+    </message>
+    <message>
+        <source>Where the masses differ, only circle %1 leaves as it should</source>
+        <translation>Quand les masses diffèrent, seul le cercle %1 repart comme il faut</translation>
+    </message>
+    <message>
+        <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
+        <translation>Regardez par quelle masse la poussée sur l&apos;autre est divisée : chaque changement de vitesse est la poussée divisée par la masse du cercle lui-même.</translation>
+    </message>
+    <message>
+        <source>The two masses are not worked out in the same way</source>
+        <translation>Les deux masses ne sont pas calculées de la même façon</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with another density that both have %2 times. Compare the lines for the two masses.</source>
+        <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec une autre masse volumique commune, %2 fois. Comparez les lignes des deux masses.</translation>
+    </message>
+    <message>
+        <source>The masses are numbers, not those of the circles</source>
+        <translation>Les masses sont des nombres, pas celles des cercles</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
+        <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Calculez les masses à partir de `radius` et `density`, que d&apos;autres scènes changent.</translation>
+    </message>
+    <message>
+        <source>The circles answer as if they were equally heavy</source>
+        <translation>Les cercles réagissent comme s&apos;ils étaient de même masse</translation>
+    </message>
+    <message>
+        <source>Look at where the masses of both enter your answer.</source>
+        <translation>Regardez où les masses des deux entrent dans votre réponse.</translation>
+    </message>
+    <message>
+        <source>The heavier circle is pushed away faster</source>
+        <translation>Le cercle le plus lourd est repoussé plus vite</translation>
+    </message>
+    <message>
+        <source>The masses do not only change places. Look at every place where one enters your answer.</source>
+        <translation>Les masses ne sont pas seulement échangées. Regardez chaque endroit où l&apos;une d&apos;elles entre dans votre réponse.</translation>
+    </message>
+    <message>
+        <source>Each circle answers with the mass of the other</source>
+        <translation>Chaque cercle réagit avec la masse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
+        <translation>Le plus lourd est repoussé plus vite. Regardez quelle masse figure où.</translation>
+    </message>
+    <message>
+        <source>The hits do not depend on the radii</source>
+        <translation>Les chocs ne dépendent pas des rayons</translation>
+    </message>
+    <message>
+        <source>The mass grows with r to the power of %1, not %2</source>
+        <translation>La masse croît comme r à la puissance %1, pas %2</translation>
+    </message>
+    <message>
+        <source>The masses do not follow the radii as those of balls do</source>
+        <translation>Les masses ne suivent pas les rayons comme celles de boules</translation>
+    </message>
+    <message>
+        <source>A ball that is twice as wide is also twice as high and as deep: its mass grows with r³.</source>
+        <translation>Une boule deux fois plus large est aussi deux fois plus haute et deux fois plus profonde : sa masse croît comme r³.</translation>
+    </message>
+    <message>
+        <source>The hits do not depend on the densities</source>
+        <translation>Les chocs ne dépendent pas des masses volumiques</translation>
+    </message>
+    <message>
+        <source>The mass grows with the density to the power of %1, not %2</source>
+        <translation>La masse croît comme la masse volumique à la puissance %1, pas %2</translation>
+    </message>
+    <message>
+        <source>The masses do not follow the densities</source>
+        <translation>Les masses ne suivent pas les masses volumiques</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume, for each circle its own.</source>
+        <translation>La masse est le produit de la masse volumique par le volume, pour chaque cercle les siens.</translation>
+    </message>
+    <message>
+        <source>With e = %1: </source>
+        <translation>Avec e = %1 : </translation>
+    </message>
+    <message>
+        <source>e also shortens the part of circle %1 across the line of centres</source>
+        <translation>e raccourcit aussi la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
+    </message>
+    <message>
+        <source>Nothing pushes there: it stays as it was.</source>
+        <translation>Rien ne pousse dans cette direction : elle reste comme elle était.</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocities after the hit</source>
+        <translation>e multiplie les vitesses entières après le choc</translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
+        <translation>e ne concerne que le rebond suivant la ligne des centres ; la quantité de mouvement totale se conserve.</translation>
+    </message>
+    <message>
+        <source>e also shortens the parts across the line of centres</source>
+        <translation>e raccourcit aussi les composantes perpendiculaires à la ligne des centres</translation>
+    </message>
+    <message>
+        <source>Nothing pushes there: they stay as they were.</source>
+        <translation>Rien ne pousse dans cette direction : elles restent comme elles étaient.</translation>
+    </message>
+    <message>
+        <source>Only circle 1 feels e</source>
+        <translation>Seul le cercle 1 ressent e</translation>
+    </message>
+    <message>
+        <source>Only circle 2 feels e</source>
+        <translation>Seul le cercle 2 ressent e</translation>
+    </message>
+    <message>
+        <source>e is not used in the hit of two circles</source>
+        <translation>e n&apos;est pas utilisé dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>e is squared in the hit of two circles</source>
+        <translation>e est élevé au carré dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>The root of e is used in the hit of two circles</source>
+        <translation>La racine de e est utilisée dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>e works the wrong way round: the factor is 2 − e, not 1 + e</source>
+        <translation>e agit à l&apos;envers : le facteur est 2 − e, pas 1 + e</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by 2 e instead of 1 + e</source>
+        <translation>La poussée est multipliée par 2 e au lieu de 1 + e</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e instead of 1 + e</source>
+        <translation>La poussée est multipliée par e au lieu de 1 + e</translation>
+    </message>
+    <message>
+        <source>The rebound is divided by e</source>
+        <translation>Le rebond est divisé par e</translation>
+    </message>
+    <message>
+        <source>The sign of e is wrong in the hit of two circles</source>
+        <translation>Le signe de e est faux dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>Of two equal circles only circle %1 leaves as it should</source>
+        <translation>De deux cercles égaux, seul le cercle %1 repart comme il faut</translation>
+    </message>
+    <message>
+        <source>Only in the new velocity of circle %1: %2</source>
+        <translation>Seulement dans la nouvelle vitesse du cercle %1 : %2</translation>
+    </message>
+    <message>
+        <source>e does not act on the rebound as it should</source>
+        <translation>e n&apos;agit pas sur le rebond comme il le devrait</translation>
+    </message>
+    <message>
+        <source>A number stands for e in the hit of two circles</source>
+        <translation>Un nombre tient lieu de e dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>Whatever e is, the rebound is that of e = %1.</source>
+        <translation>Quel que soit e, le rebond est celui de e = %1.</translation>
+    </message>
+    <message>
+        <source>Numbers stand for e in the hit of two circles</source>
+        <translation>Des nombres tiennent lieu de e dans le choc de deux cercles</translation>
+    </message>
+    <message>
+        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation>Quel que soit e, le cercle 1 réagit comme avec e = %1 et le cercle 2 comme avec e = %2.</translation>
+    </message>
+    <message>
+        <source>A hit acts on both circles.</source>
+        <translation>Un choc agit sur les deux cercles.</translation>
+    </message>
+    <message>
+        <source>Nobody holds the other circle as a wall is held: look at what each circle gets of the other.</source>
+        <translation>Personne ne tient l&apos;autre cercle comme on tient une paroi : regardez ce que chaque cercle reçoit de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 2 as it was</source>
+        <translation>Un choc laisse le cercle 2 comme il était</translation>
+    </message>
+    <message>
+        <source>A hit leaves circle 1 as it was</source>
+        <translation>Un choc laisse le cercle 1 comme il était</translation>
+    </message>
+    <message>
+        <source>A hit stops both circles</source>
+        <translation>Un choc arrête les deux cercles</translation>
+    </message>
+    <message>
+        <source>That was right in the step that only looked for the contact.</source>
+        <translation>C&apos;était juste à l&apos;étape qui ne cherchait que le contact.</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and leaves circle 2 as it was</source>
+        <translation>Un choc arrête le cercle 1 et laisse le cercle 2 comme il était</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and leaves circle 1 as it was</source>
+        <translation>Un choc arrête le cercle 2 et laisse le cercle 1 comme il était</translation>
+    </message>
+    <message>
+        <source>Each circle is turned back on its own way</source>
+        <translation>Chaque cercle est renvoyé sur son propre chemin</translation>
+    </message>
+    <message>
+        <source>Each circle bounces as off a wall</source>
+        <translation>Chaque cercle rebondit comme sur une paroi</translation>
+    </message>
+    <message>
+        <source>Circle 1 bounces as off a wall</source>
+        <translation>Le cercle 1 rebondit comme sur une paroi</translation>
+    </message>
+    <message>
+        <source>Circle 2 bounces as off a wall</source>
+        <translation>Le cercle 2 rebondit comme sur une paroi</translation>
+    </message>
+    <message>
+        <source>Circle 1 bounces as off a wall, and circle 2 stays as it was</source>
+        <translation>Le cercle 1 rebondit comme sur une paroi, et le cercle 2 reste comme il était</translation>
+    </message>
+    <message>
+        <source>Circle 2 bounces as off a wall, and circle 1 stays as it was</source>
+        <translation>Le cercle 2 rebondit comme sur une paroi, et le cercle 1 reste comme il était</translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres turn round, not those along it</source>
+        <translation>Ce sont les composantes perpendiculaires à la ligne des centres qui s&apos;inversent, pas celles le long d&apos;elle</translation>
+    </message>
+    <message>
+        <source>The push acts along the line of centres.</source>
+        <translation>La poussée agit suivant la ligne des centres.</translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation>Un cercle lisse ne pousse que suivant la ligne des centres ; chacun garde sa propre composante perpendiculaire.</translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
+        <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc : regardez quelles lignes lisent une vitesse déjà modifiée.</translation>
+    </message>
+    <message>
+        <source>The whole velocities change hands, not only the parts along the normal</source>
+        <translation>Les vitesses entières s&apos;échangent, pas seulement les composantes normales</translation>
+    </message>
+    <message>
+        <source>The parts across change hands, and those along the normal stay</source>
+        <translation>Les composantes perpendiculaires à la normale s&apos;échangent, et les composantes normales restent</translation>
+    </message>
+    <message>
+        <source>The parts across the normal are lost</source>
+        <translation>Les composantes perpendiculaires à la normale sont perdues</translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 2</source>
+        <translation>Les deux cercles repartent avec la vitesse du cercle 2</translation>
+    </message>
+    <message>
+        <source>Both circles leave with the velocity of circle 1</source>
+        <translation>Les deux cercles repartent avec la vitesse du cercle 1</translation>
+    </message>
+    <message>
+        <source>The velocity of circle 2 is worked out from what circle 1 has become</source>
+        <translation>La vitesse du cercle 2 est calculée à partir de ce qu&apos;est devenu le cercle 1</translation>
+    </message>
+    <message>
+        <source>The velocity of circle 1 is worked out from what circle 2 has become</source>
+        <translation>La vitesse du cercle 1 est calculée à partir de ce qu&apos;est devenu le cercle 2</translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity along the normal</source>
+        <translation>Après un choc, les deux cercles ont la même vitesse suivant la normale</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
+        <translation>Ils continuent côte à côte sans se séparer : chacun ne reçoit que la moitié du changement que produit un choc élastique. Regardez le facteur devant.</translation>
+    </message>
+    <message>
+        <source>After a hit both circles have the same velocity</source>
+        <translation>Après un choc, les deux cercles ont la même vitesse</translation>
+    </message>
+    <message>
+        <source>The part of circle 2 along the normal is forgotten</source>
+        <translation>La composante normale du cercle 2 est oubliée</translation>
+    </message>
+    <message>
+        <source>Circle 1 gives its part away and gets nothing for it.</source>
+        <translation>Le cercle 1 cède sa composante et ne reçoit rien en échange.</translation>
+    </message>
+    <message>
+        <source>The part of circle 1 along the normal is forgotten</source>
+        <translation>La composante normale du cercle 1 est oubliée</translation>
+    </message>
+    <message>
+        <source>Circle 2 gives its part away and gets nothing for it.</source>
+        <translation>Le cercle 2 cède sa composante et ne reçoit rien en échange.</translation>
+    </message>
+    <message>
+        <source>Circle 1 keeps the part that it hands over</source>
+        <translation>Le cercle 1 garde la composante qu&apos;il transmet</translation>
+    </message>
+    <message>
+        <source>What circle 2 gets, circle 1 must lose.</source>
+        <translation>Ce que reçoit le cercle 2, le cercle 1 doit le perdre.</translation>
+    </message>
+    <message>
+        <source>The parts along the normal change hands and are turned round as well</source>
+        <translation>Les composantes normales s&apos;échangent et sont en plus inversées</translation>
+    </message>
+    <message>
+        <source>The exchange alone is the whole answer.</source>
+        <translation>L&apos;échange seul est toute la réponse.</translation>
+    </message>
+    <message>
+        <source>The push on circle 1 has the wrong sign</source>
+        <translation>La poussée sur le cercle 1 a le mauvais signe</translation>
+    </message>
+    <message>
+        <source>It gains the part that it should lose.</source>
+        <translation>Il gagne la composante qu&apos;il devrait perdre.</translation>
+    </message>
+    <message>
+        <source>The push on circle 2 has the wrong sign</source>
+        <translation>La poussée sur le cercle 2 a le mauvais signe</translation>
+    </message>
+    <message>
+        <source>It loses the part that it should gain.</source>
+        <translation>Il perd la composante qu&apos;il devrait gagner.</translation>
+    </message>
+    <message>
+        <source>Both pushes have the wrong sign</source>
+        <translation>Les deux poussées ont le mauvais signe</translation>
+    </message>
+    <message>
+        <source>The circles are drawn into each other.</source>
+        <translation>Les cercles sont attirés l&apos;un dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
+        <translation>Une direction a la longueur 1 : divisez-la par sa propre longueur, sinon cette longueur entre dans la poussée, et deux fois.</translation>
+    </message>
+    <message>
+        <source>The push acts along the line from centre to centre.</source>
+        <translation>La poussée agit suivant la ligne qui va de centre à centre.</translation>
+    </message>
+    <message>
+        <source>The normal does not have length 1</source>
+        <translation>La normale n&apos;a pas la longueur 1</translation>
+    </message>
+    <message>
+        <source>The normal has length 1 in one place and not in the other</source>
+        <translation>La normale a la longueur 1 à un endroit et pas à l&apos;autre</translation>
+    </message>
+    <message>
+        <source>The perpendicular of the line of centres is taken for the normal</source>
+        <translation>La perpendiculaire à la ligne des centres est prise pour la normale</translation>
+    </message>
+    <message>
+        <source>The parts x and y of the normal are exchanged</source>
+        <translation>Les composantes x et y de la normale sont échangées</translation>
+    </message>
+    <message>
+        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
+        <translation>Si vous utilisez un angle : `math.atan` prend d&apos;abord y, puis x.</translation>
+    </message>
+    <message>
+        <source>The normal is mirrored: the sign of its y is wrong</source>
+        <translation>La normale est en miroir : le signe de son y est faux</translation>
+    </message>
+    <message>
+        <source>The push acts along the velocity of circle 1</source>
+        <translation>La poussée agit suivant la vitesse du cercle 1</translation>
+    </message>
+    <message>
+        <source>The x parts change hands, not those along the line of centres</source>
+        <translation>Ce sont les composantes x qui s&apos;échangent, pas celles suivant la ligne des centres</translation>
+    </message>
+    <message>
+        <source>The y parts change hands, not those along the line of centres</source>
+        <translation>Ce sont les composantes y qui s&apos;échangent, pas celles suivant la ligne des centres</translation>
+    </message>
+    <message>
+        <source>The new velocities are turned back by the wrong angle</source>
+        <translation>Les nouvelles vitesses sont ramenées avec le mauvais angle</translation>
+    </message>
+    <message>
+        <source>Who turns by −φ before must turn by +φ afterwards.</source>
+        <translation>Qui tourne de −φ avant doit tourner de +φ après.</translation>
+    </message>
+    <message>
+        <source>The new velocities are not turned back</source>
+        <translation>Les nouvelles vitesses ne sont pas ramenées dans le repère de départ</translation>
+    </message>
+    <message>
+        <source>They are still taken apart along the line of centres: put them together again.</source>
+        <translation>Elles sont encore décomposées suivant la ligne des centres : recomposez-les.</translation>
+    </message>
+    <message>
+        <source>A hit does not stop both circles</source>
+        <translation>Un choc n&apos;arrête pas les deux cercles</translation>
+    </message>
+    <message>
+        <source>The parts across the line of centres are changed</source>
+        <translation>Les composantes perpendiculaires à la ligne des centres sont changées</translation>
+    </message>
+    <message>
+        <source>A smooth circle pushes along the line of centres only.</source>
+        <translation>Un cercle lisse ne pousse que suivant la ligne des centres.</translation>
+    </message>
+    <message>
+        <source>The pushes on the two circles are not equal and opposite</source>
+        <translation>Les poussées sur les deux cercles ne sont pas égales et opposées</translation>
+    </message>
+    <message>
+        <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
+        <translation>À masse égale, ce que gagne un cercle, l&apos;autre le perd : sinon la quantité de mouvement totale change.</translation>
+    </message>
+    <message>
+        <source>The push does not act along the line of centres alone</source>
+        <translation>La poussée n&apos;agit pas seulement suivant la ligne des centres</translation>
+    </message>
+    <message>
+        <source>The parts across it must stay as they were.</source>
+        <translation>Les composantes perpendiculaires à celle-ci doivent rester comme elles étaient.</translation>
+    </message>
+    <message>
+        <source>Between equal circles the push is %1 times as large as it should be</source>
+        <translation>Entre cercles égaux, la poussée vaut %1 fois ce qu&apos;elle devrait</translation>
+    </message>
+    <message>
+        <source>The push along the line of centres has the wrong size</source>
+        <translation>La poussée suivant la ligne des centres n&apos;a pas la bonne grandeur</translation>
+    </message>
+    <message>
+        <source>The masses in your own scene are not those of its circles</source>
+        <translation>Les masses dans votre propre scène ne sont pas celles de ses cercles</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1 ; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. D&apos;autres scènes donnent le bon résultat. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur : regardez l&apos;ordre dans `on_load`.</translation>
+    </message>
+    <message>
+        <source>In your own scene the hit does not use the e that it has</source>
+        <translation>Dans votre propre scène, le choc n&apos;utilise pas le e qu&apos;elle a</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>With e = %1 a hit does not come out right</source>
+        <translation>Avec e = %1, un choc ne donne pas le bon résultat</translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, unequal ones do not</source>
+        <translation>Des cercles égaux réagissent bien, des cercles inégaux non</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4, e = %5 : </translation>
+    </message>
+    <message>
+        <source>%1 along, %2 across</source>
+        <translation>%1 le long, %2 en travers</translation>
+    </message>
+    <message>
+        <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
+        <translation>Vitesses en m/s suivant la ligne des centres (de 1 vers 2) et en travers : le cercle 1 est arrivé avec %1, le cercle 2 avec %2 ; ils sont repartis avec %3 et avec %4 ; il faut %5 et %6.</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
+        <translation>La pesanteur vaut %1 m/s², pas %2
+
+C&apos;est ainsi au début de l&apos;exécution. Regardez ce que `on_load` affecte à `gravity`.</translation>
+    </message>
+    <message>
+        <source>
+
+Look at what `on_load` sets, and for which circle.</source>
+        <translation>
+
+Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
+    </message>
+    <message>
+        <source>e = %1 is not the value that is asked for</source>
+        <translation>e = %1 n&apos;est pas la valeur demandée</translation>
+    </message>
+    <message>
+        <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
+        <translation>Les lois de votre programme sont justes ; avec le e demandé par l&apos;étape, votre propre scène réussirait.</translation>
+    </message>
+    <message>
+        <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
+        <translation>`on_load` ne fixe pas `restitution`, qui reste donc celle que la scène avait avant.</translation>
+    </message>
+    <message>
+        <source>Look at what `on_load` gives to `restitution`.</source>
+        <translation>Regardez ce que `on_load` donne à `restitution`.</translation>
+    </message>
+    <message>
+        <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
+        <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et en est reparti à %3 m/s ; il faut %4 m/s.</translation>
+    </message>
+    <message>
+        <source>A smooth wall pushes along its normal only.</source>
+        <translation>Une paroi lisse ne pousse que suivant sa normale.</translation>
+    </message>
+    <message>
+        <source>The walls hold %who and turn no velocity round</source>
+        <translation>Les parois retiennent %who et n&apos;inversent aucune vitesse</translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into the wall again.</source>
+        <translation>À chaque pas, le cercle est remis en arrière et avance de nouveau dans la paroi.</translation>
+    </message>
+    <message>
+        <source>The walls turn the wrong part of the velocity of %who</source>
+        <translation>Les parois inversent la mauvaise composante de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
+        <translation>La normale des parois latérales est suivant x, celle du sol et du plafond suivant y.</translation>
+    </message>
+    <message>
+        <source>The walls turn the whole velocity of %who round</source>
+        <translation>Les parois inversent toute la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>At the walls e also shortens the part of %who along the wall</source>
+        <translation>Aux parois, e raccourcit aussi la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>At the walls e acts on the wrong part of the velocity of %who</source>
+        <translation>Aux parois, e agit sur la mauvaise composante de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>The walls turn the part of %who along the wall round, too</source>
+        <translation>Les parois inversent aussi la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>The walls take the part of %who along the wall away</source>
+        <translation>Les parois suppriment la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>The walls change the part of %who along the wall</source>
+        <translation>Les parois changent la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for e, for %who</source>
+        <translation>Aux parois, un nombre tient lieu de e, pour %who</translation>
+    </message>
+    <message>
+        <source>Whatever e is, %1 of the speed comes back.</source>
+        <translation>Quel que soit e, il revient %1 de la vitesse.</translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 e of the speed back, not e</source>
+        <translation>Les parois rendent %1 e fois la vitesse, pas e fois, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the factor in front of the part that you turn round.</source>
+        <translation>Regardez le facteur devant la composante que vous inversez.</translation>
+    </message>
+    <message>
+        <source>The walls give %who a speed of their own</source>
+        <translation>Les parois imposent une vitesse à elles, pour %who</translation>
+    </message>
+    <message>
+        <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Quelle que soit la vitesse d&apos;arrivée, le départ de la paroi se fait à %1 m/s : calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>The walls do not turn %who round</source>
+        <translation>Les parois ne renvoient pas %who</translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at the sign.</source>
+        <translation>La vitesse pointe toujours vers la paroi : regardez le signe.</translation>
+    </message>
+    <message>
+        <source>The walls give %who %1 times the speed back</source>
+        <translation>Les parois rendent %1 fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the sign: the velocity still points into the wall.</source>
+        <translation>Regardez le signe : la vitesse pointe toujours vers la paroi.</translation>
+    </message>
+    <message>
+        <source>The walls give %who all of the speed back</source>
+        <translation>Les parois rendent toute la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>e is not used at these walls.</source>
+        <translation>e n&apos;est pas utilisé à ces parois.</translation>
+    </message>
+    <message>
+        <source>At the walls e acts on %who twice</source>
+        <translation>Aux parois, e agit deux fois sur %who</translation>
+    </message>
+    <message>
+        <source>Heights go with e², speeds with e.</source>
+        <translation>Les hauteurs vont avec e², les vitesses avec e.</translation>
+    </message>
+    <message>
+        <source>At the walls the root of e acts on %who</source>
+        <translation>Aux parois, c&apos;est la racine de e qui agit sur %who</translation>
+    </message>
+    <message>
+        <source>The walls stop %who</source>
+        <translation>Les parois arrêtent %who</translation>
+    </message>
+    <message>
+        <source>Nothing brings it back.</source>
+        <translation>Rien ne fait revenir en arrière.</translation>
+    </message>
+    <message>
+        <source>At the walls 1 − e stands where e belongs, for %who</source>
+        <translation>Aux parois, 1 − e est là où il faut e, pour %who</translation>
+    </message>
+    <message>
+        <source>1 − e is what is lost; e is what is left.</source>
+        <translation>1 − e est ce qui est perdu ; e est ce qui reste.</translation>
+    </message>
+    <message>
+        <source>The walls make %who faster: 1 + e stands where e belongs</source>
+        <translation>Les parois accélèrent %who : 1 + e est là où il faut e</translation>
+    </message>
+    <message>
+        <source>1 + e is the whole change of the velocity, e what comes back.</source>
+        <translation>1 + e est tout le changement de la vitesse, e ce qui revient.</translation>
+    </message>
+    <message>
+        <source>The walls slow %who and turn nothing round</source>
+        <translation>Les parois freinent %who et n&apos;inversent rien</translation>
+    </message>
+    <message>
+        <source>At the walls the centre of %who is asked for, not the rim</source>
+        <translation>Aux parois, c&apos;est le centre qui est examiné, pas le bord, pour %who</translation>
+    </message>
+    <message>
+        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Le demi-tour n&apos;a lieu que lorsque le centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
+    </message>
+    <message>
+        <source>At the walls %who has the radius of another circle</source>
+        <translation>Aux parois, c&apos;est le rayon d&apos;un autre cercle qui sert, pour %who</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round too late</source>
+        <translation>Les parois renvoient trop tard %who</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
+    </message>
+    <message>
+        <source>At the walls a number stands for the radius of %who</source>
+        <translation>Aux parois, un nombre tient lieu de rayon, pour %who</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Le rayon est de %1 m dans cette scène, et pourtant le demi-tour a lieu quand le centre est à 0.2 m de la paroi. Prenez le rayon que possède le cercle.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round too early</source>
+        <translation>Les parois renvoient trop tôt %who</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : le double du rayon. Du centre au bord, c&apos;est une fois le rayon.</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round at the far side of the rim</source>
+        <translation>Les parois renvoient %who au bord opposé</translation>
+    </message>
+    <message>
+        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation>Le demi-tour a lieu quand le centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première : regardez le signe devant le rayon.</translation>
+    </message>
+    <message>
+        <source>Something changes the velocity of %who before it is at a wall</source>
+        <translation>Quelque chose change la vitesse avant la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
+        <translation>Lancé vers %1, le cercle a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi ; son rayon est de %5 m. Regardez les conditions : laquelle est vraie loin de toute paroi ?</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round at the wrong place</source>
+        <translation>Les parois renvoient %who au mauvais endroit</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 et %5 m de la paroi. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 m derrière la paroi et %5 m devant elle. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 et %5 m derrière la paroi. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <comment>walls</comment>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>None of the four walls turns %who round</source>
+        <translation>Aucune des quatre parois ne renvoie %who</translation>
+    </message>
+    <message>
+        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
+        <translation>Lancé vers chacune des quatre parois à %1 m/s, le cercle les traverse. Après chaque déplacement, il faut poser pour chaque cercle la question : son bord a-t-il passé une paroi ?</translation>
+    </message>
+    <message>
+        <source>These walls do not turn %who round: %1</source>
+        <translation>Certaines parois ne renvoient pas %who : %1</translation>
+    </message>
+    <message>
+        <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
+        <translation>Lancé vers là, le cercle continue au-delà de la paroi. Un carré a quatre parois : regardez la condition de votre programme pour chacune.</translation>
+    </message>
+    <message>
+        <source>A hit at a wall puts %who somewhere else</source>
+        <translation>Un choc contre une paroi déplace ailleurs %who</translation>
+    </message>
+    <message>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
+        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position : regardez quelle ancienne position il reçoit.</translation>
+    </message>
+    <message>
+        <source>A hit puts %who further out (%1)</source>
+        <translation>Un choc met plus à l&apos;extérieur %who (%1)</translation>
+    </message>
+    <message>
+        <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Le centre serait arrivé à %1 m de la paroi et a été mis à %2 m d&apos;elle ; le rayon est de %3 m. Mettez le cercle là où son bord est à la paroi, ou remettez-le d&apos;où il venait.</translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also stops the other on its way</source>
+        <translation>Le choc d&apos;un cercle contre une paroi arrête aussi l&apos;autre en chemin</translation>
+    </message>
+    <message>
+        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
+        <translation>Pendant que %1 réagissait contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément : regardez les positions de qui votre paroi change.</translation>
+    </message>
+    <message>
+        <source>In a corner only one part of the velocity of %who turns round</source>
+        <translation>Dans un coin, une seule composante de la vitesse s&apos;inverse, pour %who</translation>
+    </message>
+    <message>
+        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
+        <translation>Arrivée à %1 m/s, départ à %2 m/s. Les deux parois sont touchées dans le même pas, et la seconde doit partir de ce que la première a fait, pas de la vitesse d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
+        <translation>Le sol ne soutient pas le cercle %1
+
+Après %2 s près du sol, son bord est %3 m plus bas que lui : la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves the wall
+
+Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Le cercle %1 est renvoyé encore une fois alors qu&apos;il quitte la paroi
+
+Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, et il a été renvoyé de nouveau dans la paroi : lors d&apos;une chute basse ou après un choc lent. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
+    </message>
+</context>
+<context>
+    <name>FormulaWords</name>
+    <message>
+        <source>times</source>
+        <translation>fois</translation>
+    </message>
+    <message>
+        <source>is at most</source>
+        <translation>est au plus</translation>
+    </message>
+    <message>
+        <source>is at least</source>
+        <translation>est au moins</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>n&apos;est pas</translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation>vaut environ</translation>
+    </message>
+    <message>
+        <source>becomes</source>
+        <translation>devient</translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation>plus ou moins</translation>
+    </message>
+    <message>
+        <source>the sum of</source>
+        <translation>la somme de</translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation>l&apos;infini</translation>
+    </message>
+    <message>
+        <source>perpendicular</source>
+        <translation>perpendiculaire</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallèle</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>degrés</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>prime</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation>égale</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>plus</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>moins</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>sur</translation>
+    </message>
+    <message>
+        <source>is less than</source>
+        <translation>est inférieur à</translation>
+    </message>
+    <message>
+        <source>is more than</source>
+        <translation>est supérieur à</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>barre</translation>
+    </message>
+    <message>
+        <source>sub %1</source>
+        <translation>indice %1</translation>
+    </message>
+    <message>
+        <source>squared</source>
+        <translation>au carré</translation>
+    </message>
+    <message>
+        <source>cubed</source>
+        <translation>au cube</translation>
+    </message>
+    <message>
+        <source>to the power of %1</source>
+        <translation>à la puissance %1</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <comment>a fraction</comment>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>the square root of %1</source>
+        <translation>la racine carrée de %1</translation>
+    </message>
+    <message>
+        <source>vector %1</source>
+        <translation>vecteur %1</translation>
+    </message>
+    <message>
+        <source>unit vector %1</source>
+        <translation>vecteur unitaire %1</translation>
+    </message>
+</context>
+<context>
+    <name>Ghost</name>
+    <message>
+        <source>exact</source>
+        <translation>exact</translation>
+    </message>
+</context>
+<context>
+    <name>GlPainter</name>
+    <message>
+        <source>No OpenGL context can be made here</source>
+        <translation>Aucun contexte OpenGL ne peut être créé ici</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 is needed, but %1 offers %2.%3</source>
+        <translation>OpenGL 3.3 est nécessaire, mais %1 offre %2.%3</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 is needed</source>
+        <translation>OpenGL 3.3 est nécessaire</translation>
+    </message>
+    <message>
+        <source>The shader %1 is missing</source>
+        <translation>Le shader %1 manque</translation>
+    </message>
+    <message>
+        <source>The shader %1 does not compile: %2</source>
+        <translation>Le shader %1 ne se compile pas : %2</translation>
+    </message>
+    <message>
+        <source>The shaders %1 do not link: %2</source>
+        <translation>Les shaders %1 ne se lient pas : %2</translation>
+    </message>
+    <message>
+        <source>OpenGL has no memory for the scene</source>
+        <translation>OpenGL n&apos;a pas de mémoire pour la scène</translation>
+    </message>
+</context>
+<context>
+    <name>Grading</name>
+    <message>
+        <source>%1 is a link, which is not followed</source>
+        <translation>%1 est un lien, qui n&apos;est pas suivi</translation>
+    </message>
+    <message>
+        <source>%1 is neither a file nor a folder</source>
+        <translation>%1 n&apos;est ni un fichier ni un dossier</translation>
+    </message>
+    <message>
+        <source>download of %1</source>
+        <translation>téléchargement de %1</translation>
+    </message>
+    <message>
+        <source>Canvas says: late</source>
+        <translation>Canvas indique : en retard</translation>
+    </message>
+    <message>
+        <source>several attempts; the last one counts</source>
+        <translation>plusieurs tentatives ; la dernière compte</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>clone of GitHub Classroom</source>
+        <translation>clone de GitHub Classroom</translation>
+    </message>
+    <message>
+        <source>%1 is no work of a student</source>
+        <translation>%1 n&apos;est pas le travail d&apos;un étudiant</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fichier</translation>
+    </message>
+    <message>
+        <source>this is the work of one student; the folder that holds those of all is right</source>
+        <translation>c&apos;est le travail d&apos;un seul étudiant ; il faut le dossier qui contient ceux de tous</translation>
+    </message>
+    <message>
+        <source>%1 handed in no file</source>
+        <translation>%1 n&apos;a rendu aucun fichier</translation>
+    </message>
+    <message>
+        <source>the process that judges was killed %1 times without getting anything done</source>
+        <translation>le processus d&apos;évaluation a été tué %1 fois sans rien avoir accompli</translation>
+    </message>
+    <message>
+        <source>the process that judged it gave no verdict: %1</source>
+        <translation>le processus d&apos;évaluation n&apos;a pas donné de verdict : %1</translation>
+    </message>
+    <message>
+        <source>what judging found cannot be kept: %1</source>
+        <translation>ce que l&apos;évaluation a trouvé ne peut pas être conservé : %1</translation>
+    </message>
+    <message>
+        <source>this is no manifest of results of format 1</source>
+        <translation>ce n&apos;est pas un manifeste de résultats au format 1</translation>
+    </message>
+    <message>
+        <source>another process is writing results there</source>
+        <translation>un autre processus écrit des résultats là</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1: there are no results; its shard never began</source>
+        <translation>%1 : il n&apos;y a pas de résultats ; son lot n&apos;a jamais commencé</translation>
+    </message>
+    <message>
+        <source>%1: shard %2 of %3 did not come to its end</source>
+        <translation>%1 : le lot %2 sur %3 n&apos;est pas allé à son terme</translation>
+    </message>
+    <message>
+        <source>none of these folders has results</source>
+        <translation>aucun de ces dossiers n&apos;a de résultats</translation>
+    </message>
+    <message>
+        <source>judged more than once, with the same result: %1</source>
+        <translation>évalués plus d&apos;une fois, avec le même résultat : %1</translation>
+    </message>
+    <message>
+        <source>missing of %1 shards: %2</source>
+        <translation>manquent sur %1 lots : %2</translation>
+    </message>
+    <message>
+        <source>without results: %1</source>
+        <translation>sans résultats : %1</translation>
+    </message>
+    <message>
+        <source>these results are of another version of the lab, of Cradle or of the secret than those before; they cannot be put together</source>
+        <translation>ces résultats sont d&apos;une autre version du TP, de Cradle ou du secret que les précédents ; on ne peut pas les réunir</translation>
+    </message>
+    <message>
+        <source>these results are of another class, or of another number of shards, than those before</source>
+        <translation>ces résultats sont d&apos;une autre classe, ou d&apos;un autre nombre de lots, que les précédents</translation>
+    </message>
+    <message>
+        <source>%1: other isolation: %2</source>
+        <translation>%1 : autre isolation : %2</translation>
+    </message>
+    <message>
+        <source>%1 is not as its manifest says, and is left out</source>
+        <translation>%1 n&apos;est pas comme le dit son manifeste, et est laissé de côté</translation>
+    </message>
+    <message>
+        <source>the results of %1 differ from those in %2</source>
+        <translation>les résultats de %1 diffèrent de ceux de %2</translation>
+    </message>
+    <message>
+        <source>handed in</source>
+        <translation>ont rendu</translation>
+    </message>
+    <message>
+        <source>handed in nothing</source>
+        <translation>n&apos;ont rien rendu</translation>
+    </message>
+    <message>
+        <source>pass every step</source>
+        <translation>réussissent toutes les étapes</translation>
+    </message>
+    <message>
+        <source>points on average</source>
+        <translation>points en moyenne</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>steps not graded</source>
+        <translation>étapes non notées</translation>
+    </message>
+    <message>
+        <source>Not graded</source>
+        <translation>Non noté</translation>
+    </message>
+    <message>
+        <source>Here no verdict could be reached. These steps count neither as passed nor as failed, and the gradebooks leave the points of their students empty.</source>
+        <translation>Ici, aucun verdict n&apos;a pu être rendu. Ces étapes ne comptent ni comme réussies ni comme échouées, et les carnets de notes laissent vides les points de leurs étudiants.</translation>
+    </message>
+    <message>
+        <source>%1: the roster has %2, what was handed in has %3; judged with the values of %2.</source>
+        <translation>%1 : la liste a %2, ce qui a été rendu a %3 ; évalué avec les valeurs de %2.</translation>
+    </message>
+    <message>
+        <source>%1 stands in what several handed in: %2.</source>
+        <translation>%1 figure dans ce que plusieurs ont rendu : %2.</translation>
+    </message>
+    <message>
+        <source>Numbers that are not clear</source>
+        <translation>Numéros peu clairs</translation>
+    </message>
+    <message>
+        <source>This lab draws values by a student&apos;s number: that of the roster, where it has one, else that of what was handed in. A mistyped number is likelier than anything else.</source>
+        <translation>Ce TP tire ses valeurs selon le numéro de l&apos;étudiant : celui de la liste si elle en a un, sinon celui de ce qui a été rendu. Un numéro mal tapé est plus probable que tout le reste.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Et %1 autres.</translation>
+    </message>
+    <message>
+        <source>Handed in nothing</source>
+        <translation>N&apos;ont rien rendu</translation>
+    </message>
+    <message>
+        <source>How it was judged</source>
+        <translation>Comment l&apos;évaluation s&apos;est faite</translation>
+    </message>
+    <message>
+        <source>By %1, with version %2 of the lab %3 (sha256 %4).</source>
+        <translation>Par %1, avec la version %2 du TP %3 (sha256 %4).</translation>
+    </message>
+    <message>
+        <source>Programs were kept apart by: %1.</source>
+        <translation>Les programmes étaient isolés par : %1.</translation>
+    </message>
+    <message>
+        <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
+        <translation>Une étape vaut ce que dit le TP, sinon les points de ses vérifications ; une vérification réussie rapporte ses points même quand d&apos;autres échouent. Les points sont arrondis au centième, les moitiés vers le haut, une fois, après tout le reste.</translation>
+    </message>
+    <message>
+        <source>Each day late that has begun takes %1 % of the points, at most %2 %.</source>
+        <translation>Chaque jour de retard commencé retire %1 % des points, au plus %2 %.</translation>
+    </message>
+    <message>
+        <source>Handing in late takes no points.</source>
+        <translation>Rendre en retard ne retire pas de points.</translation>
+    </message>
+    <message>
+        <source>For the teacher alone: this page has names. What students read of themselves is in the folder students.</source>
+        <translation>Réservé à l&apos;enseignant : cette page contient des noms. Ce que les étudiants lisent sur eux-mêmes est dans le dossier students.</translation>
+    </message>
+    <message>
+        <source>How it starts</source>
+        <translation>Le départ</translation>
+    </message>
+    <message>
+        <source>Free motion</source>
+        <translation>Mouvement libre</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Parois</translation>
+    </message>
+    <message>
+        <source>When two touch</source>
+        <translation>Quand deux cercles se touchent</translation>
+    </message>
+    <message>
+        <source>What a hit does</source>
+        <translation>Ce que fait un choc</translation>
+    </message>
+    <message>
+        <source>In the long run</source>
+        <translation>À long terme</translation>
+    </message>
+    <message>
+        <source>Students with a finding</source>
+        <translation>Étudiants avec un constat</translation>
+    </message>
+    <message>
+        <source>The program stops</source>
+        <translation>Le programme s&apos;arrête</translation>
+    </message>
+    <message>
+        <source>an example</source>
+        <translation>un exemple</translation>
+    </message>
+    <message>
+        <source>%1 of %2 do not pass</source>
+        <translation>%1 sur %2 ne réussissent pas</translation>
+    </message>
+    <message>
+        <source>Where the class stands</source>
+        <translation>Où en est la classe</translation>
+    </message>
+    <message>
+        <source>How many pass each step</source>
+        <translation>Combien réussissent chaque étape</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>réussissent</translation>
+    </message>
+    <message>
+        <source>do not pass yet</source>
+        <translation>ne réussissent pas encore</translation>
+    </message>
+    <message>
+        <source>not graded</source>
+        <translation>non notés</translation>
+    </message>
+    <message>
+        <source>not handed in</source>
+        <translation>non rendus</translation>
+    </message>
+    <message>
+        <source>What the class misunderstood</source>
+        <translation>Ce que la classe a mal compris</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Rien n&apos;a été trouvé.</translation>
+    </message>
+    <message>
+        <source>How many students have a finding of that sort in that step; the stronger the colour, the larger their part of those who were judged. The examples are of one student each, without names and comments.</source>
+        <translation>Combien d&apos;étudiants ont un constat de ce type à cette étape ; plus la couleur est forte, plus grande est leur part parmi les évalués. Les exemples viennent d&apos;un étudiant chacun, sans noms ni commentaires.</translation>
+    </message>
+    <message>
+        <source>Checks that tell nobody apart</source>
+        <translation>Vérifications qui ne distinguent personne</translation>
+    </message>
+    <message>
+        <source>In brackets: how many were judged by it.</source>
+        <translation>Entre parenthèses : combien ont été évalués par elle.</translation>
+    </message>
+    <message>
+        <source>Nobody passes</source>
+        <translation>Personne ne réussit</translation>
+    </message>
+    <message>
+        <source>Everybody passes</source>
+        <translation>Tout le monde réussit</translation>
+    </message>
+    <message>
+        <source>Checks and time on the way</source>
+        <translation>Vérifications et temps en chemin</translation>
+    </message>
+    <message>
+        <source>Of those who handed in a history, as it says itself. Minutes are those in which the program changed, without pauses of more than ten; who thinks on paper shows none. A history of commits alone tells no checks.</source>
+        <translation>De ceux qui ont rendu un historique, d&apos;après celui-ci. Les minutes sont celles où le programme a changé, sans les pauses de plus de dix ; qui réfléchit sur papier n&apos;en montre aucune. Un historique fait seulement de commits ne dit rien des vérifications.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Étudiants</translation>
+    </message>
+    <message>
+        <source>Checks, median</source>
+        <translation>Vérifications, médiane</translation>
+    </message>
+    <message>
+        <source>Checks, most</source>
+        <translation>Vérifications, maximum</translation>
+    </message>
+    <message>
+        <source>Minutes, median</source>
+        <translation>Minutes, médiane</translation>
+    </message>
+    <message>
+        <source>Programs that are alike</source>
+        <translation>Programmes qui se ressemblent</translation>
+    </message>
+    <message>
+        <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
+        <translation>Comparés mot par mot, quels que soient leurs noms, commentaires et ordre (winnowing). Ce que donne le TP est exclu, ainsi que ce que partagent plus de %1 étudiants. Il y a bien des bonnes raisons pour que des programmes se ressemblent : un travail en commun là où il est permis, le même livre, la même idée. Une paire ci-dessous ne prouve rien ; lisez les deux, et demandez.</translation>
+    </message>
+    <message>
+        <source>There are none.</source>
+        <translation>Il n&apos;y en a pas.</translation>
+    </message>
+    <message>
+        <source>share %1 % of what the one with less has of their own</source>
+        <translation>partagent %1 % de ce que celui qui en a le moins a en propre</translation>
+    </message>
+    <message>
+        <source>Who is where</source>
+        <translation>Qui en est où</translation>
+    </message>
+    <message>
+        <source>✓ passes, ○ does not pass yet, · not handed in, ? not graded</source>
+        <translation>✓ réussie, ○ pas encore réussie, · non rendue, ? non notée</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Étudiant</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussies</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
+    <message>
+        <source>this is the result of &quot;%1&quot;, whose file has another name</source>
+        <translation>c&apos;est le résultat de « %1 », dont le fichier porte un autre nom</translation>
+    </message>
+    <message>
+        <source>the roster has %1 more than once</source>
+        <translation>la liste contient %1 plus d&apos;une fois</translation>
+    </message>
+    <message>
+        <source>%1 is not in the roster</source>
+        <translation>%1 n&apos;est pas dans la liste</translation>
+    </message>
+    <message>
+        <source>there are more than %1 files in it</source>
+        <translation>il contient plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>a broken entry</source>
+        <translation>une entrée défectueuse</translation>
+    </message>
+    <message>
+        <source>it holds absurdly much</source>
+        <translation>le contenu est démesuré</translation>
+    </message>
+    <message>
+        <source>this is no zip: %1</source>
+        <translation>ce n&apos;est pas un zip : %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass</source>
+        <translation>%1 étapes sur %2 réussies</translation>
+    </message>
+    <message>
+        <source>%1 not graded</source>
+        <translation>%1 non notées</translation>
+    </message>
+    <message>
+        <source>Nothing was handed in</source>
+        <translation>Rien n&apos;a été rendu</translation>
+    </message>
+    <message>
+        <source>and %1 more of that sort</source>
+        <translation>et %1 autres du même genre</translation>
+    </message>
+    <message>
+        <source>%1 was passed over for %2</source>
+        <translation>%1 a été laissé de côté au profit de %2</translation>
+    </message>
+    <message>
+        <source>nothing that was handed in is a program</source>
+        <translation>rien de ce qui a été rendu n&apos;est un programme</translation>
+    </message>
+    <message>
+        <source>%1 is not looked into; unpack it in its place</source>
+        <translation>%1 n&apos;est pas examiné ; décompressez-le à sa place</translation>
+    </message>
+    <message>
+        <source>the history is too large to be looked at</source>
+        <translation>l&apos;historique est trop grand pour être examiné</translation>
+    </message>
+    <message>
+        <source>an object is right here</source>
+        <translation>il faut ici un objet</translation>
+    </message>
+    <message>
+        <source>%1 is right here</source>
+        <translation>il faut ici %1</translation>
+    </message>
+    <message>
+        <source>a text of at most %1 letters</source>
+        <translation>un texte d&apos;au plus %1 lettres</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>un nombre entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>a list of at most %1</source>
+        <translation>une liste d&apos;au plus %1</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>judging took more than %1 s of processor time</source>
+        <translation>l&apos;évaluation a pris plus de %1 s de temps de processeur</translation>
+    </message>
+    <message>
+        <source>not judged: the program cannot be read</source>
+        <translation>non évalué : le programme ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the lab has no step %1</source>
+        <translation>le TP n&apos;a pas d&apos;étape %1</translation>
+    </message>
+    <message>
+        <source>the file that was handed in cannot be read: %1</source>
+        <translation>le fichier rendu ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>pas de %1</translation>
+    </message>
+    <message>
+        <source>The program around line %1</source>
+        <translation>Le programme autour de la ligne %1</translation>
+    </message>
+    <message>
+        <source>this is no folder</source>
+        <translation>ce n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>illisible : %1</translation>
+    </message>
+    <message>
+        <source>this is a link that leads elsewhere; it is not followed</source>
+        <translation>c&apos;est un lien qui mène ailleurs ; il n&apos;est pas suivi</translation>
+    </message>
+    <message>
+        <source>this is no plain file</source>
+        <translation>ce n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>this is no roster: its first line has neither a column &quot;id&quot; nor a column &quot;folder&quot;</source>
+        <translation>ce n&apos;est pas une liste de classe : sa première ligne n&apos;a ni colonne « id » ni colonne « folder »</translation>
+    </message>
+    <message>
+        <source>row %1 names nobody: it has neither an id nor a folder</source>
+        <translation>la ligne %1 ne nomme personne : elle n&apos;a ni identifiant ni dossier</translation>
+    </message>
+    <message>
+        <source>row %1: late days are a number from 0</source>
+        <translation>ligne %1 : les jours de retard sont un nombre à partir de 0</translation>
+    </message>
+    <message>
+        <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
+        <translation>Évalué par %1, version %2 du TP, dans des scènes tirées au sort pour cet étudiant seul.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 points sur %2</translation>
+    </message>
+    <message>
+        <source>Steps that could not be graded: %1. There is no sum of points yet; that is not the fault of what was handed in.</source>
+        <translation>Étapes qui n&apos;ont pas pu être notées : %1. Il n&apos;y a pas encore de total des points ; ce n&apos;est pas la faute de ce qui a été rendu.</translation>
+    </message>
+    <message>
+        <source>Days late, a begun one counted whole: %1. That takes %2 % of the points; the sum above has them taken off already.</source>
+        <translation>Jours de retard, tout jour commencé comptant : %1. Cela retire %2 % des points ; le total ci-dessus en tient déjà compte.</translation>
+    </message>
+    <message>
+        <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
+        <translation>Ce qui a été rendu porte le numéro %2, que la liste n&apos;a pas pour cet étudiant : l&apos;évaluation s&apos;est faite avec les valeurs tirées du numéro %1.</translation>
+    </message>
+    <message>
+        <source>The values of this lab were drawn by the number %1.</source>
+        <translation>Les valeurs de ce TP ont été tirées du numéro %1.</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ réussie</translation>
+    </message>
+    <message>
+        <source>– not handed in</source>
+        <translation>– non rendue</translation>
+    </message>
+    <message>
+        <source>? not graded</source>
+        <translation>? non notée</translation>
+    </message>
+    <message>
+        <source>! stops with an error</source>
+        <translation>! s&apos;arrête sur une erreur</translation>
+    </message>
+    <message>
+        <source>○ does not pass yet</source>
+        <translation>○ pas encore réussie</translation>
+    </message>
+    <message>
+        <source>! cannot be read</source>
+        <translation>! illisible</translation>
+    </message>
+    <message>
+        <source>– of %1</source>
+        <translation>– sur %1</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Nothing was handed in for this step.</source>
+        <translation>Rien n&apos;a été rendu pour cette étape.</translation>
+    </message>
+    <message>
+        <source>There is no verdict: this step counts neither as passed nor as failed.</source>
+        <translation>Il n&apos;y a pas de verdict : cette étape ne compte ni comme réussie ni comme échouée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Checked %n time(s) while working on it.</source>
+        <translation>
+            <numerusform>Vérifié %n fois pendant le travail.</numerusform>
+            <numerusform>Vérifié %n fois pendant le travail.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program stopped in step %1 of a scene, at %2 s.</source>
+        <translation>Le programme s&apos;est arrêté au pas %1 d&apos;une scène, à %2 s.</translation>
+    </message>
+    <message>
+        <source>The program does not load.</source>
+        <translation>Le programme ne se charge pas.</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>There:</source>
+        <translation>Là :</translation>
+    </message>
+    <message>
+        <source>Look at line %1 of your program.</source>
+        <translation>Regardez la ligne %1 de votre programme.</translation>
+    </message>
+    <message>
+        <source>It is reached by the calls in line %1.</source>
+        <translation>On y arrive par les appels de la ligne %1.</translation>
+    </message>
+    <message>
+        <source>“%1” first goes wrong here, at %2 s.</source>
+        <translation>« %1 » échoue d&apos;abord ici, à %2 s.</translation>
+    </message>
+    <message>
+        <source>“%1” goes wrong from the start.</source>
+        <translation>« %1 » échoue dès le début.</translation>
+    </message>
+    <message>
+        <source>Scene: %1.</source>
+        <translation>Scène : %1.</translation>
+    </message>
+    <message>
+        <source>The checks of this step</source>
+        <translation>Les vérifications de cette étape</translation>
+    </message>
+    <message>
+        <source>did not pass</source>
+        <translation>pas réussie</translation>
+    </message>
+    <message>
+        <source>there is no such aspect</source>
+        <translation>cet aspect n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such kind of error</source>
+        <translation>ce type d&apos;erreur n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>a colour like #1e90ff is right</source>
+        <translation>il faut une couleur comme #1e90ff</translation>
+    </message>
+    <message>
+        <source>there is no such status</source>
+        <translation>cet état n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the status and the report say different things</source>
+        <translation>l&apos;état et le rapport disent des choses différentes</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>le résultat est trop grand</translation>
+    </message>
+    <message>
+        <source>this is no result of a student: %1</source>
+        <translation>ce n&apos;est pas le résultat d&apos;un étudiant : %1</translation>
+    </message>
+    <message>
+        <source>not a JSON object</source>
+        <translation>pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>this is no secret: at least %1 letters are right</source>
+        <translation>ce n&apos;est pas un secret : il faut au moins %1 lettres</translation>
+    </message>
+    <message>
+        <source>no process to judge in can be started: %1</source>
+        <translation>aucun processus d&apos;évaluation ne peut être lancé : %1</translation>
+    </message>
+    <message>
+        <source>it has sent too much</source>
+        <translation>il a trop envoyé</translation>
+    </message>
+    <message>
+        <source>it has sent what it was not asked for</source>
+        <translation>il a envoyé ce qu&apos;on ne lui demandait pas</translation>
+    </message>
+    <message>
+        <source>it tried what no judgement needs, and was stopped</source>
+        <translation>il a tenté ce dont aucune évaluation n&apos;a besoin, et a été arrêté</translation>
+    </message>
+    <message>
+        <source>it was ended by signal %1</source>
+        <translation>il a été terminé par le signal %1</translation>
+    </message>
+    <message>
+        <source>it broke down</source>
+        <translation>il est tombé en panne</translation>
+    </message>
+</context>
+<context>
+    <name>HandIn</name>
+    <message>
+        <source>the work cannot be put there</source>
+        <translation>le travail ne peut pas être mis là</translation>
+    </message>
+    <message>
+        <source>this is no folder with a student&apos;s work</source>
+        <translation>ce n&apos;est pas un dossier avec le travail d&apos;un étudiant</translation>
+    </message>
+    <message>
+        <source>this is no work that was handed in: there is no manifest.json of format 1 in it</source>
+        <translation>ce n&apos;est pas un travail rendu : il n&apos;y a pas dedans de manifest.json au format 1</translation>
+    </message>
+    <message>
+        <source>this file is not in the manifest</source>
+        <translation>ce fichier n&apos;est pas dans le manifeste</translation>
+    </message>
+    <message>
+        <source>this file was changed after it was handed in</source>
+        <translation>ce fichier a été modifié après avoir été rendu</translation>
+    </message>
+    <message>
+        <source>this file is missing</source>
+        <translation>ce fichier manque</translation>
+    </message>
+</context>
+<context>
+    <name>HandleDrag</name>
+    <message numerus="yes">
+        <source>Move %n circles</source>
+        <translation>
+            <numerusform>Déplacer %n cercle</numerusform>
+            <numerusform>Déplacer %n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change velocities of %n circles</source>
+        <translation>
+            <numerusform>Changer la vitesse de %n cercle</numerusform>
+            <numerusform>Changer les vitesses de %n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change velocity of %1</source>
+        <translation>Changer la vitesse : %1</translation>
+    </message>
+    <message>
+        <source>changed by %1 m/s</source>
+        <translation>changée de %1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 m/s, speed %2 m/s</source>
+        <translation>%1 m/s, norme %2 m/s</translation>
+    </message>
+    <message>
+        <source>moved by %1 m</source>
+        <translation>déplacé de %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>HitNote</name>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>changement</translation>
+    </message>
+    <message>
+        <source>%1 before %2, after %3, change %4 %5</source>
+        <comment>who, three numbers, unit</comment>
+        <translation>%1 : avant %2, après %3, changement %4 %5</translation>
+    </message>
+    <message>
+        <source>Hit %1 · %2 s</source>
+        <translation>Choc %1 · %2 s</translation>
+    </message>
+    <message>
+        <source> · first of %1</source>
+        <translation> · premier de %1</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
+    </message>
+</context>
+<context>
+    <name>HitParts</name>
+    <message>
+        <source>before %1</source>
+        <translation>avant %1</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>après %1</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <comment>the normal vector</comment>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>across %1</source>
+        <translation>en travers %1</translation>
+    </message>
+    <message>
+        <source>along %1</source>
+        <translation>le long %1</translation>
+    </message>
+</context>
+<context>
+    <name>LabArchive</name>
+    <message>
+        <source>the lab cannot be put there</source>
+        <translation>le TP ne peut pas être mis là</translation>
+    </message>
+    <message>
+        <source>the lab cannot be packed: %1</source>
+        <translation>le TP ne peut pas être archivé : %1</translation>
+    </message>
+    <message>
+        <source>there is no lab.json</source>
+        <translation>il n&apos;y a pas de lab.json</translation>
+    </message>
+    <message>
+        <source>there are %1 files in it; at most %2 are right</source>
+        <translation>il contient %1 fichiers ; au plus %2 conviennent</translation>
+    </message>
+    <message>
+        <source>the name is not in UTF-8, which would be right</source>
+        <translation>le nom n&apos;est pas en UTF-8, qu&apos;il faudrait</translation>
+    </message>
+    <message>
+        <source>this is a link or a special file; a plain file is right</source>
+        <translation>c&apos;est un lien ou un fichier spécial ; il faut un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>this is encrypted; a file without a password is right</source>
+        <translation>c&apos;est chiffré ; il faut un fichier sans mot de passe</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>this unpacks to more than %1 times its size, as no honest file does</source>
+        <translation>cela se décompresse en plus de %1 fois sa taille, comme aucun fichier honnête</translation>
+    </message>
+    <message>
+        <source>all of it is too large; at most %1 are right</source>
+        <translation>le tout est trop grand ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>the name is there twice (but for capital letters); a name of its own is right</source>
+        <translation>le nom y est deux fois (aux majuscules près) ; il faut un nom à lui</translation>
+    </message>
+    <message>
+        <source>this unpacks to another size than it says</source>
+        <translation>cela se décompresse en une autre taille qu&apos;annoncé</translation>
+    </message>
+    <message>
+        <source>this is broken or packed in an unknown way</source>
+        <translation>c&apos;est défectueux ou compressé d&apos;une façon inconnue</translation>
+    </message>
+    <message>
+        <source>there is no %1 in it</source>
+        <translation>il ne contient pas de %1</translation>
+    </message>
+    <message>
+        <source>this is no archive: %1</source>
+        <translation>ce n&apos;est pas une archive : %1</translation>
+    </message>
+</context>
+<context>
+    <name>LabEdits</name>
+    <message>
+        <source>&quot;%1&quot; cannot be the name of a step; letters, digits, dashes and underscores are right</source>
+        <translation>« %1 » ne peut pas être le nom d&apos;une étape ; lettres, chiffres, traits d&apos;union et tirets bas conviennent</translation>
+    </message>
+    <message>
+        <source>the lab has a folder %1 already</source>
+        <translation>le TP a déjà un dossier %1</translation>
+    </message>
+    <message>
+        <source>the lab has no step in the folder %1</source>
+        <translation>le TP n&apos;a pas d&apos;étape dans le dossier %1</translation>
+    </message>
+    <message>
+        <source>the lab has translations into this language; its own texts are in another</source>
+        <translation>le TP a des traductions dans cette langue ; ses propres textes sont dans une autre</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be the name of a program; letters, digits, dots, dashes and underscores are right</source>
+        <translation>« %1 » ne peut pas être le nom d&apos;un programme ; lettres, chiffres, points, traits d&apos;union et tirets bas conviennent</translation>
+    </message>
+    <message>
+        <source>the step has a program of this name already</source>
+        <translation>l&apos;étape a déjà un programme de ce nom</translation>
+    </message>
+    <message>
+        <source>there is no such program</source>
+        <translation>ce programme n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>illisible : ce fichier n&apos;existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>LabFiles</name>
+    <message>
+        <source>this is a link that leads to no file of the lab; a file of its own is right</source>
+        <translation>c&apos;est un lien qui ne mène à aucun fichier du TP ; il faut un fichier à lui</translation>
+    </message>
+    <message>
+        <source>this is a folder; a file is right</source>
+        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>folders are nested too deeply; at most %1 are right</source>
+        <translation>les dossiers sont trop imbriqués ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>this is neither a file nor a folder</source>
+        <translation>ce n&apos;est ni un fichier ni un dossier</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>the lab is too large from here on; at most %1 files and %2 are right</source>
+        <translation>le TP est trop grand à partir d&apos;ici ; au plus %1 fichiers et %2 conviennent</translation>
+    </message>
+    <message>
+        <source>a path that stays in the lab is right, of names that do not begin with a dot</source>
+        <translation>il faut un chemin qui reste dans le TP, fait de noms ne commençant pas par un point</translation>
+    </message>
+    <message>
+        <source>the name is too long; at most %1 characters are right</source>
+        <translation>le nom est trop long ; au plus %1 caractères conviennent</translation>
+    </message>
+    <message>
+        <source>a name without \ : * ? &quot; &lt; &gt; | and without control characters is right</source>
+        <translation>il faut un nom sans \ : * ? &quot; &lt; &gt; | et sans caractères de contrôle</translation>
+    </message>
+    <message>
+        <source>%1 names a device on some systems; another name is right</source>
+        <translation>%1 désigne un périphérique sur certains systèmes ; il faut un autre nom</translation>
+    </message>
+    <message>
+        <source>a name that ends with a letter or a digit is right</source>
+        <translation>il faut un nom qui se termine par une lettre ou un chiffre</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such folder</source>
+        <translation>illisible : ce dossier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>cannot be read: the folder may not be opened</source>
+        <translation>illisible : le dossier ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>illisible : ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>a link here leads out of the lab; a file or folder of its own is right</source>
+        <translation>un lien mène ici hors du TP ; il faut un fichier ou un dossier à lui</translation>
+    </message>
+    <message>
+        <source>another file has this name but for capital letters; a name of its own is right</source>
+        <translation>un autre fichier a ce nom aux majuscules près ; il faut un nom à lui</translation>
+    </message>
+    <message>
+        <source>another program changed %1 since the lab was read</source>
+        <translation>un autre programme a modifié %1 depuis que le TP a été lu</translation>
+    </message>
+    <message>
+        <source>the picture has %1 × %2 pixels; at most %3 million are right</source>
+        <translation>l&apos;image a %1 × %2 pixels ; au plus %3 millions conviennent</translation>
+    </message>
+</context>
+<context>
+    <name>LabMenu</name>
+    <message>
+        <source>&amp;Labs</source>
+        <translation>&amp;Liste des TP</translation>
+    </message>
+</context>
+<context>
+    <name>LabReader</name>
+    <message>
+        <source>still the text of the template: %1</source>
+        <translation>encore le texte du modèle : %1</translation>
+    </message>
+    <message>
+        <source>not in this language yet: %1</source>
+        <translation>pas encore dans cette langue : %1</translation>
+    </message>
+    <message>
+        <source>the program is there whole, too; one of the two files is right</source>
+        <translation>le programme est aussi là en entier ; il faut un seul des deux fichiers</translation>
+    </message>
+    <message>
+        <source>the program begins without a comment; what the student should read of it stands there</source>
+        <translation>le programme commence sans commentaire ; c&apos;est là qu&apos;est ce que l&apos;étudiant doit en lire</translation>
+    </message>
+    <message>
+        <source>another step has the id %1 already; an id of its own is right</source>
+        <translation>une autre étape a déjà l&apos;id %1 ; il faut un id à elle</translation>
+    </message>
+    <message>
+        <source>the step %1 is listed already; each step once is right</source>
+        <translation>l&apos;étape %1 est déjà dans la liste ; il faut chaque étape une fois</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>cannot be read: there is no such file</source>
+        <translation>illisible : ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the text is not in UTF-8, which would be right; some letters are lost</source>
+        <translation>le texte n&apos;est pas en UTF-8, qu&apos;il faudrait ; quelques lettres sont perdues</translation>
+    </message>
+    <message>
+        <source>the text has characters that are none (NUL); a text in UTF-8 is right</source>
+        <translation>le texte a des caractères qui n&apos;en sont pas (NUL) ; il faut un texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1, for there are so many answers, is right</source>
+        <translation>il faut un nombre de 1 à %1, car il y a autant de réponses</translation>
+    </message>
+    <message>
+        <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
+        <translation>il faut %1 réponses, autant qu&apos;en a task.json, pas %2 ; la question est montrée sans traduction</translation>
+    </message>
+    <message>
+        <source>a name of letters, digits and underscores that means nothing else is right</source>
+        <translation>il faut un nom fait de lettres, de chiffres et de tirets bas, qui ne désigne rien d&apos;autre</translation>
+    </message>
+    <message>
+        <source>a range from the least to the most, with a step that is greater than 0, is right</source>
+        <translation>il faut un intervalle du minimum au maximum, avec un pas supérieur à 0</translation>
+    </message>
+</context>
+<context>
+    <name>LabReport</name>
+    <message>
+        <source>The scene at %1 s</source>
+        <translation>La scène à %1 s</translation>
+    </message>
+    <message>
+        <source>Checks: %1</source>
+        <translation>Vérifications : %1</translation>
+    </message>
+    <message>
+        <source>You have written a physics engine</source>
+        <translation>Vous avez écrit un moteur physique</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass, judged anew a moment ago.</source>
+        <translation>%1 étapes sur %2 réussies, évaluées à nouveau à l&apos;instant.</translation>
+    </message>
+    <message>
+        <source>What took the most checks</source>
+        <translation>Ce qui a demandé le plus de vérifications</translation>
+    </message>
+    <message>
+        <source>The energy of all runs</source>
+        <translation>L&apos;énergie de toutes les exécutions</translation>
+    </message>
+    <message>
+        <source>At %1 s, when two circles first meet</source>
+        <translation>À %1 s, à la première rencontre de deux cercles</translation>
+    </message>
+    <message>
+        <source>At %1 s, when a circle first reaches a wall</source>
+        <translation>À %1 s, quand un cercle atteint une paroi pour la première fois</translation>
+    </message>
+    <message>
+        <source>At %1 s</source>
+        <translation>À %1 s</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>pas sûr</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass. Every step was judged anew for this report, by version %3 of the lab.</source>
+        <translation>%1 étapes sur %2 réussies. Chaque étape a été évaluée à nouveau pour ce rapport, par la version %3 du TP.</translation>
+    </message>
+    <message>
+        <source>To the teacher</source>
+        <translation>À l&apos;enseignant</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ réussie</translation>
+    </message>
+    <message>
+        <source>does not pass yet</source>
+        <translation>pas encore réussie</translation>
+    </message>
+    <message>
+        <source>stops with an error</source>
+        <translation>s&apos;arrête sur une erreur</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>pas faite</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Found on the way</source>
+        <translation>Trouvé en chemin</translation>
+    </message>
+    <message>
+        <source>Expected and found</source>
+        <translation>Prédit et observé</translation>
+    </message>
+    <message>
+        <source>It comes true: %1</source>
+        <translation>C&apos;est ce qui arrive : %1</translation>
+    </message>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Prédit : %1</translation>
+    </message>
+    <message>
+        <source>The run</source>
+        <translation>L&apos;exécution</translation>
+    </message>
+    <message>
+        <source>What changed in the program</source>
+        <translation>Ce qui a changé dans le programme</translation>
+    </message>
+    <message>
+        <source>Nothing: it is the program of the step before.</source>
+        <translation>Rien : c&apos;est le programme de l&apos;étape précédente.</translation>
+    </message>
+    <message>
+        <source>… and more, which no page holds.</source>
+        <translation>… et d&apos;autres, qu&apos;aucune page ne contient.</translation>
+    </message>
+    <message>
+        <source>Looking back</source>
+        <translation>Rétrospective</translation>
+    </message>
+    <message>
+        <source>The energy of the runs above in one chart, each as a part of what it started with. A law that keeps energy draws a straight line at 1; what lies above was made by the program, what lies below was lost.</source>
+        <translation>L&apos;énergie des exécutions ci-dessus dans un seul graphique, chacune en part de son énergie de départ. Une loi qui conserve l&apos;énergie trace une droite à 1 ; ce qui est au-dessus a été créé par le programme, ce qui est au-dessous a été perdu.</translation>
+    </message>
+    <message>
+        <source>Momentum of all circles, kg m/s</source>
+        <translation>Quantité de mouvement de tous les cercles, kg m/s</translation>
+    </message>
+    <message>
+        <source>Energy of all circles, J</source>
+        <translation>Énergie de tous les cercles, J</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>cinétique</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentielle</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>somme</translation>
+    </message>
+    <message>
+        <source>Energy as a part of that at the start</source>
+        <translation>Énergie en part de celle du départ</translation>
+    </message>
+</context>
+<context>
+    <name>LabVerifier</name>
+    <message>
+        <source>stops with an error at line %1: %2</source>
+        <translation>s&apos;arrête sur une erreur à la ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>passes; a starter should fail by a check</source>
+        <translation>réussit ; un programme de départ doit échouer à une vérification</translation>
+    </message>
+    <message>
+        <source>fails with seed %1 by %2</source>
+        <translation>échoue avec la graine %1 à %2</translation>
+    </message>
+    <message>
+        <source>passes; a mistake should fail by a check</source>
+        <translation>réussit ; une erreur doit échouer à une vérification</translation>
+    </message>
+    <message>
+        <source>is not recognised</source>
+        <translation>n&apos;est pas reconnue</translation>
+    </message>
+    <message>
+        <source>is taken for %1</source>
+        <translation>est prise pour %1</translation>
+    </message>
+    <message>
+        <source>fails by %1; work that gets a remark passes</source>
+        <translation>échoue à %1 ; un travail qui reçoit une remarque réussit</translation>
+    </message>
+    <message>
+        <source>the check %1 asks for the same as %2</source>
+        <translation>la vérification %1 demande la même chose que %2</translation>
+    </message>
+    <message>
+        <source>no mistake fails by the check %1 alone: it repeats %2</source>
+        <translation>aucune erreur n&apos;échoue à la seule vérification %1 : elle répète %2</translation>
+    </message>
+    <message>
+        <source>%1 differs in more than its mistake: it has “%2” where the solution has “%3”</source>
+        <translation>%1 diffère par plus que son erreur : il y a « %2 » là où le corrigé a « %3 »</translation>
+    </message>
+    <message>
+        <source>there is no solution.lua</source>
+        <translation>il n&apos;y a pas de solution.lua</translation>
+    </message>
+    <message>
+        <source>no mistake fails the check %1</source>
+        <translation>aucune erreur n&apos;échoue à la vérification %1</translation>
+    </message>
+    <message>
+        <source>the check %1 allows %2, and the solution itself is off by %3 (%4): other right programs may fail; at least %5 is right</source>
+        <translation>la vérification %1 admet %2, et le corrigé lui-même s&apos;écarte de %3 (%4) : d&apos;autres programmes justes peuvent échouer ; il faut au moins %5</translation>
+    </message>
+    <message>
+        <source>fails what is turned, too fast, adrift by</source>
+        <translation>met en échec ce qui est tourné, trop rapide, décalé de</translation>
+    </message>
+    <message>
+        <source>with %1 seeds</source>
+        <translation>avec %1 graines</translation>
+    </message>
+    <message>
+        <source>with the values of the student %1: %2</source>
+        <translation>avec les valeurs de l&apos;étudiant %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>Locks</name>
+    <message>
+        <source>gravity</source>
+        <translation>pesanteur</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>restitution</translation>
+    </message>
+    <message>
+        <source>timestep</source>
+        <translation>pas de temps</translation>
+    </message>
+    <message>
+        <source>half width of the square</source>
+        <translation>demi-largeur du carré</translation>
+    </message>
+    <message>
+        <source>law for walls</source>
+        <translation>loi des parois</translation>
+    </message>
+    <message>
+        <source>law for circles</source>
+        <translation>loi des cercles</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>traitement du temps</translation>
+    </message>
+    <message>
+        <source>number of circles</source>
+        <translation>nombre de cercles</translation>
+    </message>
+    <message>
+        <source>position of %1</source>
+        <translation>position (%1)</translation>
+    </message>
+    <message>
+        <source>velocity of %1</source>
+        <translation>vitesse (%1)</translation>
+    </message>
+    <message>
+        <source>radius of %1</source>
+        <translation>rayon (%1)</translation>
+    </message>
+    <message>
+        <source>density of %1</source>
+        <translation>masse volumique (%1)</translation>
+    </message>
+    <message>
+        <source>integrator of %1</source>
+        <translation>intégrateur (%1)</translation>
+    </message>
+    <message>
+        <source>mass of %1</source>
+        <translation>masse (%1)</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>cercle %1</translation>
+    </message>
+    <message>
+        <source>Fixed in this step: %1</source>
+        <translation>Imposé à cette étape : %1</translation>
+    </message>
+</context>
+<context>
+    <name>Loupe</name>
+    <message>
+        <source>%1×</source>
+        <comment>magnification</comment>
+        <translation>%1×</translation>
+    </message>
+</context>
+<context>
+    <name>LuaApi</name>
+    <message>
+        <source>You write it: runs once, before the first step</source>
+        <translation>C&apos;est vous qui l&apos;écrivez : s&apos;exécute une fois, avant le premier pas</translation>
+    </message>
+    <message>
+        <source>You write it: moves the circles by one step of timestep seconds</source>
+        <translation>C&apos;est vous qui l&apos;écrivez : déplace les cercles d&apos;un pas de timestep secondes</translation>
+    </message>
+    <message>
+        <source>A new vector; its unit is that of its numbers</source>
+        <translation>Un nouveau vecteur ; son unité est celle de ses nombres</translation>
+    </message>
+    <message>
+        <source>The dot product of two vectors: a.x * b.x + a.y * b.y</source>
+        <translation>Le produit scalaire de deux vecteurs : a.x * b.x + a.y * b.y</translation>
+    </message>
+    <message>
+        <source>The first circle</source>
+        <translation>Le premier cercle</translation>
+    </message>
+    <message>
+        <source>The second circle</source>
+        <translation>Le second cercle</translation>
+    </message>
+    <message>
+        <source>All circles: circles[1] to circles[#circles]</source>
+        <translation>Tous les cercles : circles[1] à circles[#circles]</translation>
+    </message>
+    <message>
+        <source>The acceleration of every circle, a vector in m/s²; may be set in on_load</source>
+        <translation>L&apos;accélération de chaque cercle, un vecteur en m/s² ; peut être fixée dans on_load</translation>
+    </message>
+    <message>
+        <source>From 0 (no rebound) to 1 (elastic); may be set in on_load</source>
+        <translation>De 0 (aucun rebond) à 1 (élastique) ; peut être fixé dans on_load</translation>
+    </message>
+    <message>
+        <source>The box that the circles are in</source>
+        <translation>La boîte dans laquelle sont les cercles</translation>
+    </message>
+    <message>
+        <source>Seconds since the start of the run, at the start of this step</source>
+        <translation>Secondes depuis le début de l&apos;exécution, au début de ce pas</translation>
+    </message>
+    <message>
+        <source>The number of steps made so far</source>
+        <translation>Le nombre de pas faits jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Adds a point of this step to the curve called name in the charts</source>
+        <translation>Ajoute un point de ce pas à la courbe nommée name dans les graphiques</translation>
+    </message>
+    <message>
+        <source>Draws over the scene, for this step</source>
+        <translation>Dessine par-dessus la scène, pour ce pas</translation>
+    </message>
+    <message>
+        <source>Writes a line to the console</source>
+        <translation>Écrit une ligne dans la console</translation>
+    </message>
+    <message>
+        <source>Functions of numbers</source>
+        <translation>Fonctions de nombres</translation>
+    </message>
+    <message>
+        <source>Functions of texts</source>
+        <translation>Fonctions de textes</translation>
+    </message>
+    <message>
+        <source>Functions of lists</source>
+        <translation>Fonctions de listes</translation>
+    </message>
+    <message>
+        <source>For a loop over a list in order: for i, v in ipairs(list) do</source>
+        <translation>Pour une boucle sur une liste, dans l&apos;ordre : for i, v in ipairs(list) do</translation>
+    </message>
+    <message>
+        <source>For a loop over all fields of a table: for k, v in pairs(t) do</source>
+        <translation>Pour une boucle sur tous les champs d&apos;une table : for k, v in pairs(t) do</translation>
+    </message>
+    <message>
+        <source>The arguments from number n on; with &apos;#&apos; how many there are</source>
+        <translation>Les arguments à partir du numéro n ; avec &apos;#&apos;, combien il y en a</translation>
+    </message>
+    <message>
+        <source>What a value is, as a text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</source>
+        <translation>Ce qu&apos;est une valeur, sous forme de texte : &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</translation>
+    </message>
+    <message>
+        <source>A value as a text</source>
+        <translation>Une valeur sous forme de texte</translation>
+    </message>
+    <message>
+        <source>The number that a text says, or nil; base is 10 unless given</source>
+        <translation>Le nombre que dit un texte, ou nil ; base vaut 10 par défaut</translation>
+    </message>
+    <message>
+        <source>Stops the run with the message if value is false or nil</source>
+        <translation>Arrête l&apos;exécution avec le message si la valeur est false ou nil</translation>
+    </message>
+    <message>
+        <source>Stops the run at this line with the message</source>
+        <translation>Arrête l&apos;exécution à cette ligne avec le message</translation>
+    </message>
+    <message>
+        <source>Calls f: true and its results, or false and the error</source>
+        <translation>Appelle f : true et ses résultats, ou false et l&apos;erreur</translation>
+    </message>
+    <message>
+        <source>The length of the vector</source>
+        <translation>La longueur du vecteur</translation>
+    </message>
+    <message>
+        <source>The square of the length: v:dot(v)</source>
+        <translation>Le carré de la longueur : v:dot(v)</translation>
+    </message>
+    <message>
+        <source>The vector of length 1 with the same direction; an error for (0, 0)</source>
+        <translation>Le vecteur de longueur 1 et de même direction ; une erreur pour (0, 0)</translation>
+    </message>
+    <message>
+        <source>The dot product with another vector</source>
+        <translation>Le produit scalaire avec un autre vecteur</translation>
+    </message>
+    <message>
+        <source>The vector turned left by 90°: (-y, x)</source>
+        <translation>Le vecteur tourné de 90° vers la gauche : (-y, x)</translation>
+    </message>
+    <message>
+        <source>The part to the right; to change it, build a new vector</source>
+        <translation>La composante vers la droite ; pour la changer, construisez un nouveau vecteur</translation>
+    </message>
+    <message>
+        <source>The part upwards; to change it, build a new vector</source>
+        <translation>La composante vers le haut ; pour la changer, construisez un nouveau vecteur</translation>
+    </message>
+    <message>
+        <source>The centre, a vector in m</source>
+        <translation>Le centre, un vecteur en m</translation>
+    </message>
+    <message>
+        <source>A vector in m/s</source>
+        <translation>Un vecteur en m/s</translation>
+    </message>
+    <message>
+        <source>In m, above 0</source>
+        <translation>En m, supérieur à 0</translation>
+    </message>
+    <message>
+        <source>In 1000 kg/m³, above 0: steel has 7.8</source>
+        <translation>En 1000 kg/m³, supérieure à 0 : l&apos;acier a 7.8</translation>
+    </message>
+    <message>
+        <source>The number of the circle, from 1; cannot be set</source>
+        <translation>Le numéro du cercle, à partir de 1 ; ne peut pas être changé</translation>
+    </message>
+    <message>
+        <source>Half the side of the box, in m</source>
+        <translation>La moitié du côté de la boîte, en m</translation>
+    </message>
+    <message>
+        <source>The x of the left wall, in m</source>
+        <translation>Le x de la paroi gauche, en m</translation>
+    </message>
+    <message>
+        <source>The x of the right wall, in m</source>
+        <translation>Le x de la paroi droite, en m</translation>
+    </message>
+    <message>
+        <source>The y of the floor, in m</source>
+        <translation>Le y du sol, en m</translation>
+    </message>
+    <message>
+        <source>The y of the ceiling, in m</source>
+        <translation>Le y du plafond, en m</translation>
+    </message>
+    <message>
+        <source>An arrow that begins at from; colour and label may be left out</source>
+        <translation>Une flèche qui commence en from ; la couleur et l&apos;étiquette sont facultatives</translation>
+    </message>
+    <message>
+        <source>A line between two points; the colour may be left out</source>
+        <translation>Un segment entre deux points ; la couleur est facultative</translation>
+    </message>
+    <message>
+        <source>A dot; the colour may be left out</source>
+        <translation>Un point ; la couleur est facultative</translation>
+    </message>
+    <message>
+        <source>A text at a point</source>
+        <translation>Un texte en un point</translation>
+    </message>
+    <message>
+        <source>x without its sign</source>
+        <translation>x sans son signe</translation>
+    </message>
+    <message>
+        <source>The angle whose cosine is x, in radians</source>
+        <translation>L&apos;angle dont le cosinus est x, en radians</translation>
+    </message>
+    <message>
+        <source>The angle whose sine is x, in radians</source>
+        <translation>L&apos;angle dont le sinus est x, en radians</translation>
+    </message>
+    <message>
+        <source>The angle of the direction (x, y), in radians; x is 1 unless given</source>
+        <translation>L&apos;angle de la direction (x, y), en radians ; x vaut 1 par défaut</translation>
+    </message>
+    <message>
+        <source>The next whole number that is not below x</source>
+        <translation>Le plus petit entier qui n&apos;est pas inférieur à x</translation>
+    </message>
+    <message>
+        <source>The cosine of an angle in radians</source>
+        <translation>Le cosinus d&apos;un angle en radians</translation>
+    </message>
+    <message>
+        <source>Radians in degrees</source>
+        <translation>Des radians en degrés</translation>
+    </message>
+    <message>
+        <source>e to the power of x</source>
+        <translation>e à la puissance x</translation>
+    </message>
+    <message>
+        <source>The next whole number that is not above x</source>
+        <translation>Le plus grand entier qui n&apos;est pas supérieur à x</translation>
+    </message>
+    <message>
+        <source>What is left of x divided by y, with the sign of x</source>
+        <translation>Ce qui reste de x divisé par y, avec le signe de x</translation>
+    </message>
+    <message>
+        <source>Infinity: more than any number</source>
+        <translation>L&apos;infini : plus que tout nombre</translation>
+    </message>
+    <message>
+        <source>The logarithm of x; base is e unless given</source>
+        <translation>Le logarithme de x ; base vaut e par défaut</translation>
+    </message>
+    <message>
+        <source>The largest of the numbers</source>
+        <translation>Le plus grand des nombres</translation>
+    </message>
+    <message>
+        <source>The largest whole number of Lua</source>
+        <translation>Le plus grand entier de Lua</translation>
+    </message>
+    <message>
+        <source>The smallest of the numbers</source>
+        <translation>Le plus petit des nombres</translation>
+    </message>
+    <message>
+        <source>The smallest whole number of Lua</source>
+        <translation>Le plus petit entier de Lua</translation>
+    </message>
+    <message>
+        <source>The whole part of x, and the rest</source>
+        <translation>La partie entière de x, et le reste</translation>
+    </message>
+    <message>
+        <source>3.14159…</source>
+        <translation>3.14159…</translation>
+    </message>
+    <message>
+        <source>Degrees in radians</source>
+        <translation>Des degrés en radians</translation>
+    </message>
+    <message>
+        <source>From 0 up to 1, or a whole number from m to n; the same in every run</source>
+        <translation>De 0 à 1 exclu, ou un entier de m à n ; les mêmes à chaque exécution</translation>
+    </message>
+    <message>
+        <source>Begins another row of random numbers</source>
+        <translation>Commence une autre suite de nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>The sine of an angle in radians</source>
+        <translation>Le sinus d&apos;un angle en radians</translation>
+    </message>
+    <message>
+        <source>The square root of x</source>
+        <translation>La racine carrée de x</translation>
+    </message>
+    <message>
+        <source>The tangent of an angle in radians</source>
+        <translation>La tangente d&apos;un angle en radians</translation>
+    </message>
+    <message>
+        <source>x as a whole number, or nil if it is none</source>
+        <translation>x sous forme d&apos;entier, ou nil s&apos;il n&apos;en est pas un</translation>
+    </message>
+    <message>
+        <source>&quot;integer&quot;, &quot;float&quot;, or nil if x is no number</source>
+        <translation>&quot;integer&quot;, &quot;float&quot;, ou nil si x n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>Whether m is below n, both read without sign</source>
+        <translation>Si m est inférieur à n, tous deux lus sans signe</translation>
+    </message>
+    <message>
+        <source>Values in a text: string.format(&quot;%.3f&quot;, x)</source>
+        <translation>Des valeurs dans un texte : string.format(&quot;%.3f&quot;, x)</translation>
+    </message>
+    <message>
+        <source>The number of bytes of a text</source>
+        <translation>Le nombre d&apos;octets d&apos;un texte</translation>
+    </message>
+    <message>
+        <source>A text in small letters</source>
+        <translation>Un texte en minuscules</translation>
+    </message>
+    <message>
+        <source>Part of a text; -1 is its last byte</source>
+        <translation>Une partie d&apos;un texte ; -1 est son dernier octet</translation>
+    </message>
+    <message>
+        <source>A text in capital letters</source>
+        <translation>Un texte en majuscules</translation>
+    </message>
+    <message>
+        <source>The elements of a list as one text</source>
+        <translation>Les éléments d&apos;une liste en un seul texte</translation>
+    </message>
+    <message>
+        <source>Puts a value into a list, at its end if no position is given</source>
+        <translation>Met une valeur dans une liste, à la fin si aucune position n&apos;est donnée</translation>
+    </message>
+    <message>
+        <source>Takes an element out of a list, the last one unless told</source>
+        <translation>Retire un élément d&apos;une liste, le dernier par défaut</translation>
+    </message>
+    <message>
+        <source>Sorts a list; before(a, b) says whether a comes first</source>
+        <translation>Trie une liste ; before(a, b) dit si a vient en premier</translation>
+    </message>
+    <message>
+        <source>The elements of a list as so many values</source>
+        <translation>Les éléments d&apos;une liste comme autant de valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>open this step</source>
+        <translation>ouvrir cette étape</translation>
+    </message>
+    <message>
+        <source>speak this language, such as en or de</source>
+        <translation>parler cette langue, par exemple en ou de</translation>
+    </message>
+    <message>
+        <source>system, light, dark or high-contrast</source>
+        <translation>system, light, dark ou high-contrast</translation>
+    </message>
+    <message>
+        <source>of texts, %: 100 to 200</source>
+        <translation>des textes, en % : 100 à 200</translation>
+    </message>
+    <message>
+        <source>open this scene of Lab → Example scenes</source>
+        <translation>ouvrir cette scène de TP → Scènes d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>work on steps by this: explore or code</source>
+        <translation>travailler aux étapes ainsi : explore ou code</translation>
+    </message>
+    <message>
+        <source>take this program as your own of the step</source>
+        <translation>prendre ce programme comme le vôtre pour l&apos;étape</translation>
+    </message>
+    <message>
+        <source>open this lab in the window in which labs are written</source>
+        <translation>ouvrir ce TP dans la fenêtre où l&apos;on écrit les TP</translation>
+    </message>
+    <message>
+        <source>of that window: scene, text, checks, programs or proof</source>
+        <translation>de cette fenêtre : scene, text, checks, programs ou proof</translation>
+    </message>
+    <message>
+        <source>draw the window into this file and quit</source>
+        <translation>dessiner la fenêtre dans ce fichier et quitter</translation>
+    </message>
+    <message>
+        <source>of the scene&apos;s time, s, in the picture</source>
+        <translation>du temps de la scène, en s, sur l&apos;image</translation>
+    </message>
+    <message>
+        <source>of the window, pixels</source>
+        <translation>de la fenêtre, en pixels</translation>
+    </message>
+    <message>
+        <source>Learn how a physics engine works by writing one.</source>
+        <translation>Apprendre comment marche un moteur physique en en écrivant un.</translation>
+    </message>
+    <message>
+        <source>the lab or the scene to open; without it Lab 4.2</source>
+        <translation>le TP ou la scène à ouvrir ; par défaut Lab 4.2</translation>
+    </message>
+    <message>
+        <source>cradle: unexpected argument %1; one lab or scene is right</source>
+        <translation>cradle : argument inattendu : %1 ; il faut un seul TP ou une seule scène</translation>
+    </message>
+    <message>
+        <source>cradle: --language %1: one of %2 is right</source>
+        <translation>cradle : --language %1 : il faut une valeur parmi %2</translation>
+    </message>
+    <message>
+        <source>cradle: --theme %1: system, light, dark or high-contrast is right</source>
+        <translation>cradle : --theme %1 : il faut system, light, dark ou high-contrast</translation>
+    </message>
+    <message>
+        <source>cradle: --mode %1: explore or code is right</source>
+        <translation>cradle : --mode %1 : il faut explore ou code</translation>
+    </message>
+    <message>
+        <source>cradle: --text-size %1: a number from 100 to 200 is right</source>
+        <translation>cradle : --text-size %1 : il faut un nombre de 100 à 200</translation>
+    </message>
+    <message>
+        <source>there is no step %1; there are %2</source>
+        <translation>il n&apos;y a pas d&apos;étape %1 ; il y a %2</translation>
+    </message>
+    <message>
+        <source>there is no step %1 in this lab</source>
+        <translation>il n&apos;y a pas d&apos;étape %1 dans ce TP</translation>
+    </message>
+    <message>
+        <source>there is no example %1; there are %2</source>
+        <translation>il n&apos;y a pas d&apos;exemple %1 ; il y a %2</translation>
+    </message>
+    <message>
+        <source>--tab %1: scene, text, checks, programs or proof is right</source>
+        <translation>--tab %1 : il faut scene, text, checks, programs ou proof</translation>
+    </message>
+    <message>
+        <source>--at %1: a number of seconds from 0 to %2 is right</source>
+        <translation>--at %1 : il faut un nombre de secondes de 0 à %2</translation>
+    </message>
+    <message>
+        <source>--size %1: a size like 1280x800 is right</source>
+        <translation>--size %1 : il faut une taille comme 1280x800</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>impossible d&apos;écrire %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>MainMenu</name>
+    <message>
+        <source>&amp;States of the run as CSV…</source>
+        <translation>É&amp;tats de l&apos;exécution en CSV…</translation>
+    </message>
+    <message>
+        <source>&amp;Totals of the run as CSV…</source>
+        <translation>T&amp;otaux de l&apos;exécution en CSV…</translation>
+    </message>
+    <message>
+        <source>&amp;Hits of the run as CSV…</source>
+        <translation>&amp;Chocs de l&apos;exécution en CSV…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xporter</translation>
+    </message>
+    <message>
+        <source>&amp;Example scenes</source>
+        <translation>Scènes d&apos;&amp;exemple</translation>
+    </message>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;TP</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>Étape &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Previous step</source>
+        <translation>Étape &amp;précédente</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Rapport…</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation>Re&amp;ndre…</translation>
+    </message>
+    <message>
+        <source>Share with &amp;git…</source>
+        <translation>Partager avec &amp;git…</translation>
+    </message>
+    <message>
+        <source>Grade a &amp;class…</source>
+        <translation>Noter une &amp;classe…</translation>
+    </message>
+    <message>
+        <source>&amp;Open lab…</source>
+        <translation>&amp;Ouvrir un TP…</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Ouvrir un TP en un seul &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>Open &amp;scene…</source>
+        <translation>Ou&amp;vrir une scène…</translation>
+    </message>
+    <message>
+        <source>&amp;Author a lab…</source>
+        <translation>Écrire un &amp;TP…</translation>
+    </message>
+    <message>
+        <source>Save scene &amp;as…</source>
+        <translation>Enregistrer la scène so&amp;us…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;Add circle</source>
+        <translation>A&amp;jouter un cercle</translation>
+    </message>
+    <message>
+        <source>Reset to the &amp;step&apos;s scene</source>
+        <translation>Re&amp;venir à la scène de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>Épin&amp;gler cette exécution</translation>
+    </message>
+    <message>
+        <source>Keeps its curves, pale, beneath those of later runs</source>
+        <translation>Garde ses courbes, pâles, sous celles des exécutions suivantes</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve pinned runs</source>
+        <translation>Retirer les exéc&amp;utions épinglées</translation>
+    </message>
+    <message>
+        <source>Start a &amp;new run from here</source>
+        <translation>Démarrer une &amp;nouvelle exécution d&apos;ici</translation>
+    </message>
+    <message>
+        <source>The moment shown becomes the start of the scene; the run so far stays in the charts</source>
+        <translation>L&apos;instant affiché devient le départ de la scène ; l&apos;exécution jusque-là reste dans les graphiques</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>Pause at &amp;hits</source>
+        <translation>Pause aux &amp;chocs</translation>
+    </message>
+    <message>
+        <source>A run stops at the step of every collision; Run goes on</source>
+        <translation>L&apos;exécution s&apos;arrête au pas de chaque collision ; Lancer la poursuit</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion around hits</source>
+        <translation>Ralenti autour des c&amp;hocs</translation>
+    </message>
+    <message>
+        <source>A run goes at 1/8× after every hit, and before those that are recorded already; its steps stay as they are</source>
+        <translation>L&apos;exécution va à 1/8× après chaque choc, et avant ceux qui sont déjà enregistrés ; ses pas restent ce qu&apos;ils sont</translation>
+    </message>
+    <message>
+        <source>Steps as long as the &amp;frames took</source>
+        <translation>Pas aussi longs que les &amp;images</translation>
+    </message>
+    <message>
+        <source>As the original lab did: see why stable timesteps matter</source>
+        <translation>Comme le faisait le TP d&apos;origine : voyez pourquoi des pas de temps réguliers importent</translation>
+    </message>
+    <message>
+        <source>&amp;Scene shows</source>
+        <translation>La &amp;scène montre</translation>
+    </message>
+    <message>
+        <source>&amp;Velocities</source>
+        <translation>&amp;Vitesses</translation>
+    </message>
+    <message>
+        <source>&amp;Trails</source>
+        <translation>&amp;Traces</translation>
+    </message>
+    <message>
+        <source>&amp;Parts of a hit</source>
+        <translation>Co&amp;mposantes d&apos;un choc</translation>
+    </message>
+    <message>
+        <source>&amp;Loupe at a hit</source>
+        <translation>&amp;Loupe lors d&apos;un choc</translation>
+    </message>
+    <message>
+        <source>&amp;Momenta tip to tail</source>
+        <translation>&amp;Quantités de mouvement bout à bout</translation>
+    </message>
+    <message>
+        <source>&amp;Centre of mass and its way</source>
+        <translation>&amp;Centre de masse et son trajet</translation>
+    </message>
+    <message>
+        <source>&amp;Drawings of the program</source>
+        <translation>&amp;Dessins du programme</translation>
+    </message>
+    <message>
+        <source>&amp;Names</source>
+        <translation>&amp;Noms</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Grille</translation>
+    </message>
+    <message>
+        <source>&amp;Exact motion beside the run</source>
+        <translation>Mouvement &amp;exact à côté de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Outlines where every circle would be without any error of the integrator, the program or the timestep</source>
+        <translation>Les contours là où serait chaque cercle sans aucune erreur de l&apos;intégrateur, du programme ou du pas de temps</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the centre of mass</source>
+        <translation>&amp;Suivre le centre de masse</translation>
+    </message>
+    <message>
+        <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
+        <translation>La vue se déplace avec lui : dans son référentiel, la somme des quantités de mouvement de tous les cercles est nulle</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Zoom to the h&amp;it</source>
+        <translation>Zoom sur le c&amp;hoc</translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole square</source>
+        <translation>Tout le carr&amp;é</translation>
+    </message>
+    <message>
+        <source>C&amp;harts</source>
+        <translation>&amp;Graphiques</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>&amp;Réinitialiser le zoom</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Plein écran</translation>
+    </message>
+    <message>
+        <source>Scene &amp;alone</source>
+        <translation>Scène seu&amp;le</translation>
+    </message>
+    <message>
+        <source>Presen&amp;tation</source>
+        <translation>Présen&amp;tation</translation>
+    </message>
+    <message>
+        <source>Large texts and high contrast; Page Up and Page Down go from hit to hit, B makes it black, Esc ends it</source>
+        <translation>Grands textes et fort contraste ; Page préc. et Page suiv. vont de choc en choc, B met l&apos;écran en noir, Échap y met fin</translation>
+    </message>
+    <message>
+        <source>Scene in a &amp;window of its own</source>
+        <translation>Scène dans sa propre &amp;fenêtre</translation>
+    </message>
+    <message>
+        <source>Hits to scree&amp;n readers</source>
+        <translation>C&amp;hocs aux lecteurs d&apos;écran</translation>
+    </message>
+    <message>
+        <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
+        <translation>Ils annoncent chaque choc affiché ; d&apos;une exécution en cours, un de temps en temps</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt pane</source>
+        <translation>Volet s&amp;uivant</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious pane</source>
+        <translation>Volet pré&amp;cédent</translation>
+    </message>
+    <message>
+        <source>Into the &amp;program</source>
+        <translation>&amp;Dans le programme</translation>
+    </message>
+    <message>
+        <source>&amp;Panes</source>
+        <translation>&amp;Volets</translation>
+    </message>
+    <message>
+        <source>&amp;Move panes</source>
+        <translation>Déplacer les v&amp;olets</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Couleurs</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Comme le &amp;système</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Contraste &amp;élevé</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze of texts</source>
+        <translation>Taille des te&amp;xtes</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>La&amp;ngue</translation>
+    </message>
+    <message>
+        <source>Scene drawn &amp;by</source>
+        <translation>Scène dessinée p&amp;ar</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatique</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;Processor</source>
+        <translation>&amp;Processeur</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>&amp;Reference of the lab&apos;s Lua</source>
+        <translation>&amp;Référence du Lua du TP</translation>
+    </message>
+    <message>
+        <source>&amp;Lua for C# people</source>
+        <translation>&amp;Lua pour qui connaît C#</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>Raccourcis &amp;clavier</translation>
+    </message>
+    <message>
+        <source>&amp;About Cradle</source>
+        <translation>À &amp;propos de Cradle</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>À propos de &amp;Qt</translation>
+    </message>
+</context>
+<context>
+    <name>MessageText</name>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>parenthèses, blocs ou termes sont trop imbriqués</translation>
+    </message>
+</context>
+<context>
+    <name>MomentumInset</name>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>%1 kg m/s</source>
+        <translation>%1 kg m/s</translation>
+    </message>
+</context>
+<context>
+    <name>Mutations</name>
+    <message>
+        <source>A term has the wrong sign</source>
+        <translation>Un terme a le mauvais signe</translation>
+    </message>
+    <message>
+        <source>Which way should this term act? Try it with a circle that moves to the right.</source>
+        <translation>Dans quel sens ce terme doit-il agir ? Essayez avec un cercle qui va vers la droite.</translation>
+    </message>
+    <message>
+        <source>The factor `%1` is missing</source>
+        <translation>Le facteur `%1` manque</translation>
+    </message>
+    <message>
+        <source>Do both sides have the same unit? What changes if this factor is twice as large?</source>
+        <translation>Les deux côtés ont-ils la même unité ? Qu&apos;est-ce qui change si ce facteur est deux fois plus grand ?</translation>
+    </message>
+    <message>
+        <source>Something stands in the wrong place</source>
+        <translation>Quelque chose est au mauvais endroit</translation>
+    </message>
+    <message>
+        <source>A product comes before a sum: what belongs together here?</source>
+        <translation>Un produit passe avant une somme : qu&apos;est-ce qui va ensemble ici ?</translation>
+    </message>
+    <message>
+        <source>The normal does not have the length 1</source>
+        <translation>La normale n&apos;a pas la longueur 1</translation>
+    </message>
+    <message>
+        <source>How long is this vector? A part along it is right only if its length is 1.</source>
+        <translation>Quelle est la longueur de ce vecteur ? Une composante suivant lui n&apos;est juste que si elle vaut 1.</translation>
+    </message>
+    <message>
+        <source>A comparison is the wrong way round</source>
+        <translation>Une comparaison est à l&apos;envers</translation>
+    </message>
+    <message>
+        <source>When should this happen: above or below?</source>
+        <translation>Quand cela doit-il se produire : au-dessus ou au-dessous ?</translation>
+    </message>
+    <message>
+        <source>A part of a condition is missing</source>
+        <translation>Une partie d&apos;une condition manque</translation>
+    </message>
+    <message>
+        <source>When should this happen, and when not? Think of circles that already move apart, and of every wall.</source>
+        <translation>Quand cela doit-il se produire, et quand non ? Pensez aux cercles qui s&apos;éloignent déjà, et à chaque paroi.</translation>
+    </message>
+    <message>
+        <source>One case is missing</source>
+        <translation>Un cas manque</translation>
+    </message>
+    <message>
+        <source>Go through the cases one by one: which of them does nothing?</source>
+        <translation>Passez les cas un par un : lequel ne fait rien ?</translation>
+    </message>
+    <message>
+        <source>It happens always</source>
+        <translation>Cela se produit toujours</translation>
+    </message>
+    <message>
+        <source>When should this happen, and when not?</source>
+        <translation>Quand cela doit-il se produire, et quand non ?</translation>
+    </message>
+    <message>
+        <source>`%1` stands where `%2` belongs</source>
+        <translation>`%1` est là où il faut `%2`</translation>
+    </message>
+    <message>
+        <source>Which circle, and which coordinate, is meant here?</source>
+        <translation>De quel cercle, et de quelle coordonnée, s&apos;agit-il ici ?</translation>
+    </message>
+    <message>
+        <source>The hit takes nothing</source>
+        <translation>Le choc ne prend rien</translation>
+    </message>
+    <message>
+        <source>Which part of the velocity should become e times what it was?</source>
+        <translation>Quelle composante de la vitesse doit devenir e fois ce qu&apos;elle était ?</translation>
+    </message>
+    <message>
+        <source>e counts twice</source>
+        <translation>e compte deux fois</translation>
+    </message>
+    <message>
+        <source>How fast does it leave, compared with how fast it came?</source>
+        <translation>À quelle vitesse repart-il, comparée à celle de l&apos;arrivée ?</translation>
+    </message>
+    <message>
+        <source>Something is left out</source>
+        <translation>Quelque chose est omis</translation>
+    </message>
+    <message>
+        <source>Compare with the instructions what has to be done for every circle in every step.</source>
+        <translation>Comparez avec les instructions ce qu&apos;il faut faire pour chaque cercle à chaque pas.</translation>
+    </message>
+    <message>
+        <source>Something happens twice</source>
+        <translation>Quelque chose se produit deux fois</translation>
+    </message>
+    <message>
+        <source>How often does this run in one step?</source>
+        <translation>Combien de fois cela s&apos;exécute-t-il en un pas ?</translation>
+    </message>
+    <message>
+        <source>Two lines stand in the other order</source>
+        <translation>Deux lignes sont dans l&apos;autre ordre</translation>
+    </message>
+    <message>
+        <source>Which value does the second line need: the one from before or the one from after the first?</source>
+        <translation>Quelle valeur faut-il à la seconde ligne : celle d&apos;avant ou celle d&apos;après la première ?</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>from %1 to %2%3</source>
+        <translation>de %1 à %2%3</translation>
+    </message>
+    <message>
+        <source>%1%2 or more</source>
+        <translation>%1%2 ou plus</translation>
+    </message>
+    <message>
+        <source>any%1</source>
+        <translation>quelconque%1</translation>
+    </message>
+    <message>
+        <source>%1: a whole number, %2, is right</source>
+        <translation>%1 : il faut un nombre entier, %2</translation>
+    </message>
+    <message>
+        <source>%1: two numbers as “2, 0”, %2, are right</source>
+        <translation>%1 : il faut deux nombres comme « 2, 0 », %2</translation>
+    </message>
+    <message>
+        <source>%1: the least and the most as “0.5, 2”, %2, are right</source>
+        <translation>%1 : il faut le minimum et le maximum comme « 0.5, 2 », %2</translation>
+    </message>
+    <message>
+        <source>%1: pairs of numbers as “2, 0; 0, 0”, %2, are right</source>
+        <translation>%1 : il faut des paires de nombres comme « 2, 0; 0, 0 », %2</translation>
+    </message>
+    <message>
+        <source>%1: numbers as “0.5, 1”, %2, are right</source>
+        <translation>%1 : il faut des nombres comme « 0.5, 1 », %2</translation>
+    </message>
+    <message>
+        <source>%1: a number, %2, is right</source>
+        <translation>%1 : il faut un nombre, %2</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+</context>
+<context>
+    <name>Phase</name>
+    <message>
+        <source>kinetic</source>
+        <translation>cinétique</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentielle</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>totale</translation>
+    </message>
+    <message>
+        <source>distance 1–2</source>
+        <translation>distance 1–2</translation>
+    </message>
+    <message>
+        <source>off exact</source>
+        <translation>écart à l&apos;exact</translation>
+    </message>
+    <message>
+        <source>more than exact</source>
+        <translation>de plus que l&apos;exact</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Position x</source>
+        <translation>Position x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>Position y</translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation>Vitesse vers la droite</translation>
+    </message>
+    <message>
+        <source>Velocity upwards</source>
+        <translation>Vitesse vers le haut</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse (norme)</translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation>Quantité de mouvement vers la droite</translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation>Quantité de mouvement vers le haut</translation>
+    </message>
+    <message>
+        <source>Size of the momentum</source>
+        <translation>Norme de la quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Énergie cinétique</translation>
+    </message>
+    <message>
+        <source>Potential energy</source>
+        <translation>Énergie potentielle</translation>
+    </message>
+    <message>
+        <source>Total energy</source>
+        <translation>Énergie totale</translation>
+    </message>
+    <message>
+        <source>Distance of circles 1 and 2</source>
+        <translation>Distance des cercles 1 et 2</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Distance au mouvement exact</translation>
+    </message>
+    <message>
+        <source>Energy more than the exact motion</source>
+        <translation>Énergie de plus que le mouvement exact</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <comment>metres</comment>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation>kg m/s</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <comment>joules</comment>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>%1 all</source>
+        <comment>quantity, of all circles</comment>
+        <translation>%1 tous</translation>
+    </message>
+</context>
+<context>
+    <name>Preset</name>
+    <message>
+        <source>%1 circles of radius %2 m do not fit into the square; at most %3 are right</source>
+        <translation>%1 cercles de rayon %2 m ne tiennent pas dans le carré ; au plus %3 conviennent</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; a number from %2 to %3 is right</source>
+        <translation>%1 est hors limites ; il faut un nombre de %2 à %3</translation>
+    </message>
+    <message>
+        <source>the name is too long; at most %1 characters are right</source>
+        <translation>le nom est trop long ; au plus %1 caractères conviennent</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no colour; one like #1e90ff is right</source>
+        <translation>« %1 » n&apos;est pas une couleur ; il en faut une comme #1e90ff</translation>
+    </message>
+    <message>
+        <source>it is wider than the square</source>
+        <translation>il est plus large que le carré</translation>
+    </message>
+    <message>
+        <source>x and y from %1 to %2 m are right</source>
+        <translation>il faut x et y de %1 à %2 m</translation>
+    </message>
+    <message>
+        <source>circle %1 at (%2, %3) m is not inside the square, whose walls reflect; %4</source>
+        <translation>le cercle %1 en (%2, %3) m n&apos;est pas à l&apos;intérieur du carré, dont les parois renvoient ; %4</translation>
+    </message>
+    <message>
+        <source>circles %1 and %2 overlap: their centres are %3 m apart; at least r₁ + r₂ = %4 m is right</source>
+        <translation>les cercles %1 et %2 se chevauchent : leurs centres sont à %3 m l&apos;un de l&apos;autre ; il faut au moins r₁ + r₂ = %4 m</translation>
+    </message>
+    <message>
+        <source>at most %1 circles are right</source>
+        <translation>au plus %1 cercles conviennent</translation>
+    </message>
+</context>
+<context>
+    <name>Progress</name>
+    <message>
+        <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
+        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1 ; Cradle recommence à neuf</translation>
+    </message>
+    <message>
+        <source>your progress could not be saved: %1</source>
+        <translation>votre progression n&apos;a pas pu être enregistrée : %1</translation>
+    </message>
+</context>
+<context>
+    <name>Questions</name>
+    <message>
+        <source>“%1” is no number; one like 0.75 is asked for</source>
+        <translation>« %1 » n&apos;est pas un nombre ; il en faut un comme 0.75</translation>
+    </message>
+    <message>
+        <source>“%1” is no number with a unit; one like 3.2 kg is asked for</source>
+        <translation>« %1 » n&apos;est pas un nombre avec une unité ; il en faut un comme 3.2 kg</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit that is known</source>
+        <translation>« %1 » n&apos;est pas une unité connue</translation>
+    </message>
+    <message>
+        <source>the number is right; its unit is missing</source>
+        <translation>le nombre est juste ; son unité manque</translation>
+    </message>
+    <message>
+        <source>%1 is not right, and its unit is missing</source>
+        <translation>%1 n&apos;est pas juste, et son unité manque</translation>
+    </message>
+    <message>
+        <source>the number is right, but not its unit: what is asked for is not measured in %1</source>
+        <translation>le nombre est juste, mais pas son unité : ce qui est demandé ne se mesure pas en %1</translation>
+    </message>
+    <message>
+        <source>%1 is not right: what is asked for is not measured in %2</source>
+        <translation>%1 n&apos;est pas juste : ce qui est demandé ne se mesure pas en %2</translation>
+    </message>
+    <message>
+        <source>the number is right, but not in %1</source>
+        <translation>le nombre est juste, mais pas en %1</translation>
+    </message>
+    <message>
+        <source>%1 is not right</source>
+        <translation>%1 n&apos;est pas juste</translation>
+    </message>
+    <message>
+        <source>one that is chosen is not right, and a right one is missing</source>
+        <translation>une des réponses choisies n&apos;est pas juste, et il en manque une juste</translation>
+    </message>
+    <message>
+        <source>one that is chosen is not right</source>
+        <translation>une des réponses choisies n&apos;est pas juste</translation>
+    </message>
+    <message>
+        <source>all that is chosen is right, but not all that is right is chosen</source>
+        <translation>tout ce qui est choisi est juste, mais tout ce qui est juste n&apos;est pas choisi</translation>
+    </message>
+    <message>
+        <source>not all of them are in the order</source>
+        <translation>tous ne sont pas dans l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>it does not begin with what is first</source>
+        <translation>cela ne commence pas par ce qui vient en premier</translation>
+    </message>
+    <message>
+        <source>the order is right up to number %1, and not behind it</source>
+        <translation>l&apos;ordre est juste jusqu&apos;au numéro %1, et plus après</translation>
+    </message>
+    <message>
+        <source>the answer that is chosen is not right</source>
+        <translation>la réponse choisie n&apos;est pas juste</translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation>pas encore de réponse</translation>
+    </message>
+    <message>
+        <source>for the teacher to read, who may give up to %1 points: %2</source>
+        <translation>à lire par l&apos;enseignant, qui peut donner jusqu&apos;à %1 points : %2</translation>
+    </message>
+    <message>
+        <source>a list of two to eight answers is right</source>
+        <translation>il faut une liste de deux à huit réponses</translation>
+    </message>
+    <message>
+        <source>the right answers by their numbers from 1 are missing</source>
+        <translation>il manque les bonnes réponses, par leurs numéros à partir de 1</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1, for there are so many answers, is right</source>
+        <translation>il faut un nombre de 1 à %1, car il y a autant de réponses</translation>
+    </message>
+    <message>
+        <source>one right answer; for more of them the kind is several</source>
+        <translation>il faut une seule bonne réponse ; pour plusieurs, le type est several</translation>
+    </message>
+    <message>
+        <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
+        <translation>%1 n&apos;est pas une unité ; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
+    </message>
+    <message>
+        <source>another check or question has the id %1 already; an id of its own is right</source>
+        <translation>une autre vérification ou question a déjà l&apos;id %1 ; il faut un id à elle</translation>
+    </message>
+    <message>
+        <source>the right number is missing</source>
+        <translation>le nombre juste manque</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>in step %1, at %2 s</source>
+        <translation>au pas %1, à %2 s</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>avec %1</translation>
+    </message>
+    <message>
+        <source>Look at %1:%2</source>
+        <translation>Regardez %1:%2</translation>
+    </message>
+    <message>
+        <source>The program moved the circles.</source>
+        <translation>Le programme a déplacé les cercles.</translation>
+    </message>
+    <message>
+        <source>The laws of the scene moved the circles.</source>
+        <translation>Les lois de la scène ont déplacé les cercles.</translation>
+    </message>
+    <message>
+        <source>Commit message: %1</source>
+        <translation>Message de commit : %1</translation>
+    </message>
+    <message>
+        <source>in the scene: %1</source>
+        <translation>dans la scène : %1</translation>
+    </message>
+    <message>
+        <source>moved there by %1:%2</source>
+        <translation>déplacé là par %1:%2</translation>
+    </message>
+    <message>
+        <source>%1 passed</source>
+        <translation>%1 réussie</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: the program stopped</source>
+        <translation>%1 non réussie : le programme s&apos;est arrêté</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: the program does not load</source>
+        <translation>%1 non réussie : le programme ne se charge pas</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: %2 of %3 checks and answers failed</source>
+        <translation>%1 non réussie : %2 vérifications et réponses sur %3 ont échoué</translation>
+    </message>
+    <message>
+        <source>%1 did not pass: %2 of %3 checks failed</source>
+        <translation>%1 non réussie : %2 vérifications sur %3 ont échoué</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 points)</source>
+        <translation>%1 (%2 points sur %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ReportPrinter</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultPane</name>
+    <message>
+        <source>The program cannot be read</source>
+        <translation>Le programme est illisible</translation>
+    </message>
+    <message>
+        <source>The program takes too long</source>
+        <translation>Le programme est trop lent</translation>
+    </message>
+    <message>
+        <source>The program needs too much memory</source>
+        <translation>Le programme demande trop de mémoire</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Non évalué</translation>
+    </message>
+    <message>
+        <source>The program stopped</source>
+        <translation>Le programme s&apos;est arrêté</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>in step %1, at %2 s</source>
+        <translation>au pas %1, à %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>RunDifference</name>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>reflect</source>
+        <translation>renvoi</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>arrêt</translation>
+    </message>
+    <message>
+        <source>swap velocities</source>
+        <translation>échange des vitesses</translation>
+    </message>
+    <message>
+        <source>swap normal parts</source>
+        <translation>échange des composantes normales</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impulsion</translation>
+    </message>
+    <message>
+        <source>discrete</source>
+        <translation>discret</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>continu</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exact</translation>
+    </message>
+    <message>
+        <source>symplectic Euler</source>
+        <translation>Euler symplectique</translation>
+    </message>
+    <message>
+        <source>circle %1</source>
+        <translation>cercle %1</translation>
+    </message>
+    <message>
+        <source>laws → program</source>
+        <translation>lois → programme</translation>
+    </message>
+    <message>
+        <source>program → laws</source>
+        <translation>programme → lois</translation>
+    </message>
+    <message>
+        <source>program changed</source>
+        <translation>programme modifié</translation>
+    </message>
+    <message>
+        <source>half width</source>
+        <translation>demi-largeur</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>parois</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>cercles</translation>
+    </message>
+    <message>
+        <source>%1 → %2 circles</source>
+        <translation>%1 → %2 cercles</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>SceneTemplates</name>
+    <message>
+        <source>Head-on collision</source>
+        <translation>Choc frontal</translation>
+    </message>
+    <message>
+        <source>Glancing collision</source>
+        <translation>Choc oblique</translation>
+    </message>
+    <message>
+        <source>Newton&apos;s cradle</source>
+        <translation>Pendule de Newton</translation>
+    </message>
+    <message>
+        <source>Gas</source>
+        <translation>Gaz</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Chute</translation>
+    </message>
+</context>
+<context>
+    <name>Schema</name>
+    <message numerus="yes">
+        <source>a list of %n value(s)</source>
+        <translation>
+            <numerusform>une liste de %n valeur</numerusform>
+            <numerusform>une liste de %n valeurs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;; the keys here are %2</source>
+        <translation>clé inconnue « %1 » ; les clés sont ici %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>« %1 » manque</translation>
+    </message>
+    <message>
+        <source>%1 is not right here; right would be %2</source>
+        <translation>%1 ne convient pas ici ; il faudrait %2</translation>
+    </message>
+    <message>
+        <source>needs a newer Cradle: format %1, this one reads %2</source>
+        <translation>il faut un Cradle plus récent : format %1, celui-ci lit %2</translation>
+    </message>
+    <message>
+        <source>this is not JSON: %1</source>
+        <translation>ce n&apos;est pas du JSON : %1</translation>
+    </message>
+    <message>
+        <source>this is a folder; a file is right</source>
+        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>illisible : %1</translation>
+    </message>
+    <message>
+        <source>the file is too large; at most %1 are right</source>
+        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+    </message>
+    <message>
+        <source>a list of questions</source>
+        <translation>une liste de questions</translation>
+    </message>
+    <message>
+        <source>a list of two to eight answers</source>
+        <translation>une liste de deux à huit réponses</translation>
+    </message>
+    <message>
+        <source>a number or an expression, the number of an answer from 1, or a list of such numbers</source>
+        <translation>un nombre ou une expression, le numéro d&apos;une réponse à partir de 1, ou une liste de tels nombres</translation>
+    </message>
+    <message>
+        <source>a number, an expression like 2*k, or an object with from, to and step</source>
+        <translation>un nombre, une expression comme 2*k, ou un objet avec from, to et step</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 200 characters</source>
+        <translation>un texte de 1 à 200 caractères</translation>
+    </message>
+    <message>
+        <source>a text of at most 200 characters; another draws other values</source>
+        <translation>un texte d&apos;au plus 200 caractères ; un autre tire d&apos;autres valeurs</translation>
+    </message>
+    <message>
+        <source>a unit like m/s of at most 40 characters</source>
+        <translation>une unité comme m/s, d&apos;au plus 40 caractères</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, questions, values, moves, extra and locked</source>
+        <translation>un objet avec format, id, title, commit, preset, hints, code_hints, prediction, remarks, checks, questions, values, moves, extra et locked</translation>
+    </message>
+    <message>
+        <source>an object with format, id, title, version, language, values, draw and steps</source>
+        <translation>un objet avec format, id, title, version, language, values, draw et steps</translation>
+    </message>
+    <message>
+        <source>an object with id, kind, title, text, answers, right, unit, tolerance and points</source>
+        <translation>un objet avec id, kind, title, text, answers, right, unit, tolerance et points</translation>
+    </message>
+    <message>
+        <source>an object with numbers, expressions, or ranges with from, to and step, by their names</source>
+        <translation>un objet avec des nombres, des expressions ou des intervalles avec from, to et step, par leurs noms</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the questions by their id</source>
+        <translation>un objet avec les textes des questions par leur id</translation>
+    </message>
+    <message>
+        <source>an object with title, hints, code_hints, prediction, checks, questions, mistakes and remarks</source>
+        <translation>un objet avec title, hints, code_hints, prediction, checks, questions, mistakes et remarks</translation>
+    </message>
+    <message>
+        <source>an object with title, text and answers</source>
+        <translation>un objet avec title, text et answers</translation>
+    </message>
+    <message>
+        <source>from one to the next, a number greater than 0</source>
+        <translation>de l&apos;un au suivant, un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>how far off is still right, a number from 0</source>
+        <translation>l&apos;écart encore admis, un nombre à partir de 0</translation>
+    </message>
+    <message>
+        <source>one of number, one, several, order, text</source>
+        <translation>une valeur parmi number, one, several, order, text</translation>
+    </message>
+    <message>
+        <source>the least, a number</source>
+        <translation>le minimum, un nombre</translation>
+    </message>
+    <message>
+        <source>the most, a number</source>
+        <translation>le maximum, un nombre</translation>
+    </message>
+    <message>
+        <source>the number of an answer, from 1</source>
+        <translation>le numéro d&apos;une réponse, à partir de 1</translation>
+    </message>
+    <message>
+        <source>what a right answer is worth, a number from 0 to 1000</source>
+        <translation>ce que vaut une bonne réponse, un nombre de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>1, the format that this version reads</source>
+        <translation>1, le format que lit cette version</translation>
+    </message>
+    <message>
+        <source>a circle number from 1</source>
+        <translation>un numéro de cercle à partir de 1</translation>
+    </message>
+    <message>
+        <source>a colour like #1e90ff</source>
+        <translation>une couleur comme #1e90ff</translation>
+    </message>
+    <message>
+        <source>a language code like en or de</source>
+        <translation>un code de langue comme en ou de</translation>
+    </message>
+    <message>
+        <source>a list of checks</source>
+        <translation>une liste de vérifications</translation>
+    </message>
+    <message>
+        <source>a list of circle numbers from 1</source>
+        <translation>une liste de numéros de cercles à partir de 1</translation>
+    </message>
+    <message>
+        <source>a list of circles, or an object with fill</source>
+        <translation>une liste de cercles, ou un objet avec fill</translation>
+    </message>
+    <message>
+        <source>a list of folder names, in order</source>
+        <translation>une liste de noms de dossiers, dans l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>a list of remarks</source>
+        <translation>une liste de remarques</translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation>une liste de textes</translation>
+    </message>
+    <message>
+        <source>a list of two to four answers</source>
+        <translation>une liste de deux à quatre réponses</translation>
+    </message>
+    <message>
+        <source>a number in m from -10000 to 10000</source>
+        <translation>un nombre en m de -10000 à 10000</translation>
+    </message>
+    <message>
+        <source>a number in m/s from -1e7 to 1e7</source>
+        <translation>un nombre en m/s de -1e7 à 1e7</translation>
+    </message>
+    <message>
+        <source>a number in m/s² from -10000 to 10000</source>
+        <translation>un nombre en m/s² de -10000 à 10000</translation>
+    </message>
+    <message>
+        <source>a short name of letters, digits, dots and dashes</source>
+        <translation>un nom court fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 100 characters</source>
+        <translation>un texte de 1 à 100 caractères</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 400 characters</source>
+        <translation>un texte de 1 à 400 caractères</translation>
+    </message>
+    <message>
+        <source>a text of 1 to 1000 characters</source>
+        <translation>un texte de 1 à 1000 caractères</translation>
+    </message>
+    <message>
+        <source>a text of at most 200 characters</source>
+        <translation>un texte d&apos;au plus 200 caractères</translation>
+    </message>
+    <message>
+        <source>a text of at most 2000 characters</source>
+        <translation>un texte d&apos;au plus 2000 caractères</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 2147483647</source>
+        <translation>un nombre entier de 0 à 2147483647</translation>
+    </message>
+    <message>
+        <source>an object that says which scenes the check runs: kind, count, duration, timesteps and what they vary</source>
+        <translation>un objet qui dit quelles scènes fait tourner la vérification : kind, count, duration, timesteps et ce qu&apos;elles font varier</translation>
+    </message>
+    <message>
+        <source>an object with count and radius, and if wanted rms_speed, density, seed</source>
+        <translation>un objet avec count et radius et, si voulu, rms_speed, density, seed</translation>
+    </message>
+    <message>
+        <source>a list of fields of the scene that the student may not change</source>
+        <translation>une liste de champs de la scène que l&apos;étudiant ne peut pas changer</translation>
+    </message>
+    <message>
+        <source>a field as gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing or circles/1/velocity</source>
+        <translation>un champ comme gravity, restitution, timestep, half_width, circles, laws/walls, laws/circles, laws/timing ou circles/1/velocity</translation>
+    </message>
+    <message>
+        <source>an object with format, name, square, gravity, restitution, timestep, laws and circles</source>
+        <translation>un objet avec format, name, square, gravity, restitution, timestep, laws et circles</translation>
+    </message>
+    <message>
+        <source>an object with half_width</source>
+        <translation>un objet avec half_width</translation>
+    </message>
+    <message>
+        <source>an object with id, compare and scene</source>
+        <translation>un objet avec id, compare et scene</translation>
+    </message>
+    <message>
+        <source>an object with id, kind, title, points, parameters and scene</source>
+        <translation>un objet avec id, kind, title, points, parameters et scene</translation>
+    </message>
+    <message>
+        <source>an object with position, and if wanted name, velocity, radius, density, colour, integrator</source>
+        <translation>un objet avec position et, si voulu, name, velocity, radius, density, colour, integrator</translation>
+    </message>
+    <message>
+        <source>an object with question, answers, right and outcome</source>
+        <translation>un objet avec question, answers, right et outcome</translation>
+    </message>
+    <message>
+        <source>an object with question, answers and outcome</source>
+        <translation>un objet avec question, answers et outcome</translation>
+    </message>
+    <message>
+        <source>an object with the parameters of the kind</source>
+        <translation>un objet avec les paramètres du type</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the mistakes by their name</source>
+        <translation>un objet avec les textes des erreurs par leur nom</translation>
+    </message>
+    <message>
+        <source>an object with the texts of the remarks by their name</source>
+        <translation>un objet avec les textes des remarques par leur nom</translation>
+    </message>
+    <message>
+        <source>an object with the titles of the checks by their id</source>
+        <translation>un objet avec les titres des vérifications par leur id</translation>
+    </message>
+    <message>
+        <source>an object with walls, circles and timing</source>
+        <translation>un objet avec walls, circles et timing</translation>
+    </message>
+    <message>
+        <source>half the side of the square in m, a number from 1e-6 to 10000</source>
+        <translation>la moitié du côté du carré en m, un nombre de 1e-6 à 10000</translation>
+    </message>
+    <message>
+        <source>how many circles, a whole number from 1 to 100000</source>
+        <translation>combien de cercles, un nombre entier de 1 à 100000</translation>
+    </message>
+    <message>
+        <source>one of discrete, continuous, exact</source>
+        <translation>une valeur parmi discrete, continuous, exact</translation>
+    </message>
+    <message>
+        <source>one of euler, symplectic_euler, verlet, rk4</source>
+        <translation>une valeur parmi euler, symplectic_euler, verlet, rk4</translation>
+    </message>
+    <message>
+        <source>one of none, reflect</source>
+        <translation>une valeur parmi none, reflect</translation>
+    </message>
+    <message>
+        <source>one of none, stop, swap_velocities, swap_normal, impulse</source>
+        <translation>une valeur parmi none, stop, swap_velocities, swap_normal, impulse</translation>
+    </message>
+    <message>
+        <source>one of program, laws, either</source>
+        <translation>une valeur parmi program, laws, either</translation>
+    </message>
+    <message>
+        <source>one of velocities, positions, fields</source>
+        <translation>une valeur parmi velocities, positions, fields</translation>
+    </message>
+    <message>
+        <source>the coefficient of restitution e, a number from 0 to 1</source>
+        <translation>le coefficient de restitution e, un nombre de 0 à 1</translation>
+    </message>
+    <message>
+        <source>the density in 1000 kg/m³, a number from 1e-9 to 1e9</source>
+        <translation>la masse volumique en 1000 kg/m³, un nombre de 1e-9 à 1e9</translation>
+    </message>
+    <message>
+        <source>the name of a file beside task.json</source>
+        <translation>le nom d&apos;un fichier à côté de task.json</translation>
+    </message>
+    <message>
+        <source>the name of a folder beside lab.json: letters, digits, dashes and underscores</source>
+        <translation>le nom d&apos;un dossier à côté de lab.json : lettres, chiffres, traits d&apos;union et tirets bas</translation>
+    </message>
+    <message>
+        <source>the name of a kind of check</source>
+        <translation>le nom d&apos;un type de vérification</translation>
+    </message>
+    <message>
+        <source>the number of the answer that comes true, from 1</source>
+        <translation>le numéro de la réponse qui se réalise, à partir de 1</translation>
+    </message>
+    <message>
+        <source>the radius in m, a number from 1e-6 to 10000</source>
+        <translation>le rayon en m, un nombre de 1e-6 à 10000</translation>
+    </message>
+    <message>
+        <source>the root mean square speed in m/s, a number from 0 to 1e6</source>
+        <translation>la vitesse quadratique moyenne en m/s, un nombre de 0 à 1e6</translation>
+    </message>
+    <message>
+        <source>the timestep in s, a number from 1e-6 to 0.1</source>
+        <translation>le pas de temps en s, un nombre de 1e-6 à 0.1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>two numbers [x, y] in m, each from -10000 to 10000</source>
+        <translation>deux nombres [x, y] en m, chacun de -10000 à 10000</translation>
+    </message>
+    <message>
+        <source>two numbers [x, y] in m/s, each from -1e7 to 1e7</source>
+        <translation>deux nombres [x, y] en m/s, chacun de -1e7 à 1e7</translation>
+    </message>
+    <message>
+        <source>two numbers [x, y] in m/s², each from -10000 to 10000</source>
+        <translation>deux nombres [x, y] en m/s², chacun de -10000 à 10000</translation>
+    </message>
+    <message>
+        <source>what passing the check is worth, a number from 0 to 1000</source>
+        <translation>ce que vaut la réussite de la vérification, un nombre de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>what the step is worth, a number from 0 to 1000</source>
+        <translation>ce que vaut l&apos;étape, un nombre de 0 à 1000</translation>
+    </message>
+</context>
+<context>
+    <name>Script</name>
+    <message>
+        <source>there is no function check(run) … end</source>
+        <translation>il n&apos;y a pas de fonction check(run) … end</translation>
+    </message>
+    <message>
+        <source>check(run) returned %1; true, or false and a message, is right</source>
+        <translation>check(run) a renvoyé %1 ; il faut true, ou false et un message</translation>
+    </message>
+    <message>
+        <source>check(run) returned false without a message for the student; return false, &quot;what is wrong&quot; is right</source>
+        <translation>check(run) a renvoyé false sans message pour l&apos;étudiant ; il faut return false, &quot;ce qui ne va pas&quot;</translation>
+    </message>
+    <message>
+        <source>%1 has no field %2; a field has a name</source>
+        <translation>%1 n&apos;a pas de champ %2 ; un champ a un nom</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`: did you mean `%3`?</source>
+        <translation>%1 n&apos;a pas de champ `%2` : vouliez-vous dire `%3` ?</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`; it has %3. A field of your own must be set before it is read: %1.%2 = …</source>
+        <translation>%1 n&apos;a pas de champ `%2` ; il y a %3. Un champ à vous doit être fixé avant d&apos;être lu : %1.%2 = …</translation>
+    </message>
+    <message>
+        <source>%1 must be a vector, not %2; write vec(x, y)</source>
+        <translation>%1 doit être un vecteur, pas %2 ; écrivez vec(x, y)</translation>
+    </message>
+    <message>
+        <source>%1 would be %2; every number of a circle must be finite. Look for a division by zero, or for a value that grows in every step</source>
+        <translation>%1 serait %2 ; chaque nombre d&apos;un cercle doit être fini. Cherchez une division par zéro, ou une valeur qui croît à chaque pas</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2</source>
+        <translation>%1 doit être un nombre, pas %2</translation>
+    </message>
+    <message>
+        <source>%1 would be %2; it must be finite and above 0</source>
+        <translation>%1 serait %2 ; il doit être fini et supérieur à 0</translation>
+    </message>
+    <message>
+        <source>%1.index is given and cannot be changed</source>
+        <translation>%1.index est donné et ne peut pas être changé</translation>
+    </message>
+    <message>
+        <source>how many circles there are is #circles</source>
+        <translation>le nombre de cercles s&apos;écrit #circles</translation>
+    </message>
+    <message>
+        <source>circles[i] takes a number from 1 to %1, not %2</source>
+        <translation>circles[i] prend un nombre de 1 à %1, pas %2</translation>
+    </message>
+    <message>
+        <source>circles cannot be added or removed by a program; set the position and velocity of those that are there</source>
+        <translation>un programme ne peut ni ajouter ni retirer de cercles ; fixez la position et la vitesse de ceux qui sont là</translation>
+    </message>
+    <message>
+        <source>the program needs more than %1 MiB of memory; is there a table or a text that grows without end?</source>
+        <translation>le programme demande plus de %1 Mio de mémoire ; y a-t-il une table ou un texte qui croît sans fin ?</translation>
+    </message>
+    <message>
+        <source>the program called error with %1</source>
+        <translation>le programme a appelé error avec %1</translation>
+    </message>
+    <message>
+        <source>this is no text, so it is no program</source>
+        <translation>ce n&apos;est pas du texte, donc pas un programme</translation>
+    </message>
+    <message>
+        <source>the author of this step has fixed this: %1. It stays as the scene has it; take this line out</source>
+        <translation>l&apos;auteur de cette étape a imposé ceci : %1. Cela reste comme dans la scène ; supprimez cette ligne</translation>
+    </message>
+    <message>
+        <source>`%1.%2` is not part of the lab&apos;s Lua; %1 has %3</source>
+        <translation>`%1.%2` ne fait pas partie du Lua du TP ; %1 a %3</translation>
+    </message>
+    <message>
+        <source>%1 has no `%2`; it has %3</source>
+        <translation>%1 n&apos;a pas de `%2` ; il y a %3</translation>
+    </message>
+    <message>
+        <source>%1 has no `%2`: did you mean `%1.%3`?</source>
+        <translation>%1 n&apos;a pas de `%2` : vouliez-vous dire `%1.%3` ?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; expected (to close &apos;%2&apos; at line %3) near %4</source>
+        <translation>&apos;%1&apos; attendu (pour fermer &apos;%2&apos; de la ligne %3) près de %4</translation>
+    </message>
+    <message>
+        <source>%1 expected near %2</source>
+        <translation>%1 attendu près de %2</translation>
+    </message>
+    <message>
+        <source>unexpected symbol near %1</source>
+        <translation>symbole inattendu près de %1</translation>
+    </message>
+    <message>
+        <source>syntax error near %1</source>
+        <translation>erreur de syntaxe près de %1</translation>
+    </message>
+    <message>
+        <source>unfinished string near %1</source>
+        <translation>texte non terminé près de %1</translation>
+    </message>
+    <message>
+        <source>unfinished long string (starting at line %1)</source>
+        <translation>texte long non terminé (commencé à la ligne %1)</translation>
+    </message>
+    <message>
+        <source>unfinished long comment (starting at line %1)</source>
+        <translation>commentaire long non terminé (commencé à la ligne %1)</translation>
+    </message>
+    <message>
+        <source>malformed number near %1</source>
+        <translation>nombre mal formé près de %1</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence near %1</source>
+        <translation>séquence d&apos;échappement incorrecte près de %1</translation>
+    </message>
+    <message>
+        <source>break outside loop at line %1</source>
+        <translation>break hors d&apos;une boucle à la ligne %1</translation>
+    </message>
+    <message>
+        <source>no visible label &apos;%1&apos; for goto at line %2</source>
+        <translation>aucune étiquette &apos;%1&apos; visible pour le goto de la ligne %2</translation>
+    </message>
+    <message>
+        <source>label &apos;%1&apos; already defined on line %2</source>
+        <translation>l&apos;étiquette &apos;%1&apos; est déjà définie à la ligne %2</translation>
+    </message>
+    <message>
+        <source>attempt to assign to const variable &apos;%1&apos;</source>
+        <translation>tentative d&apos;affecter la variable constante &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>attempt to compare two %1 values</source>
+        <translation>tentative de comparer deux valeurs de type %1</translation>
+    </message>
+    <message>
+        <source>attempt to compare %1 with %2</source>
+        <translation>tentative de comparer %1 avec %2</translation>
+    </message>
+    <message>
+        <source>attempt to divide a whole number by zero</source>
+        <translation>tentative de diviser un entier par zéro</translation>
+    </message>
+    <message>
+        <source>attempt to take the rest of a division by zero</source>
+        <translation>tentative de prendre le reste d&apos;une division par zéro</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are no two numbers to calculate with</source>
+        <translation>%1 et %2 ne sont pas deux nombres avec lesquels calculer</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (%3 expected, got %4)</source>
+        <translation>argument n° %1 de &apos;%2&apos; incorrect (%3 attendu, %4 reçu)</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
+        <translation>argument n° %1 de &apos;%2&apos; incorrect (le nombre n&apos;est pas représentable comme entier)</translation>
+    </message>
+    <message>
+        <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
+        <translation>argument n° %1 de &apos;%2&apos; incorrect (hors limites)</translation>
+    </message>
+    <message>
+        <source>number has no integer representation</source>
+        <translation>le nombre n&apos;est pas représentable comme entier</translation>
+    </message>
+    <message>
+        <source>the first value of &apos;for&apos; must be a number</source>
+        <translation>la première valeur de &apos;for&apos; doit être un nombre</translation>
+    </message>
+    <message>
+        <source>the last value of &apos;for&apos; must be a number</source>
+        <translation>la dernière valeur de &apos;for&apos; doit être un nombre</translation>
+    </message>
+    <message>
+        <source>the step of &apos;for&apos; must be a number</source>
+        <translation>le pas de &apos;for&apos; doit être un nombre</translation>
+    </message>
+    <message>
+        <source>the step of &apos;for&apos; is zero</source>
+        <translation>le pas de &apos;for&apos; est zéro</translation>
+    </message>
+    <message>
+        <source>assertion failed!</source>
+        <translation>l&apos;assertion a échoué !</translation>
+    </message>
+    <message>
+        <source>&lt;eof&gt;</source>
+        <extracomment>the end of the program</extracomment>
+        <translation>&lt;fin du programme&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;name&gt;</source>
+        <translation>&lt;nom&gt;</translation>
+    </message>
+    <message>
+        <source>this value</source>
+        <translation>cette valeur</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so it has no fields</source>
+        <translation>%1 est %2, donc sans champs</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a function that can be called</source>
+        <translation>%1 est %2, pas une fonction que l&apos;on peut appeler</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a number to calculate with</source>
+        <translation>%1 est %2, pas un nombre avec lequel calculer</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so .. cannot join it to a text</source>
+        <translation>%1 est %2, et .. ne peut donc pas le joindre à un texte</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so it has no length</source>
+        <translation>%1 est %2, donc sans longueur</translation>
+    </message>
+    <message>
+        <source>%1; only numbers compare with numbers (the length of a vector is v:length())</source>
+        <translation>%1 ; seuls des nombres se comparent à des nombres (la longueur d&apos;un vecteur est v:length())</translation>
+    </message>
+    <message>
+        <source>a function calls itself without end (stack overflow)</source>
+        <translation>une fonction s&apos;appelle elle-même sans fin (débordement de pile)</translation>
+    </message>
+    <message>
+        <source>. There is no circles[%1]: circles are counted from 1 to %2</source>
+        <translation>. Il n&apos;y a pas de circles[%1] : les cercles sont numérotés de 1 à %2</translation>
+    </message>
+    <message>
+        <source>. The length of a list is #%1</source>
+        <translation>. La longueur d&apos;une liste est #%1</translation>
+    </message>
+    <message>
+        <source>. Texts are joined by .., not by +</source>
+        <translation>. Les textes se joignent par .., pas par +</translation>
+    </message>
+    <message>
+        <source>. A function is called with its parentheses, and that of a vector with a colon: v:length()</source>
+        <translation>. Une fonction s&apos;appelle avec ses parenthèses, et celle d&apos;un vecteur avec un deux-points : v:length()</translation>
+    </message>
+    <message>
+        <source>`%1.%2` is %3 in Lua</source>
+        <translation>`%1.%2` s&apos;écrit %3 en Lua</translation>
+    </message>
+    <message>
+        <source>Lua has no null; nothing is written nil</source>
+        <translation>Lua n&apos;a pas de null ; rien s&apos;écrit nil</translation>
+    </message>
+    <message>
+        <source>there is no `%1` here; the circles are circle1, circle2 …, and what is your own has its plain name</source>
+        <translation>il n&apos;y a pas de `%1` ici ; les cercles sont circle1, circle2 …, et ce qui est à vous porte son simple nom</translation>
+    </message>
+    <message>
+        <source>Lua has no `new`; a vector is made by vec(x, y), a table by {}</source>
+        <translation>Lua n&apos;a pas de `new` ; un vecteur se fait par vec(x, y), une table par {}</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; a vector is made by vec(x, y)</source>
+        <translation>`%1` n&apos;est pas connu ; un vecteur se fait par vec(x, y)</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; print(…) writes to the console</source>
+        <translation>`%1` n&apos;est pas connu ; print(…) écrit dans la console</translation>
+    </message>
+    <message>
+        <source>`%1` is not known; // divides, a comment begins with -- in Lua</source>
+        <translation>`%1` n&apos;est pas connu ; // divise, un commentaire commence par -- en Lua</translation>
+    </message>
+    <message>
+        <source>`%1` is not known yet: it is local and stands below, in line %2; move it up, or leave out `local`</source>
+        <translation>`%1` n&apos;est pas encore connu : il est local et se trouve plus bas, à la ligne %2 ; déplacez-le plus haut, ou supprimez `local`</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here: it is local to the block of line %2; declare it before that block</source>
+        <translation>`%1` n&apos;est pas connu ici : il est local au bloc de la ligne %2 ; déclarez-le avant ce bloc</translation>
+    </message>
+    <message>
+        <source>pairs needs keys that have an order: numbers, texts, circles. Of tables, functions and equal vectors there may be one; keep them in a list and go through it with ipairs</source>
+        <translation>pairs a besoin de clés qui ont un ordre : nombres, textes, cercles. De tables, de fonctions et de vecteurs égaux, il ne peut y en avoir qu&apos;un ; gardez-les dans une liste et parcourez-la avec ipairs</translation>
+    </message>
+    <message>
+        <source>pairs goes through a table or circles, not %1</source>
+        <translation>pairs parcourt une table ou circles, pas %1</translation>
+    </message>
+    <message>
+        <source>Lua has no foreach; write: for _, %1 in ipairs(%2) do … end</source>
+        <translation>Lua n&apos;a pas de foreach ; écrivez : for _, %1 in ipairs(%2) do … end</translation>
+    </message>
+    <message>
+        <source>a loop that counts is written: for %1 = first, last do … end, both included</source>
+        <translation>une boucle qui compte s&apos;écrit : for %1 = début, fin do … end, bornes comprises</translation>
+    </message>
+    <message>
+        <source>Lua has no =&gt;; a function is function(x) return … end, and &quot;greater or equal&quot; is &gt;=</source>
+        <translation>Lua n&apos;a pas de =&gt; ; une fonction est function(x) return … end, et « supérieur ou égal » est &gt;=</translation>
+    </message>
+    <message>
+        <source>Lua has no ? : to choose; write: if … then … else … end, or: condition and a or b</source>
+        <translation>Lua n&apos;a pas de ? : pour choisir ; écrivez : if … then … else … end, ou : condition and a or b</translation>
+    </message>
+    <message>
+        <source>Lua has no %2=; write %1 = %1 %2 %3</source>
+        <translation>Lua n&apos;a pas de %2= ; écrivez %1 = %1 %2 %3</translation>
+    </message>
+    <message>
+        <source>&quot;not equal&quot; is ~= in Lua, not !=</source>
+        <translation>« différent » s&apos;écrit ~= en Lua, pas !=</translation>
+    </message>
+    <message>
+        <source>Lua has no ++; write %1 = %1 + 1</source>
+        <translation>Lua n&apos;a pas de ++ ; écrivez %1 = %1 + 1</translation>
+    </message>
+    <message>
+        <source>Lua writes `and`, `or`, `not` in words</source>
+        <translation>Lua écrit `and`, `or`, `not` en toutes lettres</translation>
+    </message>
+    <message>
+        <source>Lua writes `not` in words, not !</source>
+        <translation>Lua écrit `not` en toutes lettres, pas !</translation>
+    </message>
+    <message>
+        <source>Lua names no types; a function is written: function %1(…) … end</source>
+        <translation>Lua ne nomme pas les types ; une fonction s&apos;écrit : function %1(…) … end</translation>
+    </message>
+    <message>
+        <source>Lua names no types; write: local %1 = …</source>
+        <translation>Lua ne nomme pas les types ; écrivez : local %1 = …</translation>
+    </message>
+    <message>
+        <source>Lua names no types; of a parameter write only the name: %1</source>
+        <translation>Lua ne nomme pas les types ; d&apos;un paramètre, n&apos;écrivez que le nom : %1</translation>
+    </message>
+    <message>
+        <source>Lua has no `%1`</source>
+        <translation>Lua n&apos;a pas de `%1`</translation>
+    </message>
+    <message>
+        <source>Lua has no `continue`; put what it leaves out into an if</source>
+        <translation>Lua n&apos;a pas de `continue` ; mettez ce qu&apos;il saute dans un if</translation>
+    </message>
+    <message>
+        <source>a comment begins with -- in Lua</source>
+        <translation>un commentaire commence par -- en Lua</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: if … then … else … end</source>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : if … then … else … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: while … do … end</source>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : while … do … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: for … do … end</source>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : for … do … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; write: function name(…) … end</source>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : function nom(…) … end</translation>
+    </message>
+    <message>
+        <source>Lua has no braces around blocks; a block ends with `end`</source>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; un bloc finit par `end`</translation>
+    </message>
+    <message>
+        <source>= assigns; to compare write ==</source>
+        <translation>= affecte ; pour comparer, écrivez ==</translation>
+    </message>
+    <message>
+        <source>== compares; to assign write =</source>
+        <translation>== compare ; pour affecter, écrivez =</translation>
+    </message>
+    <message>
+        <source>names have the letters a to z, digits and _ only</source>
+        <translation>les noms n&apos;ont que les lettres a à z, des chiffres et _</translation>
+    </message>
+    <message>
+        <source>Lua has no --, which begins a comment; write %1 = %1 - 1</source>
+        <translation>Lua n&apos;a pas de --, qui commence un commentaire ; écrivez %1 = %1 - 1</translation>
+    </message>
+    <message>
+        <source>return ends its block: nothing may follow it there but end, else or elseif</source>
+        <translation>return termine son bloc : rien ne peut le suivre là, sauf end, else ou elseif</translation>
+    </message>
+    <message>
+        <source>here `%1` is missing</source>
+        <translation>ici il manque `%1`</translation>
+    </message>
+    <message>
+        <source>an `end` is missing: `else if` begins a second if, which needs an `end` of its own; the one word elseif does not</source>
+        <translation>il manque un `end` : `else if` commence un second if, auquel il faut son propre `end` ; elseif, en un seul mot, n&apos;en a pas besoin</translation>
+    </message>
+    <message>
+        <source>write %1, with a colon</source>
+        <translation>écrivez %1, avec un deux-points</translation>
+    </message>
+    <message>
+        <source>the moment must be a number of seconds from 0 to %1, not %2</source>
+        <translation>l&apos;instant doit être un nombre de secondes de 0 à %1, pas %2</translation>
+    </message>
+    <message>
+        <source>this must be a whole number from %1 to %2, not %3</source>
+        <translation>ce doit être un nombre entier de %1 à %2, pas %3</translation>
+    </message>
+    <message>
+        <source>this step does as much work as %1 million instructions (what is done to long texts and lists counts by their length); is there a loop that does not end?</source>
+        <translation>ce pas fait autant de travail que %1 millions d&apos;instructions (ce qui est fait de longs textes et de longues listes compte selon leur longueur) ; y a-t-il une boucle qui ne finit pas ?</translation>
+    </message>
+    <message>
+        <source>this step takes more than %1 million instructions; is there a loop that does not end?</source>
+        <translation>ce pas demande plus de %1 millions d&apos;instructions ; y a-t-il une boucle qui ne finit pas ?</translation>
+    </message>
+    <message>
+        <source>this step has run for more than %1 s; is there a loop that does not end?</source>
+        <translation>ce pas dure depuis plus de %1 s ; y a-t-il une boucle qui ne finit pas ?</translation>
+    </message>
+    <message>
+        <source>the run was stopped</source>
+        <translation>l&apos;exécution a été arrêtée</translation>
+    </message>
+    <message>
+        <source>functions call each other %1 deep; does one call itself without end?</source>
+        <translation>des fonctions s&apos;appellent sur une profondeur de %1 ; l&apos;une d&apos;elles s&apos;appelle-t-elle elle-même sans fin ?</translation>
+    </message>
+    <message>
+        <source>the program has %1 letters; at most %2 are right</source>
+        <translation>le programme a %1 lettres ; au plus %2 conviennent</translation>
+    </message>
+    <message>
+        <source>there is no memory to run a program</source>
+        <translation>il n&apos;y a pas de mémoire pour exécuter un programme</translation>
+    </message>
+    <message>
+        <source>`%1` is local here, so nobody can call it; write function %1(…) without local</source>
+        <translation>`%1` est local ici, personne ne peut donc l&apos;appeler ; écrivez function %1(…) sans local</translation>
+    </message>
+    <message>
+        <source>the program shows more than %1 KiB in one step</source>
+        <translation>le programme montre plus de %1 Kio en un pas</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2</source>
+        <translation>%1 doit être un texte, pas %2</translation>
+    </message>
+    <message>
+        <source>the name in plot(name, number)</source>
+        <translation>le nom dans plot(name, number)</translation>
+    </message>
+    <message>
+        <source>the name in plot(name, number) must have 1 to %1 letters</source>
+        <translation>le nom dans plot(name, number) doit avoir de 1 à %1 lettres</translation>
+    </message>
+    <message>
+        <source>plot(name, number) takes a number, not %1</source>
+        <translation>plot(name, number) prend un nombre, pas %1</translation>
+    </message>
+    <message>
+        <source>plot(&quot;%1&quot;, …) would be %2; a finite number is right</source>
+        <translation>plot(&quot;%1&quot;, …) vaudrait %2 ; il faut un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 would draw at %2; finite numbers are right</source>
+        <translation>%1 dessinerait en %2 ; il faut des nombres finis</translation>
+    </message>
+    <message>
+        <source>%1 would end beyond all numbers</source>
+        <translation>%1 finirait au-delà de tous les nombres</translation>
+    </message>
+    <message>
+        <source>a colour</source>
+        <translation>une couleur</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>une étiquette</translation>
+    </message>
+    <message>
+        <source>the text in draw.text(p, text)</source>
+        <translation>le texte dans draw.text(p, text)</translation>
+    </message>
+    <message>
+        <source>draw has no `%1`; it has %2</source>
+        <translation>draw n&apos;a pas de `%1` ; il a %2</translation>
+    </message>
+    <message>
+        <source>draw has no `%1`: did you mean `%2`?</source>
+        <translation>draw n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+    </message>
+    <message>
+        <source>square has no `%1`; it has %2</source>
+        <translation>square n&apos;a pas de `%1` ; il a %2</translation>
+    </message>
+    <message>
+        <source>square has no `%1`: did you mean `%2`?</source>
+        <translation>square n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+    </message>
+    <message>
+        <source>the square can only be read</source>
+        <translation>le carré peut seulement être lu</translation>
+    </message>
+    <message>
+        <source>there is no field `%1` here; there are %2</source>
+        <translation>il n&apos;y a pas de champ `%1` ici ; il y a %2</translation>
+    </message>
+    <message>
+        <source>there is no field `%1` here: did you mean `%2`?</source>
+        <translation>il n&apos;y a pas de champ `%1` ici : vouliez-vous dire `%2` ?</translation>
+    </message>
+    <message>
+        <source>after on_load the scene cannot be run: %1</source>
+        <translation>après on_load, la scène ne peut pas tourner : %1</translation>
+    </message>
+    <message>
+        <source>`on_update` is no function any more; it is given once: function on_update(timestep) … end</source>
+        <translation>`on_update` n&apos;est plus une fonction ; elle se donne une fois : function on_update(timestep) … end</translation>
+    </message>
+    <message>
+        <source>%p of string.format is not part of the lab&apos;s Lua: an address is another in every run</source>
+        <translation>%p de string.format ne fait pas partie du Lua du TP : une adresse est différente à chaque exécution</translation>
+    </message>
+    <message>
+        <source>the vector %1</source>
+        <translation>le vecteur %1</translation>
+    </message>
+    <message>
+        <source>the number %1</source>
+        <translation>le nombre %1</translation>
+    </message>
+    <message>
+        <source>the text %1</source>
+        <translation>le texte %1</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>une table</translation>
+    </message>
+    <message>
+        <source>a function</source>
+        <translation>une fonction</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3 has no meaning: %4</source>
+        <translation>%1 %2 %3 n&apos;a pas de sens : %4</translation>
+    </message>
+    <message>
+        <source>a vector is added to a vector</source>
+        <translation>un vecteur s&apos;ajoute à un vecteur</translation>
+    </message>
+    <message>
+        <source>a vector is taken from a vector</source>
+        <translation>un vecteur se retranche d&apos;un vecteur</translation>
+    </message>
+    <message>
+        <source>a vector is multiplied by a number; for the dot product write a:dot(b)</source>
+        <translation>un vecteur se multiplie par un nombre ; pour le produit scalaire, écrivez a:dot(b)</translation>
+    </message>
+    <message>
+        <source>a vector is divided by a number</source>
+        <translation>un vecteur se divise par un nombre</translation>
+    </message>
+    <message>
+        <source>a vector has no `%1`; it has %2</source>
+        <translation>un vecteur n&apos;a pas de `%1` ; il a %2</translation>
+    </message>
+    <message>
+        <source>a vector has no `%1`: did you mean `%2`?</source>
+        <translation>un vecteur n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+    </message>
+    <message>
+        <source>a vector cannot be changed; build a new one: %1 = %2</source>
+        <translation>un vecteur ne peut pas être changé ; construisez-en un nouveau : %1 = %2</translation>
+    </message>
+    <message>
+        <source>`%1` belongs to a vector; write v:%1(), with a colon</source>
+        <translation>`%1` appartient à un vecteur ; écrivez v:%1(), avec un deux-points</translation>
+    </message>
+    <message>
+        <source>the vector (0, 0) has no direction, so it cannot be normalized</source>
+        <translation>le vecteur (0, 0) n&apos;a pas de direction et ne peut donc pas être normalisé</translation>
+    </message>
+    <message>
+        <source>vec(x, y) takes two numbers; %1 is %2</source>
+        <translation>vec(x, y) prend deux nombres ; %1 est %2</translation>
+    </message>
+    <message>
+        <source>vec(x, y) takes two numbers, not %1</source>
+        <translation>vec(x, y) prend deux nombres, pas %1</translation>
+    </message>
+    <message>
+        <source>%1 needs a vector, not %2</source>
+        <translation>%1 a besoin d&apos;un vecteur, pas %2</translation>
+    </message>
+    <message>
+        <source>`%1` is not known: nothing of that name was given a value before</source>
+        <translation>`%1` n&apos;est pas connu : rien de ce nom n&apos;a reçu de valeur auparavant</translation>
+    </message>
+    <message>
+        <source>there is no %1: the scene has 1 circle</source>
+        <translation>il n&apos;y a pas de %1 : la scène a 1 cercle</translation>
+    </message>
+    <message>
+        <source>there is no %1: the scene has %2 circles</source>
+        <translation>il n&apos;y a pas de %1 : la scène a %2 cercles</translation>
+    </message>
+    <message>
+        <source>`%1` is not known: did you mean `%2`?</source>
+        <translation>`%1` n&apos;est pas connu : vouliez-vous dire `%2` ?</translation>
+    </message>
+    <message>
+        <source>`%1` is set once, in on_load; in on_update it can only be read</source>
+        <translation>`%1` se fixe une fois, dans on_load ; dans on_update, on peut seulement le lire</translation>
+    </message>
+    <message>
+        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
+        <translation>gravity doit être un vecteur en m/s², pas %1 ; écrivez gravity = vec(0, -9.81)</translation>
+    </message>
+    <message>
+        <source>gravity would be %1 m/s²; at most %2 is right</source>
+        <translation>gravity vaudrait %1 m/s² ; au plus %2 convient</translation>
+    </message>
+    <message>
+        <source>restitution must be a number from 0 to 1, not %1</source>
+        <translation>restitution doit être un nombre de 0 à 1, pas %1</translation>
+    </message>
+    <message>
+        <source>`%1` can only be read; choose another name for a variable of your own</source>
+        <translation>`%1` peut seulement être lu ; choisissez un autre nom pour une variable à vous</translation>
+    </message>
+    <message>
+        <source>`%1` is given by the lab and cannot be replaced; choose another name for a variable of your own</source>
+        <translation>`%1` est donné par le TP et ne peut pas être remplacé ; choisissez un autre nom pour une variable à vous</translation>
+    </message>
+    <message>
+        <source>`%1` must be a function, not %2</source>
+        <translation>`%1` doit être une fonction, pas %2</translation>
+    </message>
+</context>
+<context>
+    <name>Trails</name>
+    <message>
+        <source>centre of mass</source>
+        <translation>centre de masse</translation>
+    </message>
+</context>
+<context>
+    <name>UnifiedDiff</name>
+    <message>
+        <source>this is no line of a difference; “@@ -4,3 +4,2 @@” or a line after blank, minus or plus is right</source>
+        <translation>ce n&apos;est pas une ligne d&apos;une différence ; il faut « @@ -4,3 +4,2 @@ » ou une ligne après une espace, un moins ou un plus</translation>
+    </message>
+    <message>
+        <source>the lines that this changes are not there any more</source>
+        <translation>les lignes que ceci modifie ne sont plus là</translation>
+    </message>
+</context>
+<context>
+    <name>Variant</name>
+    <message>
+        <source>timestep 1/%1 s</source>
+        <translation>pas de temps 1/%1 s</translation>
+    </message>
+    <message>
+        <source>throw %1</source>
+        <translation>lancer %1</translation>
+    </message>
+    <message>
+        <source>circle %1 towards %2°</source>
+        <translation>cercle %1 vers %2°</translation>
+    </message>
+    <message>
+        <source>drop %1</source>
+        <translation>chute %1</translation>
+    </message>
+    <message>
+        <source>slow hit %1</source>
+        <translation>choc lent %1</translation>
+    </message>
+    <message>
+        <source>contact at %1°</source>
+        <translation>contact sous %1°</translation>
+    </message>
+    <message>
+        <source>parting at %1°</source>
+        <translation>séparation sous %1°</translation>
+    </message>
+</context>
+<context>
+    <name>VersionsPane</name>
+    <message>
+        <source>Written</source>
+        <translation>Écrite</translation>
+    </message>
+    <message>
+        <source>Before it was replaced</source>
+        <translation>Avant son remplacement</translation>
+    </message>
+    <message>
+        <source>By another program</source>
+        <translation>Par un autre programme</translation>
+    </message>
+    <message>
+        <source>From another window</source>
+        <translation>D&apos;une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>✓ passed</source>
+        <translation>✓ réussie</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>non réussie</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>without: %1</source>
+        <translation>sans : %1</translation>
+    </message>
+    <message>
+        <source>the same program</source>
+        <translation>le même programme</translation>
+    </message>
+</context>
+<context>
+    <name>Workspace</name>
+    <message>
+        <source>the history of your work cannot be kept: %1</source>
+        <translation>l&apos;historique de votre travail ne peut pas être conservé : %1</translation>
+    </message>
+    <message>
+        <source>there is no git repository at this address</source>
+        <translation>il n&apos;y a pas de dépôt git à cette adresse</translation>
+    </message>
+    <message>
+        <source>there is other work at this address, which yours does not go on from; give another address</source>
+        <translation>il y a un autre travail à cette adresse, que le vôtre ne prolonge pas ; donnez une autre adresse</translation>
+    </message>
+    <message>
+        <source>this is no address of a git repository</source>
+        <translation>ce n&apos;est pas l&apos;adresse d&apos;un dépôt git</translation>
+    </message>
+    <message>
+        <source>there is no address to share with yet</source>
+        <translation>il n&apos;y a pas encore d&apos;adresse avec laquelle partager</translation>
+    </message>
+    <message>
+        <source>your work could not be sent: %1</source>
+        <translation>votre travail n&apos;a pas pu être envoyé : %1</translation>
+    </message>
+    <message>
+        <source>the other side did not take your work: %1</source>
+        <translation>l&apos;autre côté n&apos;a pas accepté votre travail : %1</translation>
+    </message>
+    <message>
+        <source>your program cannot be saved here: %1</source>
+        <translation>votre programme ne peut pas être enregistré ici : %1</translation>
+    </message>
+    <message>
+        <source>another window works on this lab now; this one saves nothing more, and what was typed last here is among the versions of the step</source>
+        <translation>une autre fenêtre travaille maintenant à ce TP ; celle-ci n&apos;enregistre plus rien, et ce qui a été tapé ici en dernier est parmi les versions de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>the file cannot be moved aside</source>
+        <translation>le fichier ne peut pas être mis de côté</translation>
+    </message>
+    <message>
+        <source>your work cannot be saved here: %1</source>
+        <translation>votre travail ne peut pas être enregistré ici : %1</translation>
+    </message>
+    <message>
+        <source>this does not say whose work it is, as cradle.json of format 1 does</source>
+        <translation>ceci ne dit pas à qui est le travail, comme le fait un cradle.json au format 1</translation>
+    </message>
+    <message>
+        <source>another window works on this lab now; this one saves nothing more</source>
+        <translation>une autre fenêtre travaille maintenant à ce TP ; celle-ci n&apos;enregistre plus rien</translation>
+    </message>
+    <message>
+        <source>another program has changed this note; yours stays, and the other is kept in git as refs/cradle/notes/%1</source>
+        <translation>un autre programme a modifié cette remarque ; la vôtre reste, et l&apos;autre est gardée dans git sous refs/cradle/notes/%1</translation>
+    </message>
+    <message>
+        <source>this file is no note; it is kept as %1</source>
+        <translation>ce fichier n&apos;est pas une remarque ; il est gardé sous %1</translation>
+    </message>
+</context>
+<context>
+    <name>WorldText</name>
+    <message>
+        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
+        <translation>`%1` ne fait pas partie du Lua du TP ; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Announcer</name>
+    <message>
+        <source>Hit at %1 s: %2 and %3, impulse %4 N s</source>
+        <translation>Choc à %1 s : %2 et %3, impulsion %4 N s</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ApiPage</name>
+    <message>
+        <source>:/help/lua-api.md</source>
+        <extracomment>The file of the page in your language: docs/lua-api.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-api.fr.md</translation>
+    </message>
+    <message>
+        <source>API reference</source>
+        <translation>Référence de l&apos;API</translation>
+    </message>
+    <message>
+        <source>Search (Return: next place in the text)</source>
+        <translation>Rechercher (Entrée : occurrence suivante)</translation>
+    </message>
+    <message>
+        <source>Search the API reference</source>
+        <translation>Rechercher dans la référence de l&apos;API</translation>
+    </message>
+    <message>
+        <source>Entries of the API reference</source>
+        <translation>Entrées de la référence de l&apos;API</translation>
+    </message>
+    <message>
+        <source>Not found in the reference: %1</source>
+        <translation>Introuvable dans la référence : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorDocument</name>
+    <message>
+        <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
+        <translation>Ce TP est fourni avec Cradle et reste comme il est ; faites-en une copie pour y changer quelque chose</translation>
+    </message>
+    <message>
+        <source>New lab</source>
+        <translation>Nouveau TP</translation>
+    </message>
+    <message>
+        <source>Changes that were not saved</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>the folder is not empty; a new or an empty one is right</source>
+        <translation>le dossier n&apos;est pas vide ; il en faut un nouveau ou un vide</translation>
+    </message>
+    <message>
+        <source>Reload from the folder</source>
+        <translation>Recharger depuis le dossier</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
+    <message>
+        <source>New lab</source>
+        <translation>Nouveau TP</translation>
+    </message>
+    <message>
+        <source>Title of the lab:</source>
+        <translation>Titre du TP :</translation>
+    </message>
+    <message>
+        <source>My lab</source>
+        <translation>Mon TP</translation>
+    </message>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>Ouvrir le dossier d&apos;un TP</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ouvrir un TP en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>TP (*.cradle);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Replace with mine</source>
+        <translation>Remplacer par les miens</translation>
+    </message>
+    <message>
+        <source>Take theirs</source>
+        <translation>Prendre les leurs</translation>
+    </message>
+    <message>
+        <source>You have changes that are not saved. If you take the files of the folder instead, Undo brings yours back.</source>
+        <translation>Vous avez des changements non enregistrés. Si vous prenez les fichiers du dossier à la place, Annuler fait revenir les vôtres.</translation>
+    </message>
+    <message>
+        <source>Saved, but for fields of checks that hold no value yet: %1</source>
+        <translation>Enregistré, sauf des champs de vérifications qui n&apos;ont pas encore de valeur : %1</translation>
+    </message>
+    <message>
+        <source>A new or empty folder for the lab</source>
+        <translation>Un dossier nouveau ou vide pour le TP</translation>
+    </message>
+    <message>
+        <source>Folder:</source>
+        <translation>Dossier :</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>Tout n&apos;est pas lisible</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>Les étudiants ne trouveront pas ce qui est illisible :</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Exporter quand même</translation>
+    </message>
+    <message>
+        <source>Export the lab as one file</source>
+        <translation>Exporter le TP en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>Exporté : %1</translation>
+    </message>
+    <message>
+        <source>Insert a figure</source>
+        <translation>Insérer une figure</translation>
+    </message>
+    <message>
+        <source>The scene at %1 s</source>
+        <translation>La scène à %1 s</translation>
+    </message>
+    <message>
+        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
+        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements de %1 sont revenus ; ils ne sont pas encore enregistrés.</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>Les abandonner</translation>
+    </message>
+    <message>
+        <source>Cradle ended before a new lab was saved for the first time.</source>
+        <translation>Cradle s&apos;est terminé avant qu&apos;un nouveau TP soit enregistré pour la première fois.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>L&apos;ouvrir</translation>
+    </message>
+    <message>
+        <source>Save the lab?</source>
+        <translation>Enregistrer le TP ?</translation>
+    </message>
+    <message>
+        <source>The lab has changes that are not saved.</source>
+        <translation>Le TP a des changements non enregistrés.</translation>
+    </message>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;TP</translation>
+    </message>
+    <message>
+        <source>&amp;New lab…</source>
+        <translation>&amp;Nouveau TP…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder…</source>
+        <translation>&amp;Ouvrir un dossier…</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Ouvrir un TP en un seul &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Export as one file…</source>
+        <translation>E&amp;xporter en un seul fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>&amp;Propriétés…</translation>
+    </message>
+    <message>
+        <source>Open as a s&amp;tudent</source>
+        <translation>Ouvrir comme é&amp;tudiant</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a &amp;figure</source>
+        <translation>Insérer la scène comme &amp;figure</translation>
+    </message>
+    <message>
+        <source>Start from the moment &amp;shown</source>
+        <translation>Démarrer à l&apos;&amp;instant affiché</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Étape</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Renommer</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>Suppri&amp;mer</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Mon&amp;ter</translation>
+    </message>
+    <message>
+        <source>Move d&amp;own</source>
+        <translation>De&amp;scendre</translation>
+    </message>
+    <message>
+        <source>&amp;Proof</source>
+        <translation>&amp;Preuve</translation>
+    </message>
+    <message>
+        <source>&amp;Verify this step</source>
+        <translation>&amp;Vérifier cette étape</translation>
+    </message>
+    <message>
+        <source>Verify the &amp;lab</source>
+        <translation>Vérifier &amp;le TP</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest mistakes</source>
+        <translation>&amp;Proposer des erreurs</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Affi&amp;chage</translation>
+    </message>
+    <message>
+        <source>A scene of the proof, at the moment where it went wrong: %1</source>
+        <translation>Une scène de la preuve, à l&apos;instant où cela a échoué : %1</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>pas encore enregistré</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>lecture seule</translation>
+    </message>
+    <message>
+        <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
+        <translation>Ce TP est fourni avec Cradle et reste comme il est. Regardez-le, ou faites-en une copie et modifiez-la.</translation>
+    </message>
+    <message>
+        <source>Copy to a folder…</source>
+        <translation>Copier dans un dossier…</translation>
+    </message>
+    <message>
+        <source>Changed by another program: %1</source>
+        <translation>Modifié par un autre programme : %1</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Parts of the step</source>
+        <translation>Parties de l&apos;étape</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::BrokenFile</name>
+    <message>
+        <source>Mend %1</source>
+        <translation>Réparer %1</translation>
+    </message>
+    <message>
+        <source>Until it can be read, nothing else of this step can be edited. Mend it here; the tabs come back by themselves.</source>
+        <translation>Tant que ce fichier n&apos;est pas lisible, rien d&apos;autre de cette étape ne peut être modifié. Réparez-le ici ; les onglets reviennent d&apos;eux-mêmes.</translation>
+    </message>
+    <message>
+        <source>Text of the file that cannot be read</source>
+        <translation>Texte du fichier illisible</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChartPane</name>
+    <message>
+        <source>%1 · %2</source>
+        <comment>heading · unit</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 over time</source>
+        <translation>%1 au cours du temps</translation>
+    </message>
+    <message>
+        <source>%1 over time, %2</source>
+        <translation>%1 au cours du temps, %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Show the last %1 seconds</source>
+        <translation>Montrer les %1 dernières secondes</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <comment>the whole run</comment>
+        <translation>tout</translation>
+    </message>
+    <message>
+        <source>Show the whole run</source>
+        <translation>Montrer toute l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Zoom, pin and export</source>
+        <translation>Zoomer, épingler et exporter</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>Réin&amp;itialiser le zoom</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>É&amp;pingler cette exécution</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <comment>a kept run</comment>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kept run: curve</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChartPlot</name>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckEditor</name>
+    <message>
+        <source>An id of letters, digits, dots and dashes is right</source>
+        <translation>Il faut un id fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Points : il faut un nombre de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>What is checked</source>
+        <translation>Ce qui est vérifié</translation>
+    </message>
+    <message>
+        <source>In which scenes</source>
+        <translation>Dans quelles scènes</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Title of the check</source>
+        <translation>Titre de la vérification</translation>
+    </message>
+    <message>
+        <source>Id of the check</source>
+        <translation>Id de la vérification</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes; reports name the check by it</source>
+        <translation>Lettres, chiffres, points et traits d&apos;union ; les rapports nomment ainsi la vérification</translation>
+    </message>
+    <message>
+        <source>What passing this check is worth in reports</source>
+        <translation>Ce que vaut la réussite de cette vérification dans les rapports</translation>
+    </message>
+    <message>
+        <source>Kind of the check</source>
+        <translation>Type de la vérification</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckRow</name>
+    <message>
+        <source>Show the moment ▸</source>
+        <translation>Montrer l&apos;instant ▸</translation>
+    </message>
+    <message>
+        <source>Show the moment</source>
+        <translation>Montrer l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Passed: %1</source>
+        <translation>Réussi : %1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Échoué : %1</translation>
+    </message>
+    <message>
+        <source>Show what was observed</source>
+        <translation>Montrer ce qui a été observé</translation>
+    </message>
+    <message>
+        <source>Show what was observed: %1</source>
+        <translation>Montrer ce qui a été observé : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckScript</name>
+    <message>
+        <source>-- Returns true, or false and what is wrong.
+</source>
+        <translation>-- Renvoie true, ou false et ce qui ne va pas.
+</translation>
+    </message>
+    <message>
+        <source>Edit the program of a check</source>
+        <translation>Modifier le programme d&apos;une vérification</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>Programme de la vérification</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ChecksTab</name>
+    <message>
+        <source>Checks · %1</source>
+        <translation>Vérifications · %1</translation>
+    </message>
+    <message>
+        <source>Edit a check</source>
+        <translation>Modifier une vérification</translation>
+    </message>
+    <message>
+        <source>New check</source>
+        <translation>Nouvelle vérification</translation>
+    </message>
+    <message>
+        <source>Add a check</source>
+        <translation>Ajouter une vérification</translation>
+    </message>
+    <message>
+        <source>Duplicate a check</source>
+        <translation>Dupliquer une vérification</translation>
+    </message>
+    <message>
+        <source>Remove a check</source>
+        <translation>Supprimer une vérification</translation>
+    </message>
+    <message>
+        <source>Move a check</source>
+        <translation>Déplacer une vérification</translation>
+    </message>
+    <message>
+        <source>Checks of the step</source>
+        <translation>Vérifications de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>No check yet. Add one with the plus, then say what is right.</source>
+        <translation>Pas encore de vérification. Ajoutez-en une avec le plus, puis dites ce qui est juste.</translation>
+    </message>
+    <message>
+        <source>Duplicate the check</source>
+        <translation>Dupliquer la vérification</translation>
+    </message>
+    <message>
+        <source>Remove the check</source>
+        <translation>Supprimer la vérification</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Move the check up</source>
+        <translation>Monter la vérification</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Move the check down</source>
+        <translation>Descendre la vérification</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CircleTableModel</name>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Centre, to the right</source>
+        <translation>Centre, vers la droite</translation>
+    </message>
+    <message>
+        <source>Centre, upward</source>
+        <translation>Centre, vers le haut</translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation>Vitesse vers la droite</translation>
+    </message>
+    <message>
+        <source>Velocity upward</source>
+        <translation>Vitesse vers le haut</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Density in 1000 kg/m³; steel has 7.8</source>
+        <translation>Masse volumique en 1000 kg/m³ ; l&apos;acier a 7.8</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Masse volumique</translation>
+    </message>
+    <message>
+        <source>How position and velocity are carried over a timestep</source>
+        <translation>Comment position et vitesse sont propagées sur un pas de temps</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Intégrateur</translation>
+    </message>
+    <message>
+        <source>Mass of a ball of this radius and density</source>
+        <translation>Masse d&apos;une boule de ce rayon et de cette masse volumique</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Sympl. Euler</source>
+        <translation>Euler sympl.</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation>Euler symplectique</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Verlet vitesse</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation>Runge-Kutta 4</translation>
+    </message>
+    <message>
+        <source>Change colour of %1</source>
+        <translation>Changer la couleur : %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer : %1</translation>
+    </message>
+    <message>
+        <source>Change position of %1</source>
+        <translation>Changer la position : %1</translation>
+    </message>
+    <message>
+        <source>Change velocity of %1</source>
+        <translation>Changer la vitesse : %1</translation>
+    </message>
+    <message>
+        <source>Change radius of %1</source>
+        <translation>Changer le rayon : %1</translation>
+    </message>
+    <message>
+        <source>Change density of %1</source>
+        <translation>Changer la masse volumique : %1</translation>
+    </message>
+    <message>
+        <source>Change integrator of %1</source>
+        <translation>Changer l&apos;intégrateur : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CirclesGroup</name>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Add circle</source>
+        <translation>Ajouter un cercle</translation>
+    </message>
+    <message>
+        <source>Add a circle at a free place</source>
+        <translation>Ajouter un cercle à un endroit libre</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Add a copy of the selected circle</source>
+        <translation>Ajouter une copie du cercle sélectionné</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove the selected circle (Delete)</source>
+        <translation>Supprimer le cercle sélectionné (Suppr)</translation>
+    </message>
+    <message>
+        <source>Reset to the step&apos;s scene</source>
+        <translation>Revenir à la scène de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Bring back the scene that the step came with; Undo takes it back</source>
+        <translation>Rétablit la scène fournie avec l&apos;étape ; Annuler défait cela</translation>
+    </message>
+    <message>
+        <source>Duplicate circle</source>
+        <translation>Dupliquer le cercle</translation>
+    </message>
+    <message>
+        <source>Remove circle</source>
+        <translation>Supprimer le cercle</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CirclesLine</name>
+    <message>
+        <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
+        <translation>Cercles : il faut des nombres de 1 à 100 comme « 1, 2 »</translation>
+    </message>
+    <message>
+        <source>Circles that it looks at</source>
+        <translation>Cercles examinés</translation>
+    </message>
+    <message>
+        <source>Numbers of the circles, as “1, 2”</source>
+        <translation>Numéros des cercles, comme « 1, 2 »</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ClipboardActions</name>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cou&amp;per</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>C&amp;oller</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Tout sélectionner</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeActions</name>
+    <message>
+        <source>Run code</source>
+        <translation>Lancer le code</translation>
+    </message>
+    <message>
+        <source>Run the program as it stands now, from the start</source>
+        <translation>Exécuter le programme tel qu&apos;il est maintenant, depuis le début</translation>
+    </message>
+    <message>
+        <source>Step into line</source>
+        <translation>Exécuter une ligne</translation>
+    </message>
+    <message>
+        <source>Run one line of the program</source>
+        <translation>Exécuter une ligne du programme</translation>
+    </message>
+    <message>
+        <source>Finish step</source>
+        <translation>Finir le pas</translation>
+    </message>
+    <message>
+        <source>Run the rest of this step</source>
+        <translation>Exécuter le reste de ce pas</translation>
+    </message>
+    <message>
+        <source>Start this step afresh…</source>
+        <translation>Recommencer cette étape…</translation>
+    </message>
+    <message>
+        <source>Go back to the program that this step begins with</source>
+        <translation>Revenir au programme par lequel cette étape commence</translation>
+    </message>
+    <message>
+        <source>API reference</source>
+        <translation>Référence de l&apos;API</translation>
+    </message>
+    <message>
+        <source>What the program may use</source>
+        <translation>Ce que le programme peut utiliser</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Rechercher…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Remplacer…</translation>
+    </message>
+    <message>
+        <source>Find next</source>
+        <translation>Rechercher le suivant</translation>
+    </message>
+    <message>
+        <source>Find previous</source>
+        <translation>Rechercher le précédent</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
+        <source>Usual text size</source>
+        <translation>Taille de texte normale</translation>
+    </message>
+    <message>
+        <source>Hide the reference solution</source>
+        <translation>Masquer le corrigé</translation>
+    </message>
+    <message>
+        <source>Show the reference solution</source>
+        <translation>Montrer le corrigé</translation>
+    </message>
+    <message>
+        <source>A program that passes this step, beside yours</source>
+        <translation>Un programme qui réussit cette étape, à côté du vôtre</translation>
+    </message>
+    <message>
+        <source>After you have passed this step, or opened all its hints</source>
+        <translation>Une fois cette étape réussie, ou toutes ses aides ouvertes</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeDesk</name>
+    <message>
+        <source>in step %1, at %2 s</source>
+        <translation>au pas %1, à %2 s</translation>
+    </message>
+    <message>
+        <source>Reference of the lab&apos;s Lua</source>
+        <translation>Référence du Lua du TP</translation>
+    </message>
+    <message>
+        <source>Start this step afresh</source>
+        <translation>Recommencer cette étape</translation>
+    </message>
+    <message>
+        <source>Your program goes back to what this step started from. What you have written in this step stays among its versions. Go back?</source>
+        <translation>Votre programme revient à ce par quoi cette étape a commencé. Ce que vous avez écrit dans cette étape reste parmi ses versions. Revenir en arrière ?</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeEditor</name>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>API reference</source>
+        <translation>Référence de l&apos;API</translation>
+    </message>
+    <message>
+        <source>API reference on %1</source>
+        <translation>Référence de l&apos;API sur %1</translation>
+    </message>
+    <message>
+        <source>Error in line %1: %2</source>
+        <translation>Erreur à la ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>Line %1 made the first failing step</source>
+        <translation>La ligne %1 a fait le premier pas qui échoue</translation>
+    </message>
+    <message>
+        <source>Line %1 runs next</source>
+        <translation>La ligne %1 s&apos;exécute ensuite</translation>
+    </message>
+    <message>
+        <source>Tab indents; Ctrl+Tab, or Escape and then Tab, leaves the editor</source>
+        <translation>Tab met en retrait ; Ctrl+Tab, ou Échap puis Tab, quitte l&apos;éditeur</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodeHeader</name>
+    <message>
+        <source>Run as I type</source>
+        <translation>Exécuter en tapant</translation>
+    </message>
+    <message>
+        <source>Run every change at once, as long as the program parses</source>
+        <translation>Exécuter chaque changement aussitôt, tant que le programme est lisible</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>More for the program</source>
+        <translation>Plus pour le programme</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CodePane</name>
+    <message>
+        <source>saved</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>lecture seule</translation>
+    </message>
+    <message>
+        <source>cannot be read: the last good version runs</source>
+        <translation>illisible : la dernière bonne version tourne</translation>
+    </message>
+    <message>
+        <source>cannot be read: nothing runs</source>
+        <translation>illisible : rien ne tourne</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CompletionPopup</name>
+    <message>
+        <source>Completions</source>
+        <translation>Propositions</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleDelegate</name>
+    <message>
+        <source>load</source>
+        <comment>printed while loading</comment>
+        <translation>début</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleModel</name>
+    <message>
+        <source>step %1: %2</source>
+        <translation>pas %1 : %2</translation>
+    </message>
+    <message>
+        <source>Printed in step %1</source>
+        <translation>Affiché au pas %1</translation>
+    </message>
+    <message>
+        <source>Printed while the program was loaded</source>
+        <translation>Affiché pendant le chargement du programme</translation>
+    </message>
+    <message>
+        <source>Printed in step %1, at %2 s; a double click shows it</source>
+        <translation>Affiché au pas %1, à %2 s ; un double-clic le montre</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ConsoleView</name>
+    <message>
+        <source>Console</source>
+        <translation>Console</translation>
+    </message>
+    <message>
+        <source>print(…) in your program writes here</source>
+        <translation>print(…) dans votre programme écrit ici</translation>
+    </message>
+    <message>
+        <source>Lines that the program has printed</source>
+        <translation>Lignes affichées par le programme</translation>
+    </message>
+    <message>
+        <source>Show the moment</source>
+        <translation>Montrer l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Tout copier</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::DifferenceDialog</name>
+    <message>
+        <source>(not in mine)</source>
+        <translation>(pas dans le mien)</translation>
+    </message>
+    <message>
+        <source>(not in theirs)</source>
+        <translation>(pas dans le leur)</translation>
+    </message>
+    <message>
+        <source>no text</source>
+        <translation>pas de texte</translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation>Modifié par un autre programme</translation>
+    </message>
+    <message>
+        <source>From mine (−) to theirs (+):</source>
+        <translation>Du mien (−) au leur (+) :</translation>
+    </message>
+    <message>
+        <source>Difference of the two versions</source>
+        <translation>Différence des deux versions</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::EnergyChart</name>
+    <message>
+        <source>By the pro&amp;gram</source>
+        <translation>Par le pro&amp;gramme</translation>
+    </message>
+    <message>
+        <source>Energy made by the program besides the hits, or lost if negative: total + dissipated in hits − total at the start.</source>
+        <translation>Énergie créée par le programme hors des chocs, ou perdue si négative : totale + dissipée par les chocs − totale au départ.</translation>
+    </message>
+    <message>
+        <source>By the &amp;integrator</source>
+        <translation>Par l&apos;&amp;intégrateur</translation>
+    </message>
+    <message>
+        <source>Energy made by the integrator, or lost if negative: total + dissipated in hits − total at the start. So start = total + dissipated − made by the integrator.</source>
+        <translation>Énergie créée par l&apos;intégrateur, ou perdue si négative : totale + dissipée par les chocs − totale au départ. Donc départ = totale + dissipée − créée par l&apos;intégrateur.</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>Press Run to see the energy</source>
+        <translation>Appuyez sur Lancer pour voir l&apos;énergie</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Choose the curves</source>
+        <translation>Choisir les courbes</translation>
+    </message>
+    <message>
+        <source>&amp;Total</source>
+        <translation>&amp;Totale</translation>
+    </message>
+    <message>
+        <source>Total of e&amp;ach</source>
+        <translation>Totale de c&amp;hacun</translation>
+    </message>
+    <message>
+        <source>Kinetic, &amp;each circle</source>
+        <translation>Cinétique, &amp;chaque cercle</translation>
+    </message>
+    <message>
+        <source>&amp;Kinetic, all circles</source>
+        <translation>Ciné&amp;tique, tous les cercles</translation>
+    </message>
+    <message>
+        <source>&amp;Potential</source>
+        <translation>&amp;Potentielle</translation>
+    </message>
+    <message>
+        <source>&amp;Dissipated in hits</source>
+        <translation>&amp;Dissipée par les chocs</translation>
+    </message>
+    <message>
+        <source>Energy that circles lose in steps with a hit, and while they rest on something; negative if hits made energy, as going back to a higher place does</source>
+        <translation>Énergie que les cercles perdent dans les pas avec un choc, et pendant qu&apos;ils reposent sur quelque chose ; négative si des chocs ont créé de l&apos;énergie, comme le fait le retour à un endroit plus haut</translation>
+    </message>
+    <message>
+        <source>More than the e&amp;xact motion</source>
+        <translation>De plus que le mouvement e&amp;xact</translation>
+    </message>
+    <message>
+        <source>Total energy of the run minus that of the exact motion beside it: the error of integrator and timestep</source>
+        <translation>Énergie totale de l&apos;exécution moins celle du mouvement exact à côté : l&apos;erreur de l&apos;intégrateur et du pas de temps</translation>
+    </message>
+    <message>
+        <source>&amp;Stacked areas</source>
+        <translation>Aires &amp;empilées</translation>
+    </message>
+    <message>
+        <source>Kinetic, potential and dissipated energy on top of each other</source>
+        <translation>Énergies cinétique, potentielle et dissipée l&apos;une sur l&apos;autre</translation>
+    </message>
+    <message>
+        <source>more than exact</source>
+        <translation>de plus que l&apos;exact</translation>
+    </message>
+    <message>
+        <source>kinetic %1</source>
+        <comment>unit</comment>
+        <translation>cinétique %1</translation>
+    </message>
+    <message>
+        <source>kinetic %1</source>
+        <translation>cinétique %1</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>cinétique</translation>
+    </message>
+    <message>
+        <source>+ potential</source>
+        <translation>+ potentielle</translation>
+    </message>
+    <message>
+        <source>+ dissipated</source>
+        <translation>+ dissipée</translation>
+    </message>
+    <message>
+        <source>potential</source>
+        <translation>potentielle</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>totale</translation>
+    </message>
+    <message>
+        <source>total %1</source>
+        <translation>totale %1</translation>
+    </message>
+    <message>
+        <source>taken by hits</source>
+        <translation>prise par les chocs</translation>
+    </message>
+    <message>
+        <source>dissipated</source>
+        <translation>dissipée</translation>
+    </message>
+    <message>
+        <source>by the program</source>
+        <translation>par le programme</translation>
+    </message>
+    <message>
+        <source>by the integrator</source>
+        <translation>par l&apos;intégrateur</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ErrorLine</name>
+    <message>
+        <source>line %1, step %2: %3</source>
+        <translation>ligne %1, pas %2 : %3</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>pas %1 : %2</translation>
+    </message>
+    <message>
+        <source>The program stopped: %1</source>
+        <translation>Le programme s&apos;est arrêté : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Whole words only</source>
+        <translation>Mots entiers seulement</translation>
+    </message>
+    <message>
+        <source>Previous match</source>
+        <translation>Occurrence précédente</translation>
+    </message>
+    <message>
+        <source>Shift+F3</source>
+        <translation>Maj+F3</translation>
+    </message>
+    <message>
+        <source>Next match</source>
+        <translation>Occurrence suivante</translation>
+    </message>
+    <message>
+        <source>F3</source>
+        <translation>F3</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>Tout remplacer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n remplacement</numerusform>
+            <numerusform>%n remplacements</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no match</source>
+        <translation>aucune occurrence</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n match(es)</source>
+        <translation>
+            <numerusform>%n occurrence</numerusform>
+            <numerusform>%n occurrences</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindingCard</name>
+    <message>
+        <source>Show what was measured</source>
+        <translation>Montrer ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>Show what was measured: %1</source>
+        <translation>Montrer ce qui a été mesuré : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindingsList</name>
+    <message>
+        <source>All files can be read</source>
+        <translation>Tous les fichiers sont lisibles</translation>
+    </message>
+    <message>
+        <source>Findings · %1</source>
+        <translation>Constats · %1</translation>
+    </message>
+    <message>
+        <source>Findings in the lab&apos;s files</source>
+        <translation>Constats dans les fichiers du TP</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FormulaRenderer</name>
+    <message>
+        <source>Cradle was built without MathJax, so formulas show as text.</source>
+        <translation>Cradle a été construit sans MathJax, les formules s&apos;affichent donc en texte.</translation>
+    </message>
+    <message>
+        <source>MathJax does not run: %1</source>
+        <translation>MathJax ne marche pas : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::GradeDialog</name>
+    <message>
+        <source>Grade a class: %1</source>
+        <translation>Noter une classe : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Handed in:</source>
+        <translation>Re&amp;ndus :</translation>
+    </message>
+    <message>
+        <source>A folder with a folder, or a .cradle-work file, for each student; or a download of Moodle, Canvas, Blackboard or GitHub Classroom. Nothing in it is changed.</source>
+        <translation>Un dossier avec, pour chaque étudiant, un dossier ou un fichier .cradle-work ; ou un téléchargement de Moodle, Canvas, Blackboard ou GitHub Classroom. Rien n&apos;y est modifié.</translation>
+    </message>
+    <message>
+        <source>Choose what was handed in</source>
+        <translation>Choisir ce qui a été rendu</translation>
+    </message>
+    <message>
+        <source>&amp;Results:</source>
+        <translation>&amp;Résultats :</translation>
+    </message>
+    <message>
+        <source>A folder for the results: an empty one, or one with the results of the same class, which then go on where they were.</source>
+        <translation>Un dossier pour les résultats : un dossier vide, ou un dossier avec les résultats de la même classe, qui reprennent alors où ils en étaient.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the results</source>
+        <translation>Choisir un dossier pour les résultats</translation>
+    </message>
+    <message>
+        <source>R&amp;oster:</source>
+        <translation>&amp;Liste :</translation>
+    </message>
+    <message>
+        <source>A table (CSV) of who is in the class: id, folder, name, number, email, late days. It may be left out.</source>
+        <translation>Un tableau (CSV) de qui est dans la classe : id, folder, name, number, email, late days. Facultatif.</translation>
+    </message>
+    <message>
+        <source>Choose a roster</source>
+        <translation>Choisir une liste de classe</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source> % a day</source>
+        <translation> % par jour</translation>
+    </message>
+    <message>
+        <source>What each day late that has begun takes of the points</source>
+        <translation>Ce que chaque jour de retard commencé retire aux points</translation>
+    </message>
+    <message>
+        <source>&amp;Late:</source>
+        <translation>Re&amp;tard :</translation>
+    </message>
+    <message>
+        <source>How the grading goes</source>
+        <translation>Où en est la notation</translation>
+    </message>
+    <message>
+        <source>Students done</source>
+        <translation>Étudiants traités</translation>
+    </message>
+    <message>
+        <source>&amp;Grade</source>
+        <translation>N&amp;oter</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>O&amp;pen the results</source>
+        <translation>Ou&amp;vrir les résultats</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Choisir : %1</translation>
+    </message>
+    <message>
+        <source>What was handed in is read…</source>
+        <translation>Lecture de ce qui a été rendu…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 students: %3 steps pass, %4 do not, %5 could not be graded.</source>
+        <translation>%1 étudiants sur %2 : %3 étapes réussies, %4 non, %5 n&apos;ont pas pu être notées.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the students as they were before.</source>
+        <translation>
+            <numerusform>%n étudiant inchangé.</numerusform>
+            <numerusform>%n étudiants inchangés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped. What is judged stays; grading again goes on from here.</source>
+        <translation>Arrêté. Ce qui est évalué reste ; une nouvelle notation reprend ici.</translation>
+    </message>
+    <message>
+        <source>No program opened the page. It is %1</source>
+        <translation>Aucun programme n&apos;a ouvert la page. C&apos;est %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::GradeRun</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être lancé : %2</translation>
+    </message>
+    <message>
+        <source>cradle-cli broke down</source>
+        <translation>cradle-cli est tombé en panne</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::HandInDialog</name>
+    <message>
+        <source>Hand in %1</source>
+        <translation>Rendre %1</translation>
+    </message>
+    <message>
+        <source>The values of this lab were drawn by this number</source>
+        <translation>Les valeurs de ce TP ont été tirées de ce numéro</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>What is handed in</source>
+        <translation>Ce qui est rendu</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Steps that are handed in</source>
+        <translation>Étapes qui sont rendues</translation>
+    </message>
+    <message>
+        <source>Note to the teacher</source>
+        <translation>Mot pour l&apos;enseignant</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Nom :</translation>
+    </message>
+    <message>
+        <source>N&amp;umber:</source>
+        <translation>N&amp;uméro :</translation>
+    </message>
+    <message>
+        <source>Note to the &amp;teacher:</source>
+        <translation>Mot pour l&apos;ensei&amp;gnant :</translation>
+    </message>
+    <message>
+        <source>&amp;Save the file…</source>
+        <translation>&amp;Enregistrer le fichier…</translation>
+    </message>
+    <message>
+        <source>Every step is judged once more…</source>
+        <translation>Chaque étape est évaluée encore une fois…</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>un programme</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>une scène</translation>
+    </message>
+    <message>
+        <source>passes ✓</source>
+        <translation>réussie ✓</translation>
+    </message>
+    <message>
+        <source>does not pass</source>
+        <translation>non réussie</translation>
+    </message>
+    <message>
+        <source>stops with an error</source>
+        <translation>s&apos;arrête sur une erreur</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>pas faite</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps pass. All of them are handed in as they are.</source>
+        <translation>%1 étapes sur %2 réussies. Toutes sont rendues telles qu&apos;elles sont.</translation>
+    </message>
+    <message>
+        <source>Save what is handed in</source>
+        <translation>Enregistrer ce qui est rendu</translation>
+    </message>
+    <message>
+        <source>Work to hand in (*.cradle-work)</source>
+        <translation>Travail à rendre (*.cradle-work)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::HintsList</name>
+    <message>
+        <source>A new hint</source>
+        <translation>Une nouvelle aide</translation>
+    </message>
+    <message>
+        <source>Hints, in the order of opening</source>
+        <translation>Aides, dans l&apos;ordre d&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>Ajouter une aide</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>Supprimer l&apos;aide</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Move the hint up</source>
+        <translation>Monter l&apos;aide</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Move the hint down</source>
+        <translation>Descendre l&apos;aide</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::HitsModel</name>
+    <message>
+        <source>left wall</source>
+        <translation>paroi gauche</translation>
+    </message>
+    <message>
+        <source>right wall</source>
+        <translation>paroi droite</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>sol</translation>
+    </message>
+    <message>
+        <source>ceiling</source>
+        <translation>plafond</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>circle, wall</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>circle, circle</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s: momentum before %3, after %4, change %5 kg m/s.</source>
+        <translation>Choc %1 à %2 s : quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
+    </message>
+    <message>
+        <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5 kg m/s.</source>
+        <translation>Choc %1 à %2 s, cercle %6 (%7) : quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
+    </message>
+    <message>
+        <source>Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.</source>
+        <translation>Choc %1 : cercle %2 (%3), en contact de %4 s à %5 s.</translation>
+    </message>
+    <message>
+        <source>Hit %1: circles %2 and %3, in contact from %4 s to %5 s.</source>
+        <translation>Choc %1 : cercles %2 et %3, en contact de %4 s à %5 s.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>N s</source>
+        <translation>N s</translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation>kg m/s</translation>
+    </message>
+    <message>
+        <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
+        <translation>Quantité de mouvement (p_x, p_y) des cercles du choc ; p_x seul quand il n&apos;y a pas de p_y</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>who</source>
+        <translation>qui</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impulsion</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>changement</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Inspector</name>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>These values are the start of the run.</source>
+        <translation>Ces valeurs sont le départ de l&apos;exécution.</translation>
+    </message>
+    <message>
+        <source>Not possible: %1.</source>
+        <translation>Impossible : %1.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; 0.5, 1e-3 or 1/240 would be right.</source>
+        <translation>« %1 » n&apos;est pas un nombre ; 0.5, 1e-3 ou 1/240 conviendraient.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::InstructionsPane</name>
+    <message>
+        <source>Hint %1</source>
+        <translation>Aide %1</translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2 ▸</source>
+        <translation>Aide %1 sur %2 ▸</translation>
+    </message>
+    <message>
+        <source>Show hint %1 of %2</source>
+        <translation>Montrer l&apos;aide %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Instructions</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Aides</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LabDialog</name>
+    <message>
+        <source>A copy of the lab</source>
+        <translation>Une copie du TP</translation>
+    </message>
+    <message>
+        <source>Properties of the lab</source>
+        <translation>Propriétés du TP</translation>
+    </message>
+    <message>
+        <source>The copy is a lab of its own, so it has an id of its own: who has passed a step of the original has not passed that of the copy.</source>
+        <translation>La copie est un TP à part, elle a donc un id à elle : qui a réussi une étape de l&apos;original n&apos;a pas réussi celle de la copie.</translation>
+    </message>
+    <message>
+        <source>The progress of students is kept by the id. A corrected lab keeps its id and gets a higher version; a new lab gets a new id.</source>
+        <translation>La progression des étudiants est conservée par l&apos;id. Un TP corrigé garde son id et reçoit une version plus élevée ; un nouveau TP reçoit un nouvel id.</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <translation>Titre, %1</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes</source>
+        <translation>Lettres, chiffres, points et traits d&apos;union</translation>
+    </message>
+    <message>
+        <source>The language of task.json and instructions.md; texts in others have files of their own</source>
+        <translation>La langue de task.json et instructions.md ; les textes dans d&apos;autres langues ont leurs propres fichiers</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Written in</source>
+        <translation>Écrit en</translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (copie)</translation>
+    </message>
+    <message>
+        <source>A title of 1 to 200 characters is right</source>
+        <translation>Il faut un titre de 1 à 200 caractères</translation>
+    </message>
+    <message>
+        <source>Another id than that of the original is right</source>
+        <translation>Il faut un autre id que celui de l&apos;original</translation>
+    </message>
+    <message>
+        <source>Edit the properties of the lab</source>
+        <translation>Modifier les propriétés du TP</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LabDrop</name>
+    <message>
+        <source>no version</source>
+        <translation>sans version</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>version %1</translation>
+    </message>
+    <message>
+        <source>Another version</source>
+        <translation>Une autre version</translation>
+    </message>
+    <message>
+        <source>“%1” is there already with %2. The file has %3.</source>
+        <translation>« %1 » est déjà là, %2. Dans le fichier : %3.</translation>
+    </message>
+    <message>
+        <source>Both have one id, so what was passed in one counts as passed in the other.</source>
+        <translation>Les deux ont le même id ; ce qui a été réussi dans l&apos;un compte donc comme réussi dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Le remplacer</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Garder les deux</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LanguageBox</name>
+    <message>
+        <source>Texts in %1</source>
+        <translation>Textes en %1</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Langue des textes</translation>
+    </message>
+    <message>
+        <source>What is typed in any of the tabs, and the titles of steps, are in this language</source>
+        <translation>Ce qui est tapé dans n&apos;importe quel onglet, ainsi que les titres des étapes, est dans cette langue</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LawsGroup</name>
+    <message>
+        <source>Change law for walls</source>
+        <translation>Changer la loi des parois</translation>
+    </message>
+    <message>
+        <source>Change law for circles</source>
+        <translation>Changer la loi des cercles</translation>
+    </message>
+    <message>
+        <source>Change timing</source>
+        <translation>Changer le traitement du temps</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Lois</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Parois</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Law: %1</source>
+        <translation>Loi : %1</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for walls</comment>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Circles leave the square unhindered.</source>
+        <translation>Les cercles quittent le carré sans obstacle.</translation>
+    </message>
+    <message>
+        <source>Reflect</source>
+        <translation>Renvoi</translation>
+    </message>
+    <message>
+        <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
+        <translation>Une paroi inverse la composante de la vitesse qui pointe vers elle, et la multiplie par e.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for circles</comment>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Circles pass through each other.</source>
+        <translation>Les cercles se traversent.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Circles that meet both stop.</source>
+        <translation>Les cercles qui se rencontrent s&apos;arrêtent tous deux.</translation>
+    </message>
+    <message>
+        <source>Swap velocities</source>
+        <translation>Échange des vitesses</translation>
+    </message>
+    <message>
+        <source>Circles that meet exchange their whole velocities.</source>
+        <translation>Les cercles qui se rencontrent échangent leurs vitesses entières.</translation>
+    </message>
+    <message>
+        <source>Swap normal parts</source>
+        <translation>Échange normal</translation>
+    </message>
+    <message>
+        <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
+        <translation>Seules les composantes des vitesses suivant la ligne des centres sont échangées ; les composantes perpendiculaires restent.</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>Impulsion</translation>
+    </message>
+    <message>
+        <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
+        <translation>Une impulsion suivant la ligne des centres conserve la quantité de mouvement, avec les masses et la restitution e.</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Discret</translation>
+    </message>
+    <message>
+        <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
+        <translation>Après chaque pas, on cherche les chevauchements ; lors d&apos;un choc, les cercles retournent à leurs anciennes positions et réagissent.</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continu</translation>
+    </message>
+    <message>
+        <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
+        <translation>L&apos;instant d&apos;un choc à l&apos;intérieur du pas est trouvé, et le reste du pas se fait après lui.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>The motion is solved from hit to hit; the timestep only says when to look.</source>
+        <translation>Le mouvement est résolu de choc en choc ; le pas de temps dit seulement quand regarder.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::LocalsTable</name>
+    <message>
+        <source>Local variables</source>
+        <translation>Variables locales</translation>
+    </message>
+    <message>
+        <source>None at this line</source>
+        <translation>Aucune à cette ligne</translation>
+    </message>
+    <message>
+        <source>Local variables at the line that runs next</source>
+        <translation>Variables locales à la ligne qui s&apos;exécute ensuite</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MainWindow</name>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>lab.lua</source>
+        <translation>lab.lua</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>Ouvrir le dossier d&apos;un TP</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ouvrir un TP en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>TP et travaux (*.cradle *.cradle-work);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Ouvrir une scène</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Scènes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Enregistrer la scène</translation>
+    </message>
+    <message>
+        <source>About Cradle</source>
+        <translation>À propos de Cradle</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Apprendre comment marche un moteur physique en en écrivant un.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, Lua, QScintilla, MathJax et valijson.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
+        <translation>Un autre programme a modifié votre programme. Son texte est affiché maintenant ; le vôtre est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
+        <translation>Un autre programme a modifié votre programme pendant que vous tapiez. Le vôtre reste ; l&apos;autre est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
+        <translation>Un autre programme a fait de %1 un fichier qui n&apos;est pas un programme. Il est gardé sous %2 ; ce qu&apos;on peut en lire est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Votre numéro</translation>
+    </message>
+    <message>
+        <source>This lab draws its values for each student by the number that you hand in with.
+Your number:</source>
+        <translation>Ce TP tire ses valeurs pour chaque étudiant selon le numéro avec lequel vous rendez.
+Votre numéro :</translation>
+    </message>
+    <message>
+        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
+        <translation>Les valeurs de ce TP ne sont celles de personne tant que vous ne donnez pas votre numéro : pour cela, rouvrez le TP.</translation>
+    </message>
+    <message>
+        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
+        <translation>Travail rendu par %1. Lancez-le, vérifiez-le, lisez ses versions et ses remarques : rien n&apos;y est modifié, et rien de ce qu&apos;il dit de lui-même n&apos;est cru.</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>quelqu&apos;un</translation>
+    </message>
+    <message>
+        <source>They write: “%1”</source>
+        <translation>Le message joint : « %1 »</translation>
+    </message>
+    <message>
+        <source>Make a program of it</source>
+        <translation>En faire un programme</translation>
+    </message>
+    <message>
+        <source>Back to the newest version</source>
+        <translation>Revenir à la version la plus récente</translation>
+    </message>
+    <message>
+        <source>Begin this step anew</source>
+        <translation>Recommencer cette étape à neuf</translation>
+    </message>
+    <message>
+        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
+        <translation>Le fichier de votre programme n&apos;est pas un programme, et est laissé tel quel. %1 Quoi que vous choisissiez, le fichier est gardé à côté.</translation>
+    </message>
+    <message>
+        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
+        <translation>Cette étape prolonge la précédente, que vous n&apos;avez pas faite. Vous commencez avec votre propre programme.</translation>
+    </message>
+    <message>
+        <source>Begin with the solution of “%1”</source>
+        <translation>Commencer avec le corrigé de « %1 »</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
+        <translation>Lisez l&apos;étape à gauche, écrivez votre programme au milieu, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
+        <translation>Lisez l&apos;étape à gauche, réglez les valeurs à côté de la scène, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Faire la visite</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Compris</translation>
+    </message>
+    <message>
+        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
+        <translation>Une autre fenêtre travaille à ce TP (processus %1 sur %2, depuis %3). Dans celle-ci vous pouvez regarder, mais rien n&apos;est enregistré.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Prendre la main</translation>
+    </message>
+    <message>
+        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
+        <translation>Ce que vous réussissez est conservé dans votre historique, signé « Student ». Il peut être signé de votre nom.</translation>
+    </message>
+    <message>
+        <source>Give your name…</source>
+        <translation>Donner votre nom…</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Votre nom</translation>
+    </message>
+    <message>
+        <source>Your name:</source>
+        <translation>Votre nom :</translation>
+    </message>
+    <message>
+        <source>Nothing of this work is kept on a disk.</source>
+        <translation>Rien de ce travail n&apos;est conservé sur un disque.</translation>
+    </message>
+    <message>
+        <source>Open a step of a lab first.</source>
+        <translation>Ouvrez d&apos;abord une étape d&apos;un TP.</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>Votre programme n&apos;est pas enregistré</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>Ce que vous avez tapé depuis le dernier enregistrement est perdu si vous fermez la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Select several circles</source>
+        <translation>Sélectionner plusieurs cercles</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
+        <translation>Ctrl+clic, Maj+glisser, Maj+flèches</translation>
+    </message>
+    <message>
+        <source>Move what is selected</source>
+        <translation>Déplacer la sélection</translation>
+    </message>
+    <message>
+        <source>drag; Ctrl+arrows, finer with Shift</source>
+        <translation>glisser ; Ctrl+flèches, plus fin avec Maj</translation>
+    </message>
+    <message>
+        <source>Drag free of the grid</source>
+        <translation>Glisser hors de la grille</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>Revenir sur un glissement</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Déplacer la vue</translation>
+    </message>
+    <message>
+        <source>drag on empty space, or the middle button</source>
+        <translation>glisser sur une zone vide, ou bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Zoomer au pointeur</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>A step back or on</source>
+        <translation>Un pas en arrière ou en avant</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>The hit before or after</source>
+        <translation>Le choc précédent ou suivant</translation>
+    </message>
+    <message>
+        <source>PgUp, PgDown</source>
+        <translation>Page préc., Page suiv.</translation>
+    </message>
+    <message>
+        <source>Start and end of the run</source>
+        <translation>Début et fin de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Début, Fin</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart</source>
+        <translation>De courbe en courbe d&apos;un graphique</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Haut, Bas</translation>
+    </message>
+    <message>
+        <source>Along the dots of the steps, and open</source>
+        <translation>Le long des points des étapes, et ouvrir</translation>
+    </message>
+    <message>
+        <source>Left, Right, Return</source>
+        <translation>Gauche, Droite, Entrée</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>On the timeline and the steps</source>
+        <translation>Sur la ligne de temps et les étapes</translation>
+    </message>
+    <message>
+        <source>In the program</source>
+        <translation>Dans le programme</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>Dans la scène</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n exécution est épinglée ; retirez-la d&apos;abord.</numerusform>
+            <numerusform>%n exécutions sont épinglées ; retirez-en d&apos;abord une.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no run yet: press Run, then pin it.</source>
+        <translation>Il n&apos;y a pas encore d&apos;exécution : appuyez sur Lancer, puis épinglez-la.</translation>
+    </message>
+    <message>
+        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
+        <translation>Votre programme fixe des valeurs de cercles à son chargement : la nouvelle exécution démarre avec celles-là.</translation>
+    </message>
+    <message>
+        <source>Save the data of the run</source>
+        <translation>Enregistrer les données de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>L&apos;étape</translation>
+    </message>
+    <message>
+        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
+        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP ; des aides attendent sous le texte.</translation>
+    </message>
+    <message>
+        <source>Your program</source>
+        <translation>Votre programme</translation>
+    </message>
+    <message>
+        <source>The scene in numbers</source>
+        <translation>La scène en chiffres</translation>
+    </message>
+    <message>
+        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
+        <translation>Vous gardez un seul programme à travers toutes les étapes. Il est enregistré et tourne pendant que vous tapez ; F1 explique le mot sous le curseur.</translation>
+    </message>
+    <message>
+        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
+        <translation>Monde, lois et cercles : ce que vous changez ici ou en glissant dans la scène relance l&apos;exécution depuis le début.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La scène</translation>
+    </message>
+    <message>
+        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
+        <translation>Ce que font vos cercles. Lors d&apos;un choc, des flèches montrent les composantes des vitesses le long de la normale et en travers.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
+        <translation>Quantité de mouvement et énergie de la même exécution. Pointez une courbe pour ses nombres ; chaque choc est marqué.</translation>
+    </message>
+    <message>
+        <source>Any moment again</source>
+        <translation>N&apos;importe quel instant, de nouveau</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
+        <translation>Glissez jusqu&apos;à n&apos;importe quel instant de l&apos;exécution, ou appuyez sur Choc suivant. Espace lance et met en pause.</translation>
+    </message>
+    <message>
+        <source>Run and check</source>
+        <translation>Lancer et vérifier</translation>
+    </message>
+    <message>
+        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
+        <translation>Lancez pour observer ; vérifiez quand vous avez fini : vous saurez ce qui est juste, ce qui ne l&apos;est pas, et pourquoi.</translation>
+    </message>
+    <message>
+        <source>:/help/lua-for-csharp.md</source>
+        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-for-csharp.fr.md</translation>
+    </message>
+    <message>
+        <source>Lua for C# people</source>
+        <translation>Lua pour qui connaît C#</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Nothing hits anything within the next minute.</source>
+        <translation>Rien ne heurte rien dans la minute qui vient.</translation>
+    </message>
+    <message>
+        <source># %1
+
+This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
+        <translation># %1
+
+Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une étape ci-dessus pour revenir au TP.</translation>
+    </message>
+    <message>
+        <source>A scene of your own</source>
+        <translation>Une scène à vous</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>Explorer</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>corrigé</translation>
+    </message>
+    <message>
+        <source>so far in this step</source>
+        <translation>jusqu&apos;ici dans cette étape</translation>
+    </message>
+    <message>
+        <source>Check passed.</source>
+        <translation>Vérification réussie.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Pas encore : %1</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check, at the moment where it went wrong.</source>
+        <translation>C&apos;est une scène de la vérification, à l&apos;instant où cela a échoué.</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check.</source>
+        <translation>C&apos;est une scène de la vérification.</translation>
+    </message>
+    <message>
+        <source>Back to my scene</source>
+        <translation>Revenir à ma scène</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MarkdownView</name>
+    <message>
+        <source>(a picture)</source>
+        <translation>(une image)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::MomentumChart</name>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation>kg m/s</translation>
+    </message>
+    <message>
+        <source>Press Run to see the momentum</source>
+        <translation>Appuyez sur Lancer pour voir la quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation>Quantité de mouvement vers la droite</translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation>Quantité de mouvement vers le haut</translation>
+    </message>
+    <message>
+        <source>Size of the momentum</source>
+        <translation>Norme de la quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Part of the momentum</source>
+        <translation>Composante de la quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>sum %1</source>
+        <translation>somme %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::NotesPane</name>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>What you noted about this step: it becomes part of your report. Markdown, and formulas as $v = a t$.</source>
+        <translation>Ce que vous avez noté sur cette étape : cela entre dans votre rapport. Markdown, et formules comme $v = a t$.</translation>
+    </message>
+    <message>
+        <source>Notes about this step</source>
+        <translation>Remarques sur cette étape</translation>
+    </message>
+    <message>
+        <source>The notes, set</source>
+        <translation>Les remarques, mises en page</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Avis</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Compris</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ParameterForm</name>
+    <message>
+        <source>left out</source>
+        <translation>omis</translation>
+    </message>
+    <message>
+        <source>%1 (usual)</source>
+        <translation>%1 (habituel)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PhaseChart</name>
+    <message>
+        <source>Vertical axis: %1</source>
+        <translation>Axe vertical : %1</translation>
+    </message>
+    <message>
+        <source>Horizontal axis: %1</source>
+        <translation>Axe horizontal : %1</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 en fonction de : %2</translation>
+    </message>
+    <message>
+        <source>Press Run to see one quantity against another</source>
+        <translation>Appuyez sur Lancer pour voir une grandeur en fonction d&apos;une autre</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw: choose other quantities</source>
+        <translation>Il n&apos;y a rien à tracer : choisissez d&apos;autres grandeurs</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>quantity, unit</comment>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>selon</translation>
+    </message>
+    <message>
+        <source>Zoom and export</source>
+        <translation>Zoomer et exporter</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>quantity, unit</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Circle %1</source>
+        <translation>Cercle %1</translation>
+    </message>
+    <message>
+        <source>All together</source>
+        <translation>Tous ensemble</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>Réin&amp;itialiser le zoom</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PictureObjects</name>
+    <message>
+        <source>pictures from elsewhere are not loaded</source>
+        <translation>les images venues d&apos;ailleurs ne sont pas chargées</translation>
+    </message>
+    <message>
+        <source>the picture must be in the folder of the instructions</source>
+        <translation>l&apos;image doit être dans le dossier des instructions</translation>
+    </message>
+    <message>
+        <source>there is no picture %1</source>
+        <translation>il n&apos;y a pas d&apos;image %1</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read</source>
+        <translation>l&apos;image est illisible</translation>
+    </message>
+    <message>
+        <source>the picture refers to another file</source>
+        <translation>l&apos;image renvoie à un autre fichier</translation>
+    </message>
+    <message>
+        <source>the picture is too large; at most %1 × %1 pixels are right</source>
+        <translation>l&apos;image est trop grande ; au plus %1 × %1 pixels conviennent</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PinnedRuns</name>
+    <message>
+        <source>pinned %1</source>
+        <comment>a run</comment>
+        <translation>épinglée %1</translation>
+    </message>
+    <message>
+        <source>%1: how it went on after %2 s</source>
+        <comment>kept run, moment</comment>
+        <translation>%1 : comment cela continuait après %2 s</translation>
+    </message>
+    <message>
+        <source>%1: the same scene and program</source>
+        <translation>%1 : même scène et même programme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n autre</numerusform>
+            <numerusform>%1 et %n autres</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PlotsChart</name>
+    <message>
+        <source>Plots</source>
+        <translation>Tracés</translation>
+    </message>
+    <message>
+        <source>plot(name, number) in your program adds a curve here</source>
+        <translation>plot(name, number) dans votre programme ajoute ici une courbe</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PredictionCard</name>
+    <message>
+        <source>Not sure</source>
+        <translation>Pas sûr</translation>
+    </message>
+    <message>
+        <source>The scene has run already. What did you expect?</source>
+        <translation>La scène a déjà tourné. À quoi vous attendiez-vous ?</translation>
+    </message>
+    <message>
+        <source>Choose before you run the scene. The check does not count it.</source>
+        <translation>Choisissez avant de lancer la scène. La vérification n&apos;en tient pas compte.</translation>
+    </message>
+    <message>
+        <source>Kept. Did it come so?</source>
+        <translation>Noté. Est-ce arrivé ainsi ?</translation>
+    </message>
+    <message>
+        <source>Kept. Now run the scene and watch.</source>
+        <translation>Noté. Maintenant, lancez la scène et observez.</translation>
+    </message>
+    <message>
+        <source>You were not sure.</source>
+        <translation>Vous n&apos;étiez pas sûr.</translation>
+    </message>
+    <message>
+        <source>You predicted: %1</source>
+        <translation>Vous avez prédit : %1</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Prédire</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Prédiction</translation>
+    </message>
+    <message>
+        <source>What happens: %1.</source>
+        <translation>Ce qui se passe : %1.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Ce qui se passe</translation>
+    </message>
+    <message>
+        <source>Show what happens ▸</source>
+        <translation>Montrer ce qui se passe ▸</translation>
+    </message>
+    <message>
+        <source>Show what happens</source>
+        <translation>Montrer ce qui se passe</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PredictionEditor</name>
+    <message>
+        <source>What will happen?</source>
+        <translation>Que va-t-il se passer ?</translation>
+    </message>
+    <message>
+        <source>The first answer</source>
+        <translation>La première réponse</translation>
+    </message>
+    <message>
+        <source>The second answer</source>
+        <translation>La deuxième réponse</translation>
+    </message>
+    <message>
+        <source>What happens, and why.</source>
+        <translation>Ce qui se passe, et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Une autre réponse</translation>
+    </message>
+    <message>
+        <source>A question of 1 to %1 characters is right</source>
+        <translation>Il faut une question de 1 à %1 caractères</translation>
+    </message>
+    <message>
+        <source>A text of 1 to %1 characters on what happens is right</source>
+        <translation>Il faut un texte de 1 à %1 caractères sur ce qui se passe</translation>
+    </message>
+    <message>
+        <source>An answer of 1 to 100 characters is right</source>
+        <translation>Il faut une réponse de 1 à 100 caractères</translation>
+    </message>
+    <message>
+        <source>This step asks for no prediction. A question that is asked before the scene is watched, and answered after it, makes students look.</source>
+        <translation>Cette étape ne demande pas de prédiction. Une question posée avant de regarder la scène, et résolue après, fait regarder les étudiants.</translation>
+    </message>
+    <message>
+        <source>Ask for a prediction</source>
+        <translation>Demander une prédiction</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Answers: two to four that students truly believe; mark the one that comes true</source>
+        <translation>Réponses : deux à quatre que des étudiants croient vraiment ; marquez celle qui se réalise</translation>
+    </message>
+    <message>
+        <source>Answer %1 comes true</source>
+        <translation>La réponse %1 se réalise</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>Réponse %1</translation>
+    </message>
+    <message>
+        <source>Remove answer %1</source>
+        <translation>Supprimer la réponse %1</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Ajouter une réponse</translation>
+    </message>
+    <message>
+        <source>What happens, and why; told after the step was passed</source>
+        <translation>Ce qui se passe, et pourquoi ; dit une fois l&apos;étape réussie</translation>
+    </message>
+    <message>
+        <source>What happens, and why</source>
+        <translation>Ce qui se passe, et pourquoi</translation>
+    </message>
+    <message>
+        <source>Remove the prediction</source>
+        <translation>Supprimer la prédiction</translation>
+    </message>
+    <message>
+        <source>What the student sees before</source>
+        <translation>Ce que l&apos;étudiant voit avant</translation>
+    </message>
+    <message>
+        <source>And after</source>
+        <translation>Et après</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PresetDocument</name>
+    <message>
+        <source>Start from %1 s</source>
+        <translation>Démarrer à %1 s</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check; go back to your own scene to change it</source>
+        <translation>C&apos;est une scène de la vérification ; revenez à votre propre scène pour la changer</translation>
+    </message>
+    <message>
+        <source>Reset to the step&apos;s own scene</source>
+        <translation>Revenir à la scène de l&apos;étape</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProgramPage</name>
+    <message>
+        <source>Program %1</source>
+        <translation>Programme %1</translation>
+    </message>
+    <message>
+        <source>What a student&apos;s program starts from in this step.</source>
+        <translation>Ce par quoi commence le programme d&apos;un étudiant dans cette étape.</translation>
+    </message>
+    <message>
+        <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
+        <translation>Aucun à elle : les étudiants continuent à partir du corrigé de l&apos;étape précédente. Écrivez ici pour partir d&apos;autre chose.</translation>
+    </message>
+    <message>
+        <source>The reference: it should pass every check, with every seed.</source>
+        <translation>La référence : elle doit réussir chaque vérification, avec chaque graine.</translation>
+    </message>
+    <message>
+        <source>The solution was changed where this difference changes it. Mend the lines after @@ so that they say what stands in the solution now, and what stands here instead.</source>
+        <translation>Le corrigé a été modifié là où cette différence le modifie. Réparez les lignes après @@ pour qu&apos;elles disent ce qu&apos;il y a maintenant dans le corrigé, et ce qu&apos;il y a ici à la place.</translation>
+    </message>
+    <message>
+        <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
+        <translation>Un programme entier avec une seule erreur : il échoue à une vérification, et qui a écrit la même lit le commentaire par lequel il commence.</translation>
+    </message>
+    <message>
+        <source>A whole program that passes and deserves a word.</source>
+        <translation>Un programme entier qui réussit et mérite un mot.</translation>
+    </message>
+    <message>
+        <source>It is kept as its difference from the solution, which is marked, and follows it.</source>
+        <translation>Il est conservé comme différence d&apos;avec le corrigé, qui est marquée, et il le suit.</translation>
+    </message>
+    <message>
+        <source>Edit a program</source>
+        <translation>Modifier un programme</translation>
+    </message>
+    <message>
+        <source>Edit what the student reads</source>
+        <translation>Modifier ce que lit l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>Edit a remark</source>
+        <translation>Modifier une remarque</translation>
+    </message>
+    <message>
+        <source>What the student reads</source>
+        <translation>Ce que lit l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>How it is recognised</source>
+        <translation>À quoi on la reconnaît</translation>
+    </message>
+    <message>
+        <source>About the program</source>
+        <translation>À propos du programme</translation>
+    </message>
+    <message>
+        <source>The comment that the program begins with, or its translation</source>
+        <translation>Le commentaire par lequel commence le programme, ou sa traduction</translation>
+    </message>
+    <message>
+        <source>What the student reads, translated</source>
+        <translation>Ce que lit l&apos;étudiant, traduit</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProgramsTab</name>
+    <message>
+        <source>-- What went wrong, in a few words
+--
+-- What was observed, what it means, and where to look.
+</source>
+        <translation>-- Ce qui n&apos;allait pas, en quelques mots
+--
+-- Ce qui a été observé, ce que cela veut dire, et où regarder.
+</translation>
+    </message>
+    <message>
+        <source>-- What is good about it, in a few words
+--
+-- What it does otherwise than most, and what that is worth.
+</source>
+        <translation>-- Ce qu&apos;il y a de bien, en quelques mots
+--
+-- Ce qu&apos;il fait autrement que la plupart, et ce que cela vaut.
+</translation>
+    </message>
+    <message>
+        <source>Add a mistake</source>
+        <translation>Ajouter une erreur</translation>
+    </message>
+    <message>
+        <source>Add a remark</source>
+        <translation>Ajouter une remarque</translation>
+    </message>
+    <message>
+        <source>Remove a program</source>
+        <translation>Supprimer un programme</translation>
+    </message>
+    <message>
+        <source>Rename a program</source>
+        <translation>Renommer un programme</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Programs of the step</source>
+        <translation>Programmes de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Add a program</source>
+        <translation>Ajouter un programme</translation>
+    </message>
+    <message>
+        <source>Rename the program</source>
+        <translation>Renommer le programme</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Remove the program</source>
+        <translation>Supprimer le programme</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>A &amp;mistake that students make</source>
+        <translation>Une &amp;erreur que font les étudiants</translation>
+    </message>
+    <message>
+        <source>A &amp;remark on work that passes</source>
+        <translation>Une &amp;remarque sur un travail qui réussit</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProofMatrix</name>
+    <message>
+        <source>Programs and the checks that they fail</source>
+        <translation>Les programmes et les vérifications où ils échouent</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Said of it</source>
+        <translation>Ce qu&apos;on en dit</translation>
+    </message>
+    <message>
+        <source>Check %1</source>
+        <translation>Vérification %1</translation>
+    </message>
+    <message>
+        <source>Just wrong enough</source>
+        <translation>Juste assez faux</translation>
+    </message>
+    <message>
+        <source>By how much a right run must be turned, too fast or adrift for the check to fail it</source>
+        <translation>De combien une exécution juste doit être tournée, trop rapide ou décalée pour que la vérification la refuse</translation>
+    </message>
+    <message>
+        <source>%1: turned by %2, too fast by %3, adrift by %4</source>
+        <translation>%1 : tournée de %2, trop rapide de %3, décalée de %4</translation>
+    </message>
+    <message>
+        <source>%1: not measured</source>
+        <translation>%1 : non mesuré</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>réussit</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>not recognised</source>
+        <translation>non reconnu</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ProofTab</name>
+    <message>
+        <source>Every program runs through the checks…</source>
+        <translation>Chaque programme passe par les vérifications…</translation>
+    </message>
+    <message>
+        <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
+        <translation>Appuyez sur Vérifier cette étape : le programme de départ doit échouer à une vérification, le corrigé réussir avec chaque graine, et chaque erreur échouer et être reconnue.</translation>
+    </message>
+    <message>
+        <source>Not as it should be: %1</source>
+        <translation>Pas comme il faut : %1</translation>
+    </message>
+    <message>
+        <source>The solution passes, and every mistake fails and is recognised; but a check is missing: changes of the solution that pass every check: %1</source>
+        <translation>Le corrigé réussit, et chaque erreur échoue et est reconnue ; mais il manque une vérification : modifications du corrigé qui réussissent toutes les vérifications : %1</translation>
+    </message>
+    <message>
+        <source>All is as it should be: the solution passes, every mistake fails and is recognised, every check is needed.</source>
+        <translation>Tout est comme il faut : le corrigé réussit, chaque erreur échoue et est reconnue, chaque vérification est nécessaire.</translation>
+    </message>
+    <message>
+        <source>All is as it should be: the solution passes, every mistake fails and is recognised.</source>
+        <translation>Tout est comme il faut : le corrigé réussit, chaque erreur échoue et est reconnue.</translation>
+    </message>
+    <message>
+        <source>So it is in every step of the lab.</source>
+        <translation>Il en va de même à chaque étape du TP.</translation>
+    </message>
+    <message>
+        <source>Not as it should be in other steps: %1</source>
+        <translation>Pas comme il faut dans d&apos;autres étapes : %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>Worth a look</source>
+        <translation>À regarder</translation>
+    </message>
+    <message>
+        <source>Mistakes that this step does not know</source>
+        <translation>Erreurs que cette étape ne connaît pas</translation>
+    </message>
+    <message>
+        <source>Mistakes that this step did not know before the last edits</source>
+        <translation>Erreurs que cette étape ne connaissait pas avant les dernières modifications</translation>
+    </message>
+    <message>
+        <source>None was found: each change of the solution is caught and explained.</source>
+        <translation>Aucune trouvée : chaque modification du corrigé est détectée et expliquée.</translation>
+    </message>
+    <message>
+        <source>Show the run</source>
+        <translation>Montrer l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Open the scene</source>
+        <translation>Ouvrir la scène</translation>
+    </message>
+    <message>
+        <source>Open the program</source>
+        <translation>Ouvrir le programme</translation>
+    </message>
+    <message>
+        <source>Open the check</source>
+        <translation>Ouvrir la vérification</translation>
+    </message>
+    <message>
+        <source>Open the programs</source>
+        <translation>Ouvrir les programmes</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>Passes every check, so one is missing: %1 (%2)</source>
+        <translation>Réussit toutes les vérifications, il en manque donc une : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Fails by “%1” without a word on why: %2 (%3)</source>
+        <translation>Échoue à « %1 » sans un mot sur le pourquoi : %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Add as a mistake</source>
+        <translation>Ajouter comme erreur</translation>
+    </message>
+    <message>
+        <source>Add a suggested mistake</source>
+        <translation>Ajouter une erreur proposée</translation>
+    </message>
+    <message>
+        <source>Verify this step</source>
+        <translation>Vérifier cette étape</translation>
+    </message>
+    <message>
+        <source>Judges every program of the step, the solution with five seeds</source>
+        <translation>Évalue chaque programme de l&apos;étape, le corrigé avec cinq graines</translation>
+    </message>
+    <message>
+        <source>Verify the lab</source>
+        <translation>Vérifier le TP</translation>
+    </message>
+    <message>
+        <source>Suggest mistakes</source>
+        <translation>Proposer des erreurs</translation>
+    </message>
+    <message>
+        <source>Changes the solution as students err, and tells which changes the checks miss or cannot explain</source>
+        <translation>Modifie le corrigé comme se trompent les étudiants, et dit quelles modifications les vérifications manquent ou ne savent pas expliquer</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Progress of the proof</source>
+        <translation>Progression de la preuve</translation>
+    </message>
+    <message>
+        <source>The lab was edited since.</source>
+        <translation>Le TP a été modifié depuis.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::QuestionField</name>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a number with its unit</source>
+        <translation>un nombre avec son unité</translation>
+    </message>
+    <message>
+        <source>In a few sentences, for the teacher</source>
+        <translation>En quelques phrases, pour l&apos;enseignant</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::QuestionsCard</name>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
+        <source>The check counts your answers.</source>
+        <translation>La vérification tient compte de vos réponses.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 points)</source>
+        <translation>%1 (%2 points)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::QuestionsEditor</name>
+    <message>
+        <source>Questions · %1</source>
+        <translation>Questions · %1</translation>
+    </message>
+    <message>
+        <source>Answers in the right order; students find them in another</source>
+        <translation>Réponses dans le bon ordre ; les étudiants les trouvent dans un autre</translation>
+    </message>
+    <message>
+        <source>Answers; mark the right one</source>
+        <translation>Réponses ; marquez la bonne</translation>
+    </message>
+    <message>
+        <source>Answers; mark all that are right</source>
+        <translation>Réponses ; marquez toutes les bonnes</translation>
+    </message>
+    <message>
+        <source>A new question</source>
+        <translation>Une nouvelle question</translation>
+    </message>
+    <message>
+        <source>What is asked?</source>
+        <translation>Que demande-t-on ?</translation>
+    </message>
+    <message>
+        <source>The first answer</source>
+        <translation>La première réponse</translation>
+    </message>
+    <message>
+        <source>The second answer</source>
+        <translation>La deuxième réponse</translation>
+    </message>
+    <message>
+        <source>A title of 1 to 200 characters is right</source>
+        <translation>Il faut un titre de 1 à 200 caractères</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots and dashes is right</source>
+        <translation>Il faut un id fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
+    </message>
+    <message>
+        <source>Another question has this id already</source>
+        <translation>Une autre question a déjà cet id</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Points : il faut un nombre de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>Tolerance: a number from 0 is right</source>
+        <translation>Tolérance : il faut un nombre à partir de 0</translation>
+    </message>
+    <message>
+        <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
+        <translation>%1 n&apos;est pas une unité ; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
+    </message>
+    <message>
+        <source>Another answer</source>
+        <translation>Une autre réponse</translation>
+    </message>
+    <message>
+        <source>Questions of the step</source>
+        <translation>Questions de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Ajouter une question</translation>
+    </message>
+    <message>
+        <source>Remove the question</source>
+        <translation>Supprimer la question</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Move the question up</source>
+        <translation>Monter la question</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Move the question down</source>
+        <translation>Descendre la question</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
+    </message>
+    <message>
+        <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
+        <translation>Cette étape ne pose aucune question qui compte. Ajoutez-en une avec le plus : un nombre avec son unité, un choix, un ordre, ou un texte que vous lisez vous-même.</translation>
+    </message>
+    <message>
+        <source>A number</source>
+        <translation>Un nombre</translation>
+    </message>
+    <message>
+        <source>One choice</source>
+        <translation>Un seul choix</translation>
+    </message>
+    <message>
+        <source>Several choices</source>
+        <translation>Plusieurs choix</translation>
+    </message>
+    <message>
+        <source>An order</source>
+        <translation>Un ordre</translation>
+    </message>
+    <message>
+        <source>A text for the teacher</source>
+        <translation>Un texte pour l&apos;enseignant</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Kind of the question</source>
+        <translation>Type de la question</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Right number</source>
+        <translation>Nombre juste</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Reports name the question by it</source>
+        <translation>Les rapports nomment ainsi la question</translation>
+    </message>
+    <message>
+        <source>What a right answer is worth; of a text, what you may give</source>
+        <translation>Ce que vaut une bonne réponse ; pour un texte, ce que vous pouvez donner</translation>
+    </message>
+    <message>
+        <source>A number, or an expression like 2*9.81*5</source>
+        <translation>Un nombre, ou une expression comme 2*9.81*5</translation>
+    </message>
+    <message>
+        <source>How far off is still right, in the unit</source>
+        <translation>L&apos;écart encore admis, dans l&apos;unité</translation>
+    </message>
+    <message>
+        <source>Such as m/s, kg m/s, N s, J, ° or %; answers in other units of the same kind are converted</source>
+        <translation>Par exemple m/s, kg m/s, N s, J, ° ou % ; les réponses dans d&apos;autres unités du même type sont converties</translation>
+    </message>
+    <message>
+        <source>What is asked</source>
+        <translation>Ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Ajouter une réponse</translation>
+    </message>
+    <message>
+        <source>Remove the answer</source>
+        <translation>Supprimer la réponse</translation>
+    </message>
+    <message>
+        <source>Move the answer up</source>
+        <translation>Monter la réponse</translation>
+    </message>
+    <message>
+        <source>Move the answer down</source>
+        <translation>Descendre la réponse</translation>
+    </message>
+    <message>
+        <source>What the student sees, answered rightly</source>
+        <translation>Ce que voit l&apos;étudiant, bien répondu</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RemarkEditor</name>
+    <message>
+        <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
+        <translation>Un programme d&apos;étudiant qui réussit est exécuté à côté de celui-ci et à côté du corrigé. Là où ces deux-ci diffèrent et où celui de l&apos;étudiant fait comme celui-ci, la remarque est faite.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Ce qui est comparé</translation>
+    </message>
+    <message>
+        <source>Velocities: they differ at a hit</source>
+        <translation>Vitesses : elles diffèrent lors d&apos;un choc</translation>
+    </message>
+    <message>
+        <source>Positions: they differ in many steps</source>
+        <translation>Positions : elles diffèrent dans beaucoup de pas</translation>
+    </message>
+    <message>
+        <source>Fields: numbers that the program keeps with the circles, as mass</source>
+        <translation>Champs : des nombres que le programme garde avec les cercles, comme mass</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ReportDialog</name>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Rétrospective : %1</translation>
+    </message>
+    <message>
+        <source>The steps of the lab, and what was hard</source>
+        <translation>Les étapes du TP, et ce qui était difficile</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Rapport…</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation>Re&amp;ndre…</translation>
+    </message>
+    <message>
+        <source>Every step is judged once more…</source>
+        <translation>Chaque étape est évaluée encore une fois…</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Web pages (*.html)</source>
+        <translation>Documents (*.pdf);;Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ResultPane</name>
+    <message>
+        <source>Checking… %1 of %2</source>
+        <translation>Vérification… %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Nothing to check: this scene belongs to no step.</source>
+        <translation>Rien à vérifier : cette scène n&apos;appartient à aucune étape.</translation>
+    </message>
+    <message>
+        <source>Press Check (Ctrl+Return) when you are done.</source>
+        <translation>Appuyez sur Vérifier (Ctrl+Entrée) quand vous avez fini.</translation>
+    </message>
+    <message>
+        <source>Changed since this check</source>
+        <translation>Modifié depuis cette vérification</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Pas encore : %1</translation>
+    </message>
+    <message>
+        <source>Line %1 ▸</source>
+        <translation>Ligne %1 ▸</translation>
+    </message>
+    <message>
+        <source>Show line %1 of the program</source>
+        <translation>Montrer la ligne %1 du programme</translation>
+    </message>
+    <message>
+        <source>✓ Passed: all %1 checks and answers</source>
+        <translation>✓ Réussi : les %1 vérifications et réponses</translation>
+    </message>
+    <message>
+        <source>✓ Passed: the check</source>
+        <translation>✓ Réussi : la vérification</translation>
+    </message>
+    <message>
+        <source>✓ Passed: all %1 checks</source>
+        <translation>✓ Réussi : les %1 vérifications</translation>
+    </message>
+    <message>
+        <source>The step counts as passed as soon as the run of this work was shown.</source>
+        <translation>L&apos;étape compte comme réussie dès que l&apos;exécution de ce travail a été montrée.</translation>
+    </message>
+    <message>
+        <source>✓ You have passed this step</source>
+        <translation>✓ Vous avez réussi cette étape</translation>
+    </message>
+    <message>
+        <source>on %1 at %2</source>
+        <translation>le %1 à %2</translation>
+    </message>
+    <message>
+        <source>That was the last step.</source>
+        <translation>C&apos;était la dernière étape.</translation>
+    </message>
+    <message>
+        <source>Still open: %1</source>
+        <translation>Encore à faire : %1</translation>
+    </message>
+    <message>
+        <source>Next step ▸</source>
+        <translation>Étape suivante ▸</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>Next step (Ctrl+Page Down)</source>
+        <translation>Étape suivante (Ctrl+Page suiv.)</translation>
+    </message>
+    <message>
+        <source>Compare with the reference ▸</source>
+        <translation>Comparer avec le corrigé ▸</translation>
+    </message>
+    <message>
+        <source>Compare with the reference</source>
+        <translation>Comparer avec le corrigé</translation>
+    </message>
+    <message>
+        <source>Shows the reference solution beside your program</source>
+        <translation>Montre le corrigé à côté de votre programme</translation>
+    </message>
+    <message>
+        <source>Commit message</source>
+        <translation>Message de commit</translation>
+    </message>
+    <message>
+        <source>Copy the commit message</source>
+        <translation>Copier le message de commit</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneActions</name>
+    <message>
+        <source>C&amp;ut circles</source>
+        <translation>Cou&amp;per les cercles</translation>
+    </message>
+    <message>
+        <source>&amp;Copy circles</source>
+        <translation>&amp;Copier les cercles</translation>
+    </message>
+    <message>
+        <source>&amp;Paste circles</source>
+        <translation>C&amp;oller les cercles</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate circles</source>
+        <translation>&amp;Dupliquer les cercles</translation>
+    </message>
+    <message>
+        <source>Re&amp;move circles</source>
+        <translation>Suppri&amp;mer les cercles</translation>
+    </message>
+    <message>
+        <source>Set velocities to &amp;zero</source>
+        <translation>Vitesses à &amp;zéro</translation>
+    </message>
+    <message>
+        <source>Select a&amp;ll circles</source>
+        <translation>Sé&amp;lectionner tous les cercles</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneEditor</name>
+    <message>
+        <source>Your program sets this circle in on_load; change it there</source>
+        <translation>Votre programme fixe ce cercle dans on_load ; changez-le là</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n cercle</numerusform>
+            <numerusform>%n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter : %1</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Dupliquer : %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Supprimer : %1</translation>
+    </message>
+    <message>
+        <source>Set velocity of %1 to zero</source>
+        <translation>Mettre à zéro la vitesse : %1</translation>
+    </message>
+    <message>
+        <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
+        <translation>Appuyez sur Recommencer (R) pour changer le départ, ou démarrez une nouvelle exécution d&apos;ici (Ctrl+Maj+R)</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer : %1</translation>
+    </message>
+    <message>
+        <source>Paste a circle</source>
+        <translation>Coller un cercle</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n circles</source>
+        <translation>
+            <numerusform>Coller %n cercle</numerusform>
+            <numerusform>Coller %n cercles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneForm</name>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Kind of the scenes</source>
+        <translation>Type des scènes</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneTab</name>
+    <message>
+        <source>Add the scene that passes</source>
+        <translation>Ajouter la scène qui réussit</translation>
+    </message>
+    <message>
+        <source>Remove the scene that passes</source>
+        <translation>Supprimer la scène qui réussit</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Modèles</translation>
+    </message>
+    <message>
+        <source>Scenes to begin with; the one that is here is replaced</source>
+        <translation>Des scènes pour commencer ; celle qui est là est remplacée</translation>
+    </message>
+    <message>
+        <source>Start from this moment</source>
+        <translation>Démarrer de cet instant</translation>
+    </message>
+    <message>
+        <source>The circles start where, and as fast as, they are at the moment shown</source>
+        <translation>Les cercles démarrent là où ils sont à l&apos;instant affiché, et aussi vite</translation>
+    </message>
+    <message>
+        <source>What the student may not change in this step</source>
+        <translation>Ce que l&apos;étudiant ne peut pas changer dans cette étape</translation>
+    </message>
+    <message>
+        <source>Back to the step&apos;s scene</source>
+        <translation>Revenir à la scène de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Remove this scene</source>
+        <translation>Supprimer cette scène</translation>
+    </message>
+    <message>
+        <source>Students may also pass without a program, by setting the scene and its laws. This step has no scene yet that passes its checks so; with one, the proof looks after it, too.</source>
+        <translation>Les étudiants peuvent aussi réussir sans programme, en réglant la scène et ses lois. Cette étape n&apos;a pas encore de scène qui réussisse ainsi ses vérifications ; avec une telle scène, la preuve s&apos;en occupe aussi.</translation>
+    </message>
+    <message>
+        <source>Make it from what the student finds</source>
+        <translation>La faire à partir de ce que trouve l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>What the student finds</source>
+        <translation>Ce que trouve l&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>What passes without a program</source>
+        <translation>Ce qui réussit sans programme</translation>
+    </message>
+    <message>
+        <source>Which scene of the step</source>
+        <translation>Quelle scène de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Moved by the scene&apos;s laws</source>
+        <translation>Déplacés par les lois de la scène</translation>
+    </message>
+    <message>
+        <source>Moved by solution.lua</source>
+        <translation>Déplacés par solution.lua</translation>
+    </message>
+    <message>
+        <source>What moves the circles here</source>
+        <translation>Ce qui déplace ici les cercles</translation>
+    </message>
+    <message>
+        <source>Take the template %1</source>
+        <translation>Prendre le modèle %1</translation>
+    </message>
+    <message>
+        <source>Lock…</source>
+        <translation>Verrouiller…</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Verrouillé : %1</translation>
+    </message>
+    <message>
+        <source>Lock a field</source>
+        <translation>Verrouiller un champ</translation>
+    </message>
+    <message>
+        <source>Unlock a field</source>
+        <translation>Déverrouiller un champ</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneView</name>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>No hit at this moment: N goes on to the next one</source>
+        <translation>Aucun choc à cet instant : N passe au suivant</translation>
+    </message>
+    <message>
+        <source>Add circle here</source>
+        <translation>Ajouter un cercle ici</translation>
+    </message>
+    <message>
+        <source>Start a new run from here</source>
+        <translation>Démarrer une nouvelle exécution d&apos;ici</translation>
+    </message>
+    <message>
+        <source>Fit view</source>
+        <translation>Ajuster la vue</translation>
+    </message>
+    <message>
+        <source>ghost: %1 · %2 m apart</source>
+        <translation>fantôme : %1 · à %2 m</translation>
+    </message>
+    <message>
+        <source>No exact motion beside more than %1 circles</source>
+        <translation>Pas de mouvement exact pour plus de %1 cercles</translation>
+    </message>
+    <message>
+        <source>No exact motion: the circles overlap or lie outside at the start</source>
+        <translation>Pas de mouvement exact : au départ, les cercles se chevauchent ou sont dehors</translation>
+    </message>
+    <message>
+        <source>Exact motion; the run is %1 m off</source>
+        <translation>Mouvement exact ; l&apos;exécution s&apos;en écarte de %1 m</translation>
+    </message>
+    <message>
+        <source>contacts merged from %1 s on</source>
+        <translation>contacts fusionnés à partir de %1 s</translation>
+    </message>
+    <message>
+        <source>first %1 s dropped</source>
+        <translation>premières %1 s abandonnées</translation>
+    </message>
+    <message>
+        <source>first %1 min dropped</source>
+        <translation>premières %1 min abandonnées</translation>
+    </message>
+    <message>
+        <source>Add a circle: Edit → Add circle (Ctrl+Shift+N)</source>
+        <translation>Ajoutez un cercle : Édition → Ajouter un cercle (Ctrl+Maj+N)</translation>
+    </message>
+    <message>
+        <source>%1 at %2 m with %3 m/s, radius %4 m</source>
+        <translation>%1 en %2 m à %3 m/s, rayon %4 m</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n sélectionné</numerusform>
+            <numerusform>%n sélectionnés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>selected: %1</source>
+        <translation>sélection : %1</translation>
+    </message>
+    <message>
+        <source>No circles</source>
+        <translation>Aucun cercle</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ShareDialog</name>
+    <message>
+        <source>Share with git</source>
+        <translation>Partager avec git</translation>
+    </message>
+    <message>
+        <source>Your work is a git repository in %1. Its commits and versions can be sent to one of yours elsewhere; who may read that, reads all of them.</source>
+        <translation>Votre travail est un dépôt git dans %1. Ses commits et ses versions peuvent être envoyés à l&apos;un des vôtres ailleurs ; qui peut le lire les lit tous.</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse :</translation>
+    </message>
+    <message>
+        <source>Sent so far:</source>
+        <translation>Envoyé jusqu&apos;ici :</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Envoyer</translation>
+    </message>
+    <message>
+        <source>All is sent.</source>
+        <translation>Tout est envoyé.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Envoi…</translation>
+    </message>
+    <message>
+        <source>up to the commit of %1</source>
+        <translation>jusqu&apos;au commit de %1</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>rien encore</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SolutionView</name>
+    <message>
+        <source>Reference solution</source>
+        <translation>Corrigé</translation>
+    </message>
+    <message>
+        <source>Close the reference solution (Esc)</source>
+        <translation>Fermer le corrigé (Échap)</translation>
+    </message>
+    <message>
+        <source>Close the reference solution</source>
+        <translation>Fermer le corrigé</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SpeedHistogram</name>
+    <message>
+        <source>Speeds</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>A distribution of speeds takes %1 circles or more: Lab → Example scenes → Gas has 1000</source>
+        <translation>Une distribution des vitesses demande au moins %1 cercles : TP → Scènes d&apos;exemple → Gaz en a 1000</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: press Run</source>
+        <translation>Rien ne bouge encore : appuyez sur Lancer</translation>
+    </message>
+    <message>
+        <source>%1 · v √(m/m̄) · kT = %2 J</source>
+        <translation>%1 · v √(m/m̄) · kT = %2 J</translation>
+    </message>
+    <message>
+        <source>%1 · kT = %2 J</source>
+        <translation>%1 · kT = %2 J</translation>
+    </message>
+    <message>
+        <source>share per %1 m/s, mean of 1 s</source>
+        <translation>part par %1 m/s, moyenne sur 1 s</translation>
+    </message>
+    <message>
+        <source>Maxwell–Boltzmann</source>
+        <translation>Maxwell–Boltzmann</translation>
+    </message>
+    <message>
+        <source>In equilibrium: distance from the curve %1, chance allows %2.</source>
+        <translation>À l&apos;équilibre : distance à la courbe %1, le hasard admet %2.</translation>
+    </message>
+    <message>
+        <source>Not in equilibrium: distance from the curve %1, chance allows %2.</source>
+        <translation>Pas à l&apos;équilibre : distance à la courbe %1, le hasard admet %2.</translation>
+    </message>
+    <message>
+        <source>Histogram of the speeds, m/s</source>
+        <translation>Histogramme des vitesses, m/s</translation>
+    </message>
+    <message>
+        <source>Distance from equilibrium</source>
+        <translation>Distance à l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>The distance of Kolmogorov and Smirnov, at the moment shown: the greatest difference between the share of circles slower than a speed and what the curve says. Of a hundred gases in equilibrium one is further away by chance.</source>
+        <translation>La distance de Kolmogorov et Smirnov, à l&apos;instant affiché : la plus grande différence entre la part des cercles plus lents qu&apos;une vitesse et ce que dit la courbe. De cent gaz à l&apos;équilibre, un seul en est plus loin par hasard.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SpeedPlot</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>%1 % faster</source>
+        <translation>%1 % plus rapides</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepDots</name>
+    <message>
+        <source>passed</source>
+        <translation>réussie</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>actuelle</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepFields</name>
+    <message>
+        <source>Rename the step&apos;s folder</source>
+        <translation>Renommer le dossier de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Edit the step</source>
+        <translation>Modifier l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Id of the step, and its folder</source>
+        <translation>Id de l&apos;étape, et son dossier</translation>
+    </message>
+    <message>
+        <source>Letters, digits, dots and dashes; also the name of the folder</source>
+        <translation>Lettres, chiffres, points et traits d&apos;union ; c&apos;est aussi le nom du dossier</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Titre de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>In the language that is open; also in the list of steps (F2)</source>
+        <translation>Dans la langue ouverte ; aussi dans la liste des étapes (F2)</translation>
+    </message>
+    <message>
+        <source>Commit message</source>
+        <translation>Message de commit</translation>
+    </message>
+    <message>
+        <source>What a student writes into the history after passing</source>
+        <translation>Ce qu&apos;un étudiant écrit dans l&apos;historique après avoir réussi</translation>
+    </message>
+    <message>
+        <source>Extra step</source>
+        <translation>Étape facultative</translation>
+    </message>
+    <message>
+        <source>Outside the lab&apos;s own count</source>
+        <translation>Hors du décompte du TP</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepsList</name>
+    <message>
+        <source>extra</source>
+        <translation>facultative</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussie</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>actuelle</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>Steps · %1 of %2</source>
+        <translation>Étapes · %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Steps passed</source>
+        <translation>Étapes réussies</translation>
+    </message>
+    <message>
+        <source>Close ▴</source>
+        <translation>Fermer ▴</translation>
+    </message>
+    <message>
+        <source>All steps ▾</source>
+        <translation>Toutes ▾</translation>
+    </message>
+    <message>
+        <source>Close the list of steps</source>
+        <translation>Fermer la liste des étapes</translation>
+    </message>
+    <message>
+        <source>All steps, %1</source>
+        <translation>Toutes les étapes, %1</translation>
+    </message>
+    <message>
+        <source>Search the steps</source>
+        <translation>Rechercher parmi les étapes</translation>
+    </message>
+    <message>
+        <source>1 file of this lab could not be read</source>
+        <translation>1 fichier de ce TP n&apos;a pas pu être lu</translation>
+    </message>
+    <message>
+        <source>%1 files of this lab could not be read</source>
+        <translation>%1 fichiers de ce TP n&apos;ont pas pu être lus</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepsPanel</name>
+    <message>
+        <source>Steps · %1</source>
+        <translation>Étapes · %1</translation>
+    </message>
+    <message>
+        <source>Steps of the lab</source>
+        <translation>Étapes du TP</translation>
+    </message>
+    <message>
+        <source>Title, version and id of the lab</source>
+        <translation>Titre, version et id du TP</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Ajouter une étape</translation>
+    </message>
+    <message>
+        <source>Duplicate the step</source>
+        <translation>Dupliquer l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Remove the step</source>
+        <translation>Supprimer l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Move the step up</source>
+        <translation>Monter l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Move the step down</source>
+        <translation>Descendre l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
+    </message>
+    <message>
+        <source>New step</source>
+        <translation>Nouvelle étape</translation>
+    </message>
+    <message>
+        <source>Files that the step did not use stay: %1</source>
+        <translation>Des fichiers que l&apos;étape n&apos;utilisait pas restent : %1</translation>
+    </message>
+    <message>
+        <source>Rename the step</source>
+        <translation>Renommer l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Move the step</source>
+        <translation>Déplacer l&apos;étape</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::TextTab</name>
+    <message>
+        <source>No text in this language yet: students read it in the lab&apos;s own.</source>
+        <translation>Pas encore de texte dans cette langue : les étudiants le lisent dans celle du TP.</translation>
+    </message>
+    <message>
+        <source>No hint yet: add one with the plus above.</source>
+        <translation>Pas encore d&apos;aide : ajoutez-en une avec le plus ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Line %1: nothing here is called “%2”</source>
+        <translation>Ligne %1 : rien ne s&apos;appelle ici « %2 »</translation>
+    </message>
+    <message>
+        <source>%1, and %2 more</source>
+        <translation>%1, et %2 de plus</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Instructions</translation>
+    </message>
+    <message>
+        <source>Hints without a program</source>
+        <translation>Aides sans programme</translation>
+    </message>
+    <message>
+        <source>Hints for a program</source>
+        <translation>Aides pour un programme</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Prédiction</translation>
+    </message>
+    <message>
+        <source>Questions that count</source>
+        <translation>Questions qui comptent</translation>
+    </message>
+    <message>
+        <source>As seen in Code mode</source>
+        <translation>Vu en mode Code</translation>
+    </message>
+    <message>
+        <source>As seen in Explore mode</source>
+        <translation>Vu en mode Explorer</translation>
+    </message>
+    <message>
+        <source>Which text</source>
+        <translation>Quel texte</translation>
+    </message>
+    <message>
+        <source>Mode of the preview</source>
+        <translation>Mode de l&apos;aperçu</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a figure</source>
+        <translation>Insérer la scène comme figure</translation>
+    </message>
+    <message>
+        <source>Draws the moment that the Scene tab shows, with its arrows, as an SVG in the step&apos;s folder</source>
+        <translation>Dessine l&apos;instant que montre l&apos;onglet Scène, avec ses flèches, en SVG dans le dossier de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Text in Markdown</source>
+        <translation>Texte en Markdown</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Names in backticks that neither the scene nor the programs have</source>
+        <translation>Noms entre accents graves que n&apos;ont ni la scène ni les programmes</translation>
+    </message>
+    <message>
+        <source>Edit the text</source>
+        <translation>Modifier le texte</translation>
+    </message>
+    <message>
+        <source>Edit a hint</source>
+        <translation>Modifier une aide</translation>
+    </message>
+    <message>
+        <source>Change the hints</source>
+        <translation>Changer les aides</translation>
+    </message>
+    <message>
+        <source>Edit the prediction</source>
+        <translation>Modifier la prédiction</translation>
+    </message>
+    <message>
+        <source>Edit the questions</source>
+        <translation>Modifier les questions</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>The step shown. Left and Right go a step, Page Up and Page Down to the previous and the next hit.</source>
+        <translation>Le pas affiché. Gauche et Droite vont d&apos;un pas, Page préc. et Page suiv. au choc précédent et au suivant.</translation>
+    </message>
+    <message>
+        <source>Drag to any moment</source>
+        <translation>Glisser jusqu&apos;à n&apos;importe quel instant</translation>
+    </message>
+    <message>
+        <source>program stopped in line %1</source>
+        <translation>programme arrêté à la ligne %1</translation>
+    </message>
+    <message>
+        <source>program stopped</source>
+        <translation>programme arrêté</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>hit %1</source>
+        <translation>choc %1</translation>
+    </message>
+    <message>
+        <source>hits %1–%2</source>
+        <translation>chocs %1–%2</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Tour</name>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>Tour of the window</source>
+        <translation>Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>%1 of %2 · %3</source>
+        <translation>%1 sur %2 · %3</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Next ▸</source>
+        <translation>Suivant ▸</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::TransportBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Arrêter la vérification</translation>
+    </message>
+    <message>
+        <source>Check this step</source>
+        <translation>Vérifier cette étape</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <comment>search</comment>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Next hit</source>
+        <translation>Choc suivant</translation>
+    </message>
+    <message>
+        <source>End the search and go back to where it began</source>
+        <translation>Arrêter la recherche et revenir là où elle a commencé</translation>
+    </message>
+    <message>
+        <source>Run on to the next collision</source>
+        <translation>Continuer jusqu&apos;à la prochaine collision</translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation>t = %1 s</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>pas %1</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
+        <source>Back to the start of the run</source>
+        <translation>Revenir au début de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation>Pas en arrière</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <comment>back</comment>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>Un pas en arrière</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>Un pas en avant</translation>
+    </message>
+    <message>
+        <source>Run or pause</source>
+        <translation>Lancer ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>Previous hit</source>
+        <translation>Choc précédent</translation>
+    </message>
+    <message>
+        <source>Back to the collision before, or to the start</source>
+        <translation>Revenir à la collision précédente, ou au début</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Ralentir</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Accélérer</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Allure</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>Allure actuelle</translation>
+    </message>
+    <message>
+        <source>How fast it goes now: slower around a hit, if that is chosen</source>
+        <translation>À quelle allure cela va maintenant : plus lentement autour d&apos;un choc, si c&apos;est choisi</translation>
+    </message>
+    <message>
+        <source>Simulated time per real time ([ slower, ] faster)</source>
+        <translation>Temps simulé par temps réel ([ ralentir, ] accélérer)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Steps since the start</source>
+        <translation>Pas depuis le début</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Progression de la vérification</translation>
+    </message>
+    <message>
+        <source>Progress of the search for a hit</source>
+        <translation>Progression de la recherche d&apos;un choc</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::UndoActions</name>
+    <message>
+        <source>typing</source>
+        <translation>la frappe</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesModel</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Position to the right of the middle</source>
+        <translation>Position à droite du milieu</translation>
+    </message>
+    <message>
+        <source>Position above the middle</source>
+        <translation>Position au-dessus du milieu</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Velocity to the right</source>
+        <translation>Vitesse vers la droite</translation>
+    </message>
+    <message>
+        <source>Velocity upwards</source>
+        <translation>Vitesse vers le haut</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse (norme)</translation>
+    </message>
+    <message>
+        <source>kg m/s</source>
+        <translation>kg m/s</translation>
+    </message>
+    <message>
+        <source>Momentum to the right</source>
+        <translation>Quantité de mouvement vers la droite</translation>
+    </message>
+    <message>
+        <source>Momentum upwards</source>
+        <translation>Quantité de mouvement vers le haut</translation>
+    </message>
+    <message>
+        <source>kinetic</source>
+        <translation>cinétique</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>Kinetic energy</source>
+        <translation>Énergie cinétique</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Distance au mouvement exact</translation>
+    </message>
+    <message>
+        <source>Total energy more than in the exact motion</source>
+        <translation>Énergie totale de plus que dans le mouvement exact</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>quantity, unit</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>All circles together</source>
+        <translation>Tous les cercles ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesPane</name>
+    <message>
+        <source>%1 •</source>
+        <comment>a tab with news</comment>
+        <translation>%1 •</translation>
+    </message>
+    <message>
+        <source>Hits %1</source>
+        <translation>Chocs %1</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>Chocs</translation>
+    </message>
+    <message>
+        <source>No hit so far.</source>
+        <translation>Pas de choc jusqu&apos;ici.</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>numéro</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Values and hits</source>
+        <translation>Valeurs et chocs</translation>
+    </message>
+    <message>
+        <source>Values of the circles at the moment shown</source>
+        <translation>Valeurs des cercles à l&apos;instant affiché</translation>
+    </message>
+    <message>
+        <source>Hits; Enter shows the moment</source>
+        <translation>Chocs ; Entrée montre l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Last hit</source>
+        <translation>Dernier choc</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Distance au mouvement exact</translation>
+    </message>
+    <message>
+        <source>No hits yet: press Run or Next hit</source>
+        <translation>Pas encore de chocs : appuyez sur Lancer ou sur Choc suivant</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Tout copier</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsPane</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quand</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Première différence</translation>
+    </message>
+    <message>
+        <source>Versions of this step&apos;s program</source>
+        <translation>Versions du programme de cette étape</translation>
+    </message>
+    <message>
+        <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>
+        <translation>Chaque vérification garde ici une version de votre programme, de même que dix minutes d&apos;écriture.</translation>
+    </message>
+    <message>
+        <source>The version</source>
+        <translation>La version</translation>
+    </message>
+    <message>
+        <source>Your program now</source>
+        <translation>Votre programme maintenant</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to this</source>
+        <translation>&amp;Revenir à celle-ci</translation>
+    </message>
+    <message>
+        <source>Your program now becomes a version, so nothing is lost</source>
+        <translation>Votre programme actuel devient une version, rien n&apos;est donc perdu</translation>
+    </message>
+    <message>
+        <source>Back to what &amp;passed</source>
+        <translation>Revenir à ce qui a ré&amp;ussi</translation>
+    </message>
+    <message>
+        <source>To the newest version that passed this step</source>
+        <translation>À la version la plus récente qui a réussi cette étape</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorkJob</name>
+    <message>
+        <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
+        <translation>Ce que vous avez tapé en dernier n&apos;a pas pu être enregistré ; sur le disque, votre travail est plus ancien. Enregistrez-le d&apos;abord : la fenêtre dit ce qui l&apos;empêche.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Workbench</name>
+    <message>
+        <source>this is work in the lab %1, which is not here; open that lab once, and then the work</source>
+        <translation>c&apos;est un travail du TP %1, qui n&apos;est pas ici ; ouvrez ce TP une fois, puis le travail</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Ouvrir une scène</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorldGroup</name>
+    <message>
+        <source>World</source>
+        <translation>Monde</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <source>Restitution e</source>
+        <translation>Restitution e</translation>
+    </message>
+    <message>
+        <source>Timestep</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>Half width</source>
+        <translation>Demi-largeur</translation>
+    </message>
+    <message>
+        <source>Acceleration of every circle, to the right and upward</source>
+        <translation>Accélération de chaque cercle, vers la droite et vers le haut</translation>
+    </message>
+    <message>
+        <source>From 0, no rebound, to 1, elastic</source>
+        <translation>De 0, aucun rebond, à 1, élastique</translation>
+    </message>
+    <message>
+        <source>Up doubles it, Down halves it; 1/240 can be typed</source>
+        <translation>Haut le double, Bas le divise par deux ; on peut taper 1/240</translation>
+    </message>
+    <message>
+        <source>From the middle of the square to a wall</source>
+        <translation>Du milieu du carré à une paroi</translation>
+    </message>
+    <message>
+        <source>Gravity to the right, m/s²</source>
+        <translation>Pesanteur vers la droite, m/s²</translation>
+    </message>
+    <message>
+        <source>Gravity upward, m/s²</source>
+        <translation>Pesanteur vers le haut, m/s²</translation>
+    </message>
+    <message>
+        <source>Timestep, s</source>
+        <translation>Pas de temps, s</translation>
+    </message>
+    <message>
+        <source>Half width of the square, m</source>
+        <translation>Demi-largeur du carré, m</translation>
+    </message>
+    <message>
+        <source>= %1 s</source>
+        <translation>= %1 s</translation>
+    </message>
+    <message>
+        <source>Change gravity</source>
+        <translation>Changer la pesanteur</translation>
+    </message>
+    <message>
+        <source>Change restitution</source>
+        <translation>Changer la restitution</translation>
+    </message>
+    <message>
+        <source>Change timestep</source>
+        <translation>Changer le pas de temps</translation>
+    </message>
+    <message>
+        <source>Change half width</source>
+        <translation>Changer la demi-largeur</translation>
+    </message>
+</context>
+</TS>
