@@ -4751,7 +4751,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the lab or the scene to open; without it Lab 4.2</source>
-        <translation>le TP ou la scène à ouvrir ; par défaut Lab 4.2</translation>
+        <translation>le TP ou la scène à ouvrir ; par défaut le TP 4.2</translation>
     </message>
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
