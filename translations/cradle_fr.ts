@@ -7605,7 +7605,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Density</source>
-        <translation>Masse volumique</translation>
+        <translation>Masse vol.</translation>
     </message>
     <message>
         <source>How position and velocity are carried over a timestep</source>
