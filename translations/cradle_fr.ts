@@ -617,15 +617,15 @@
     </message>
     <message>
         <source>At step %1 circle %2 was already leaving the %3 with %4 m/s and was turned round again; it should be left alone</source>
-        <translation>Au pas %1, le cercle %2 quittait déjà %3 à %4 m/s et a été renvoyé de nouveau ; il faut le laisser partir</translation>
+        <translation>Au pas %1, le cercle %2 quittait déjà %3 avec %4 m/s et a été renvoyé de nouveau ; il faut le laisser partir</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s ; il faut %6 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s ; il faut %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s ; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s ; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
     </message>
     <message>
         <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
@@ -637,7 +637,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5 ; la paroi doit le renvoyer aussitôt</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5 ; la paroi doit le renvoyer aussitôt</translation>
     </message>
     <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
@@ -653,7 +653,7 @@
     </message>
     <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s ; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
+        <translation>Au pas %1, le cercle 1 est sorti du choc avec %2 m/s et le cercle 2 avec %3 m/s ; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
@@ -681,7 +681,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 left the first hit with %3 m/s; %4 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est sorti du premier choc à %3 m/s ; il faut %4 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est sorti du premier choc avec %3 m/s ; il faut %4 m/s</translation>
     </message>
     <message>
         <source>At step %1 the kinetic energy was %2 J before the hit and %3 J after it; with e below 1 it should be less</source>
@@ -693,11 +693,11 @@
     </message>
     <message>
         <source>At %1 s circle %2 is at %3 m; %4 m is right</source>
-        <translation>À %1 s, le cercle %2 est à %3 m ; il faut %4 m</translation>
+        <translation>À %1 s, le cercle %2 est en %3 m ; il faut %4 m</translation>
     </message>
     <message>
         <source>At %1 s circle %2 moves with %3 m/s; %4 m/s is right</source>
-        <translation>À %1 s, le cercle %2 se déplace à %3 m/s ; il faut %4 m/s</translation>
+        <translation>À %1 s, le cercle %2 a la vitesse %3 m/s ; il faut %4 m/s</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 changed by %3 m/s, an acceleration of %4 m/s²; %5 m/s² is right here</source>
@@ -733,7 +733,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m; x₀ + v₀t + ½gt² is %4 m</source>
-        <translation>Au pas %1, le cercle %2 est à %3 m ; x₀ + v₀t + ½gt² donne %4 m</translation>
+        <translation>Au pas %1, le cercle %2 est en %3 m ; x₀ + v₀t + ½gt² donne %4 m</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
@@ -813,7 +813,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m with %4 m/s and circle %5 at %6 m with %7 m/s; they should be in the same place with the same velocity</source>
-        <translation>Au pas %1, le cercle %2 est à %3 m à %4 m/s et le cercle %5 à %6 m à %7 m/s ; ils doivent être au même endroit avec la même vitesse</translation>
+        <translation>Au pas %1, le cercle %2 est en %3 m avec %4 m/s et le cercle %5 en %6 m avec %7 m/s ; ils doivent être au même endroit avec la même vitesse</translation>
     </message>
     <message>
         <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
@@ -2604,7 +2604,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
-        <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et en est reparti à %3 m/s ; il faut %4 m/s.</translation>
+        <translation>Le cercle %5 est arrivé contre %1 avec %2 m/s et en est reparti avec %3 m/s ; il faut %4 m/s.</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
@@ -10716,7 +10716,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>%1 at %2 m with %3 m/s, radius %4 m</source>
-        <translation>%1 en %2 m à %3 m/s, rayon %4 m</translation>
+        <translation>%1 en %2 m avec %3 m/s, rayon %4 m</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
