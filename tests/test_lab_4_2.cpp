@@ -36,6 +36,7 @@ void TestLab42::everyStepHasWhatAStudentNeeds_data()
     QTest::addColumn<QString>("language");
     QTest::newRow("English") << QStringLiteral("en");
     QTest::newRow("German") << QStringLiteral("de");
+    QTest::newRow("French") << QStringLiteral("fr");
 }
 
 void TestLab42::everyStepHasWhatAStudentNeeds()
