@@ -6370,11 +6370,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>&lt;eof&gt;</source>
         <extracomment>the end of the program</extracomment>
-        <translation>&lt;fin du programme&gt;</translation>
+        <translation>la fin du programme</translation>
     </message>
     <message>
         <source>&lt;name&gt;</source>
-        <translation>&lt;nom&gt;</translation>
+        <translation>un nom</translation>
     </message>
     <message>
         <source>this value</source>
