@@ -55,7 +55,8 @@ struct GradeOptions {
         GradeText::tr("judge nothing; put together the results of shards, each a folder")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        GradeText::tr("of the pages and of what students are told: en or de; en without it"),
+        GradeText::tr(
+            "of the pages and of what students are told, such as en or de; en without it"),
         QStringLiteral("CODE")};
     QCommandLineOption isolation{
         QStringLiteral("require-isolation"),
@@ -116,7 +117,8 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
     }
     request.language = parser.value(options.language);
     if (!request.language.isEmpty() && !languages().contains(request.language))
-        return GradeText::tr("--language %1: en or de is right").arg(request.language);
+        return GradeText::tr("--language %1: one of %2 is right")
+            .arg(request.language, languages().join(QLatin1String(", ")));
     const auto late = percentFrom(parser.value(options.late));
     const auto most = percentFrom(parser.value(options.lateMost));
     if (!late || !most)

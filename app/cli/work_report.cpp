@@ -45,7 +45,7 @@ struct WorkOptions {
                               QStringLiteral("FILE")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        WorkReportText::tr("of the report: en or de; without it that of the system"),
+        WorkReportText::tr("of the report, such as en or de; without it that of the system"),
         QStringLiteral("CODE")};
 };
 
@@ -54,7 +54,8 @@ std::optional<ExitCode> takeLanguage(const QCommandLineParser &parser, const Wor
 {
     const QString asked = parser.value(options.language);
     if (parser.isSet(options.language) && !languages().contains(asked))
-        return complain(WorkReportText::tr("--language %1: en or de is right").arg(asked));
+        return complain(WorkReportText::tr("--language %1: one of %2 is right")
+                            .arg(asked, languages().join(QLatin1String(", "))));
     setLanguage(asked);
     // Numbers as in the words around them.
     if (QLocale().language() != QLocale(currentLanguage()).language())
