@@ -1327,12 +1327,12 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>Es gab keinen Prozess, der ihn beurteilen konnte.</translation>
     </message>
     <message>
-        <source>of the report: en or de; without it that of the system</source>
-        <translation>des Berichts: en oder de; ohne diese Angabe die des Systems</translation>
+        <source>of the report, such as en or de; without it that of the system</source>
+        <translation>des Berichts, etwa en oder de; ohne diese Angabe die des Systems</translation>
     </message>
     <message>
-        <source>--language %1: en or de is right</source>
-        <translation>--language %1: Richtig ist en oder de</translation>
+        <source>--language %1: one of %2 is right</source>
+        <translation>--language %1: Richtig ist eines von %2</translation>
     </message>
     <message>
         <source>an object with an answer for each id of a question is right</source>
@@ -1355,8 +1355,8 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>--language %1: Die Ergebnisse sind in der Sprache %2, in der geurteilt wurde</translation>
     </message>
     <message>
-        <source>of the pages and of what students are told: en or de; en without it</source>
-        <translation>der Seiten und dessen, was Studierende lesen: en oder de; ohne dies en</translation>
+        <source>of the pages and of what students are told, such as en or de; en without it</source>
+        <translation>der Seiten und dessen, was Studierende lesen, etwa en oder de; ohne dies en</translation>
     </message>
     <message>
         <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>

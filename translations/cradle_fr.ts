@@ -1085,8 +1085,8 @@
         <translation>ne rien évaluer ; réunir les résultats de lots, chacun un dossier</translation>
     </message>
     <message>
-        <source>of the pages and of what students are told: en or de; en without it</source>
-        <translation>des pages et de ce qu&apos;on dit aux étudiants : en ou de ; en par défaut</translation>
+        <source>of the pages and of what students are told, such as en or de; en without it</source>
+        <translation>des pages et de ce qu&apos;on dit aux étudiants, par exemple fr ou en ; en par défaut</translation>
     </message>
     <message>
         <source>tell how the folder was understood, and judge nothing</source>
@@ -1117,8 +1117,8 @@
         <translation>--shard demande --secret FICHIER, le même pour chaque lot</translation>
     </message>
     <message>
-        <source>--language %1: en or de is right</source>
-        <translation>--language %1 : il faut en ou de</translation>
+        <source>--language %1: one of %2 is right</source>
+        <translation>--language %1 : il faut une valeur parmi %2</translation>
     </message>
     <message>
         <source>--late-percent and --late-most are numbers from 0 to 100</source>
@@ -1343,8 +1343,8 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
         <translation>où écrire</translation>
     </message>
     <message>
-        <source>of the report: en or de; without it that of the system</source>
-        <translation>du rapport : en ou de ; par défaut celle du système</translation>
+        <source>of the report, such as en or de; without it that of the system</source>
+        <translation>du rapport, par exemple fr ou en ; par défaut celle du système</translation>
     </message>
     <message>
         <source>Writes the report of a student&apos;s work: what was asked, what the program does, how it came about. Every step is judged anew.</source>
@@ -4703,7 +4703,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>speak this language, such as en or de</source>
-        <translation>parler cette langue, par exemple en ou de</translation>
+        <translation>parler cette langue, par exemple fr ou en</translation>
     </message>
     <message>
         <source>system, light, dark or high-contrast</source>
