@@ -4986,7 +4986,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Follow the centre of mass</source>
-        <translation>&amp;Suivre le centre de masse</translation>
+        <translation>Suivre le centre de &amp;masse</translation>
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
@@ -5002,7 +5002,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Zoom to the h&amp;it</source>
-        <translation>Zoom sur le c&amp;hoc</translation>
+        <translation>Zoom sur le ch&amp;oc</translation>
     </message>
     <message>
         <source>Show the &amp;whole square</source>
@@ -5014,7 +5014,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Reset zoom</source>
-        <translation>&amp;Réinitialiser le zoom</translation>
+        <translation>Réin&amp;itialiser le zoom</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -5054,11 +5054,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Pre&amp;vious pane</source>
-        <translation>Volet pré&amp;cédent</translation>
+        <translation>Volet précé&amp;dent</translation>
     </message>
     <message>
         <source>Into the &amp;program</source>
-        <translation>&amp;Dans le programme</translation>
+        <translation>Dans le programme</translation>
     </message>
     <message>
         <source>&amp;Panes</source>
@@ -5106,7 +5106,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Scene drawn &amp;by</source>
-        <translation>Scène dessinée p&amp;ar</translation>
+        <translation>Scène dess&amp;inée par</translation>
     </message>
     <message>
         <source>&amp;Automatic</source>
@@ -8104,7 +8104,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Kinetic, all circles</source>
-        <translation>Ciné&amp;tique, tous les cercles</translation>
+        <translation>Ci&amp;nétique, tous les cercles</translation>
     </message>
     <message>
         <source>&amp;Potential</source>
