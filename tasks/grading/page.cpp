@@ -3,6 +3,7 @@
 #include "tasks/grading/page.h"
 
 #include "tasks/plain_text.h"
+#include "tasks/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -67,6 +68,7 @@ details[open] { padding-bottom: .75rem; }
 summary { cursor: pointer; padding: .55rem 0; font-weight: 600; }
 summary:focus-visible, a:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 svg { max-width: 100%; height: auto; }
+pre, code, svg { direction: ltr; unicode-bidi: isolate; }
 figure { margin: .75rem 0; } figcaption { color: var(--muted); font-size: .875rem; }
 figure.scene svg { display: block; border: 1px solid var(--rule); border-radius: 6px; }
 figure.scene svg rect[fill="#f0f8ff"] { fill: var(--scene); }
@@ -111,12 +113,12 @@ QString escapedName(const QString &name)
 QString pageStart(const QString &title, const QString &language, const QString &style)
 {
     // Whatever got in would still load and run nothing.
-    return QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
+    return QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\"%4>\n<head>\n<meta charset=\"utf-8\">\n"
                           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
                           "'none'; style-src 'unsafe-inline'\">\n"
                           "<meta name=\"viewport\" content=\"width=device-width\">\n"
                           "<title>%2</title>\n<style>%3</style>\n</head>\n<body>\n")
-        .arg(escaped(language), escaped(title), commonStyle + style);
+        .arg(escaped(language), escaped(title), commonStyle + style, directionAttribute(language));
 }
 
 QString pageEnd(const QString &footer)

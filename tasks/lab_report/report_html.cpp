@@ -5,6 +5,7 @@
 #include "model/file_io.h"
 #include "model/json_schema.h"
 #include "tasks/lab_report/markdown_html.h"
+#include "tasks/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -41,6 +42,7 @@ const QString style = QStringLiteral(
 const QString screenStyle = QStringLiteral(
     "@media screen { body { max-width: 760px; margin: 24px auto; padding: 0 16px; } }\n"
     "svg { max-width: 100%; height: auto; }\n"
+    "pre, code, table.code, svg { direction: ltr; unicode-bidi: isolate; }\n"
     "pre, code, table.code td { font-variant-ligatures: none; }\n"
     "@media print { h2, h3, svg { break-after: avoid; } }\n");
 
@@ -58,10 +60,11 @@ public:
     LabReportPage write()
     {
         const QString css = m_drawings == Drawings::Inside ? style + screenStyle : style;
-        m_page.html += QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n"
+        m_page.html += QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\"%4>\n<head>\n"
                                       "<meta charset=\"utf-8\">\n<title>%2</title>\n"
                                       "<style>\n%3</style>\n</head>\n<body>\n")
-                           .arg(m_language, titleOf(m_report).toHtmlEscaped(), css);
+                           .arg(m_language, titleOf(m_report).toHtmlEscaped(), css,
+                                directionAttribute(m_language));
         writeHead();
         for (const StepReport &step : m_report.steps)
             writeStep(step);
@@ -125,7 +128,7 @@ private:
             if (!part.isEmpty())
                 who.append(part);
         // In the language of the page; where the system speaks it too, as the system writes dates.
-        const QLocale spoken(m_language);
+        const QLocale spoken = spokenLocale(m_language);
         const QLocale dates = QLocale().language() == spoken.language() ? QLocale() : spoken;
         who.append(dates.toString(m_report.when.toLocalTime().date(), QLocale::LongFormat));
         addText("p", who.join(QStringLiteral(" · ")));
