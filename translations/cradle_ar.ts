@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>true or false</source>
-        <translation>true أو false</translation>
+        <translation>‏true أو false</translation>
     </message>
     <message>
         <source>one of %1</source>
@@ -781,7 +781,7 @@
     </message>
     <message>
         <source>circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
     <message>
         <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
@@ -887,7 +887,7 @@
     <name>CircleName</name>
     <message>
         <source>circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
 </context>
 <context>
@@ -1106,7 +1106,7 @@
     </message>
     <message>
         <source>text, or json: events on standard output, one a line</source>
-        <translation>text، أو json: أحداث على المخرج القياسي، واحد في كل سطر</translation>
+        <translation>‏text، أو json: أحداث على المخرج القياسي، واحد في كل سطر</translation>
     </message>
     <message>
         <source>exit with 0 also if somebody did not pass, if only all are graded</source>
@@ -1170,7 +1170,7 @@
     </message>
     <message>
         <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>
-        <translation>يشغّل مشهدًا، بقوانينه أو ببرنامج، ويكتب ما يحدث: جداول، أو ملخصًا إن لم تُطلب. إذا توقف البرنامج فالسبب على مخرج الأخطاء القياسي بصيغة ⁦FILE:LINE: message⁩، والجداول تصل إلى هناك، وحالة الخروج ⁦1. Ctrl+C⁩ ينهي التشغيل: ما كُتب يصل إلى هناك، وحالة الخروج 130.</translation>
+        <translation>يشغّل مشهدًا، بقوانينه أو ببرنامج، ويكتب ما يحدث: جداول، أو ملخصًا إن لم تُطلب. إذا توقف البرنامج فالسبب على مخرج الأخطاء القياسي بصيغة ⁦FILE:LINE: message⁩، والجداول تصل إلى هناك، وحالة الخروج 1. ⁦Ctrl+C⁩ ينهي التشغيل: ما كُتب يصل إلى هناك، وحالة الخروج 130.</translation>
     </message>
     <message>
         <source>the scene</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>discrete, continuous or exact</source>
-        <translation>discrete أو continuous أو exact</translation>
+        <translation>‏discrete أو continuous أو exact</translation>
     </message>
     <message>
         <source>a program that moves the circles; what it prints goes to standard error, what it plots and draws is dropped, its hits are inferred</source>
@@ -1396,7 +1396,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>%1 m</source>
         <comment>a distance</comment>
-        <translation>%1 m</translation>
+        <translation>⁦%1 m⁩</translation>
     </message>
     <message>
         <source>up to %1 m (rms %2 m)</source>
@@ -1405,7 +1405,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>%1 J</source>
         <comment>an energy, with its sign</comment>
-        <translation>%1 J</translation>
+        <translation>⁦%1 J⁩</translation>
     </message>
     <message>
         <source>Off the exact motion: %1, %2.</source>
@@ -1712,7 +1712,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
     <message>
         <source>both circles</source>
@@ -3478,7 +3478,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>true or false</source>
-        <translation>true أو false</translation>
+        <translation>‏true أو false</translation>
     </message>
     <message>
         <source>a list of at most %1</source>
@@ -3797,7 +3797,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>⁦%1 m⁩</translation>
     </message>
 </context>
 <context>
@@ -4357,7 +4357,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
     <message>
         <source>Fixed in this step: %1</source>
@@ -4369,7 +4369,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>%1×</source>
         <comment>magnification</comment>
-        <translation>%1×</translation>
+        <translation>⁦%1×⁩</translation>
     </message>
 </context>
 <context>
@@ -4408,7 +4408,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>From 0 (no rebound) to 1 (elastic); may be set in on_load</source>
-        <translation>من ⁦0 (⁩بلا ارتداد) إلى ⁦1 (⁩مرن)؛ يجوز ضبطه في on_load</translation>
+        <translation>من 0 (بلا ارتداد) إلى 1 (مرن)؛ يجوز ضبطه في on_load</translation>
     </message>
     <message>
         <source>The box that the circles are in</source>
@@ -4568,7 +4568,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>x without its sign</source>
-        <translation>x بلا إشارته</translation>
+        <translation>‏x بلا إشارته</translation>
     </message>
     <message>
         <source>The angle whose cosine is x, in radians</source>
@@ -4596,7 +4596,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>e to the power of x</source>
-        <translation>e أُسّ x</translation>
+        <translation>‏e أُسّ x</translation>
     </message>
     <message>
         <source>The next whole number that is not above x</source>
@@ -4664,7 +4664,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>x as a whole number, or nil if it is none</source>
-        <translation>x عددًا صحيحًا، أو nil إن لم يكنه</translation>
+        <translation>‏x عددًا صحيحًا، أو nil إن لم يكنه</translation>
     </message>
     <message>
         <source>&quot;integer&quot;, &quot;float&quot;, or nil if x is no number</source>
@@ -4727,7 +4727,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>system, light, dark or high-contrast</source>
-        <translation>system أو light أو dark أو ⁦high-contrast⁩</translation>
+        <translation>‏system أو light أو dark أو ⁦high-contrast⁩</translation>
     </message>
     <message>
         <source>of texts, %: 100 to 200</source>
@@ -4775,7 +4775,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
-        <translation>cradle: معامل غير متوقع ⁨%1⁩؛ الصواب مختبر واحد أو مشهد واحد</translation>
+        <translation>‏cradle: معامل غير متوقع ⁨%1⁩؛ الصواب مختبر واحد أو مشهد واحد</translation>
     </message>
     <message>
         <source>cradle: --language %1: one of %2 is right</source>
@@ -5118,7 +5118,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>⁦%1 %⁩</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -5184,7 +5184,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 kg m/s</source>
-        <translation>%1 kg m/s</translation>
+        <translation>⁦%1 kg m/s⁩</translation>
     </message>
 </context>
 <context>
@@ -5758,7 +5758,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
     <message>
         <source>laws → program</source>
@@ -5797,7 +5797,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <name>Scene</name>
     <message>
         <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
+        <translation>⁦%1 m/s⁩</translation>
     </message>
 </context>
 <context>
@@ -6174,7 +6174,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>true or false</source>
-        <translation>true أو false</translation>
+        <translation>‏true أو false</translation>
     </message>
     <message>
         <source>two numbers [x, y] in m, each from -10000 to 10000</source>
@@ -7360,7 +7360,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>⁦%1 s⁩</translation>
     </message>
     <message>
         <source>Show the last %1 seconds</source>
@@ -9210,7 +9210,7 @@ Your number:</source>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation>Left، Right</translation>
+        <translation>‏Left، Right</translation>
     </message>
     <message>
         <source>The hit before or after</source>
@@ -9218,7 +9218,7 @@ Your number:</source>
     </message>
     <message>
         <source>PgUp, PgDown</source>
-        <translation>PgUp، PgDown</translation>
+        <translation>‏PgUp، PgDown</translation>
     </message>
     <message>
         <source>Start and end of the run</source>
@@ -9226,7 +9226,7 @@ Your number:</source>
     </message>
     <message>
         <source>Home, End</source>
-        <translation>Home، End</translation>
+        <translation>‏Home، End</translation>
     </message>
     <message>
         <source>From curve to curve of a chart</source>
@@ -9234,7 +9234,7 @@ Your number:</source>
     </message>
     <message>
         <source>Up, Down</source>
-        <translation>Up، Down</translation>
+        <translation>‏Up، Down</translation>
     </message>
     <message>
         <source>Along the dots of the steps, and open</source>
@@ -9242,7 +9242,7 @@ Your number:</source>
     </message>
     <message>
         <source>Left, Right, Return</source>
-        <translation>Left، Right، Return</translation>
+        <translation>‏Left، Right، Return</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -9542,7 +9542,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Circle %1</source>
-        <translation>الدائرة ⁨%1⁩</translation>
+        <translation>الدائرة %1</translation>
     </message>
     <message>
         <source>All together</source>
@@ -10911,7 +10911,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>%1 %</source>
         <comment>share</comment>
-        <translation>%1 %</translation>
+        <translation>⁦%1 %⁩</translation>
     </message>
     <message>
         <source>m/s</source>
@@ -11233,7 +11233,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>⁦%1 s⁩</translation>
     </message>
     <message>
         <source>hit %1</source>
@@ -11316,7 +11316,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>t = %1 s</source>
-        <translation>t = %1 s</translation>
+        <translation>⁦t = %1 s⁩</translation>
     </message>
     <message>
         <source>step %1</source>
@@ -11345,7 +11345,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Step</source>
-        <translation>المرحلة</translation>
+        <translation>خطوة</translation>
     </message>
     <message>
         <source>One step on</source>
@@ -11373,7 +11373,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Speed</source>
-        <translation>مقدار السرعة</translation>
+        <translation>السرعة</translation>
     </message>
     <message>
         <source>Speed now</source>
@@ -11492,7 +11492,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>%1 %2</source>
         <comment>number unit</comment>
-        <translation>%1 %2</translation>
+        <translation>⁦%1 %2⁩</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -11689,7 +11689,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>= %1 s</source>
-        <translation>= %1 s</translation>
+        <translation>⁦= %1 s⁩</translation>
     </message>
     <message>
         <source>Change gravity</source>
