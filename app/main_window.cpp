@@ -222,6 +222,8 @@ void MainWindow::changeEvent(QEvent *event)
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LayoutDirectionChange && !m_docks.empty())
+        restoreArrangement();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -5,6 +5,7 @@
 #include "app/main_window.h"
 
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QScopedValueRollback>
@@ -35,9 +36,23 @@ constexpr double mostBesidePart = 0.5; ///< of what the instructions leave, with
 constexpr double sceneHeightPart = 0.655; ///< above the charts
 constexpr int valuesHeight = 140;         ///< two circles and their sum
 
+/// Where one reads from the right the room is mirrored, and its arrangement is another.
 QString keyOf(Mode mode)
 {
-    return mode == Mode::Code ? QStringLiteral("layout/code") : QStringLiteral("layout/explore");
+    const QString key =
+        mode == Mode::Code ? QStringLiteral("layout/code") : QStringLiteral("layout/explore");
+    return QGuiApplication::isRightToLeft() ? key + QStringLiteral("-mirrored") : key;
+}
+
+/// The side on which reading begins: the instructions stand there.
+Qt::DockWidgetArea beginning()
+{
+    return QGuiApplication::isRightToLeft() ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea;
+}
+
+Qt::DockWidgetArea opposite()
+{
+    return QGuiApplication::isRightToLeft() ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
 }
 
 } // namespace
@@ -96,8 +111,11 @@ void MainWindow::arrangePanes()
 /// Instructions | program over values | scene over charts.
 void MainWindow::arrangeCode()
 {
-    addDockWidget(Qt::LeftDockWidgetArea, dock("task"));
-    splitDockWidget(dock("task"), dock("code"), Qt::Horizontal);
+    const bool mirrored = QGuiApplication::isRightToLeft();
+    // Qt splits to the right in every language.
+    addDockWidget(beginning(), dock(mirrored ? "code" : "task"));
+    splitDockWidget(dock(mirrored ? "code" : "task"), dock(mirrored ? "task" : "code"),
+                    Qt::Horizontal);
     splitDockWidget(dock("code"), dock("values"), Qt::Vertical);
     for (const char *name : {"inspector", "versions", "notes"})
         tabifyDockWidget(dock("code"), dock(name));
@@ -108,9 +126,9 @@ void MainWindow::arrangeCode()
 /// Instructions | scene | charts over inspector over values.
 void MainWindow::arrangeExplore()
 {
-    addDockWidget(Qt::LeftDockWidgetArea, dock("task"));
+    addDockWidget(beginning(), dock("task"));
     for (const char *name : {"momentum", "energy", "inspector", "values"})
-        addDockWidget(Qt::RightDockWidgetArea, dock(name));
+        addDockWidget(opposite(), dock(name));
     // Their places for when they are asked for.
     for (const char *name : {"code", "versions", "notes"}) {
         tabifyDockWidget(dock("inspector"), dock(name));

@@ -32,8 +32,8 @@ constexpr float lineTint = 0.3F;  ///< share of the text's colour in the lines o
 constexpr float codeTint = 0.07F; ///< share of the text's colour in the background of code
 
 /// The words that name the two parts of a velocity, in every language of the instructions.
-constexpr std::array alongWords{u"along", u"längs"};
-constexpr std::array acrossWords{u"across", u"quer"};
+constexpr std::array alongWords{u"along", u"längs", u"موازية"};
+constexpr std::array acrossWords{u"across", u"quer", u"معامدة"};
 
 /// The colour of a word that names a part of a velocity, made to be read; invalid for others.
 QColor colourOf(const QString &word)
@@ -61,6 +61,8 @@ void setDistances(QTextDocument *document)
     for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         const bool code = isCode(block);
+        if (code)
+            format.setLayoutDirection(Qt::LeftToRight); // also where a comment is in Arabic
         const bool inList = block.textList() && block.next().textList();
         format.setNonBreakableLines(false);
         format.setLineHeight(code ? 0 : lineDistance * size, QTextBlockFormat::LineDistanceHeight);

@@ -24,6 +24,7 @@ Timeline::Timeline(Simulation &simulation, QWidget *parent)
     : QAbstractSlider(parent)
     , m_simulation(simulation)
 {
+    setLayoutDirection(Qt::LeftToRight); // time goes as in the charts
     setOrientation(Qt::Horizontal);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

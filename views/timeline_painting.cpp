@@ -243,6 +243,7 @@ void Timeline::paintEvent(QPaintEvent *)
 {
     const Theme &colours = theme();
     QPainter painter(this);
+    painter.setLayoutDirection(layoutDirection());
     painter.fillRect(rect(), colours.panel);
     const std::vector<HitColumn> all = columns();
     // Many hits lie behind the bar, which is to be seen through them; a few on it.

@@ -56,6 +56,7 @@ ChartPlot::ChartPlot(QWidget *parent)
     , m_timeAxis(new QValueAxis(this))
     , m_valueAxis(new QValueAxis(this))
 {
+    setLayoutDirection(Qt::LeftToRight); // as physics is written, in every language
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
     setInteractive(false);

@@ -123,6 +123,7 @@ void ChartPlot::drawAreas(QPainter &painter) const
 void ChartPlot::drawTicks(QPainter &painter) const
 {
     const Theme &colours = theme();
+    painter.setLayoutDirection(layoutDirection()); // else it is the application's
     painter.setFont(smallFont());
     const QFontMetricsF metrics(painter.font());
     for (const double tick : m_scale.ticks()) {
@@ -203,6 +204,7 @@ void ChartPlot::paint(QPainter &painter) const
 /// All that lies over the curves.
 void ChartPlot::drawOver(QPainter &painter) const
 {
+    painter.setLayoutDirection(layoutDirection());
     painter.setFont(smallFont());
     painter.setRenderHint(QPainter::Antialiasing, false);
     drawHits(painter);

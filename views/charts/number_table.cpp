@@ -16,6 +16,7 @@ void setNumberRows(QTableView *table)
 QTableView *makeNumberTable(QAbstractItemModel *model, int unitRole)
 {
     auto *table = new QTableView;
+    table->setLayoutDirection(Qt::LeftToRight); // else signs and units change sides
     table->setHorizontalHeader(new SymbolHeader(unitRole, table));
     table->setVerticalHeader(new NumberHeader(table));
     table->setModel(model);

@@ -51,6 +51,7 @@ void widen(AxisScale &axis, double factor)
 PhasePlot::PhasePlot(QWidget *parent)
     : QWidget(parent)
 {
+    setLayoutDirection(Qt::LeftToRight);
     setCursor(Qt::CrossCursor);
 }
 
@@ -153,6 +154,7 @@ void PhasePlot::paintEvent(QPaintEvent *)
 
 void PhasePlot::paint(QPainter &painter) const
 {
+    painter.setLayoutDirection(layoutDirection());
     painter.setFont(smallFont());
     drawAxes(painter);
     drawCurves(painter);

@@ -40,6 +40,7 @@ double sharp(double x)
 SpeedPlot::SpeedPlot(QWidget *parent)
     : QWidget(parent)
 {
+    setLayoutDirection(Qt::LeftToRight);
 }
 
 void SpeedPlot::showPicture(const SpeedPicture &picture)
@@ -86,6 +87,7 @@ void SpeedPlot::layOut()
 void SpeedPlot::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
+    painter.setLayoutDirection(layoutDirection());
     painter.fillRect(rect(), theme().panel);
     if (isEmpty()) {
         painter.setPen(theme().mutedText);

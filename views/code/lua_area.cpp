@@ -8,6 +8,7 @@
 
 #include <Qsci/qscicommandset.h>
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 
@@ -32,6 +33,39 @@ long toRgb(const QColor &colour)
     return colour.red() | colour.green() << 8 | colour.blue() << 16;
 }
 
+/// While it lives, painters write from left to right. Those of Scintilla take the direction of the
+/// application, and lines of a program would have their brackets on the wrong side. The windows
+/// are not told, so nothing is laid out anew.
+class LeftToRightPainting final : public QObject
+{
+public:
+    LeftToRightPainting()
+    {
+        if (!m_turned)
+            return;
+        qApp->installEventFilter(this);
+        QGuiApplication::setLayoutDirection(Qt::LeftToRight);
+    }
+    ~LeftToRightPainting() override
+    {
+        if (!m_turned)
+            return;
+        QGuiApplication::setLayoutDirection(Qt::LayoutDirectionAuto); // follows the language
+        if (!QGuiApplication::isRightToLeft())
+            QGuiApplication::setLayoutDirection(Qt::RightToLeft);
+    }
+    LeftToRightPainting(const LeftToRightPainting &) = delete;
+    LeftToRightPainting &operator=(const LeftToRightPainting &) = delete;
+
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        return event->type() == QEvent::ApplicationLayoutDirectionChange;
+    }
+
+private:
+    const bool m_turned = QGuiApplication::isRightToLeft();
+};
+
 bool isNamePart(char c)
 {
     return c == '_' || QChar::isLetterOrNumber(static_cast<unsigned char>(c));
@@ -43,6 +77,7 @@ LuaArea::LuaArea(QWidget *parent)
     : QsciScintilla(parent)
     , m_lexer(new LuaLexer(this))
 {
+    setLayoutDirection(Qt::LeftToRight);
     setFrameShape(QFrame::NoFrame);
     setUpDocument();
     setTabIndents(true);
@@ -73,6 +108,12 @@ void LuaArea::setUpDocument()
     setIndentationsUseTabs(false);
     setIndentationWidth(luaIndent);
     setTabWidth(luaIndent);
+}
+
+void LuaArea::paintEvent(QPaintEvent *event)
+{
+    const LeftToRightPainting painting;
+    QsciScintilla::paintEvent(event);
 }
 
 void LuaArea::showDocument(const QsciDocument &document)

@@ -71,6 +71,7 @@ void CirclesGroup::makeTable()
     m_model = new CircleTableModel(m_document, this);
     m_delegate = new CircleDelegate(this);
     m_table = new QTableView(this);
+    m_table->setLayoutDirection(Qt::LeftToRight); // else signs and units change sides
     m_header = new CircleHeader(m_table);
     m_table->setModel(m_model);
     m_table->setItemDelegate(m_delegate);

@@ -27,6 +27,7 @@ NumberField::NumberField(const QString &unit, double step, QWidget *parent)
     , m_unit(unit)
     , m_step(step)
 {
+    setLayoutDirection(Qt::LeftToRight); // the unit stands behind the number
     setProperty("refused", false);
     measure();
     setValue(0.0);
@@ -187,6 +188,7 @@ void NumberField::paintEvent(QPaintEvent *event)
 {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
+    painter.setLayoutDirection(layoutDirection()); // else it is the application's
     painter.setPen(theme().mutedText);
     painter.drawText(rect().adjusted(0, 0, -unitGap - 2, 0), Qt::AlignRight | Qt::AlignVCenter,
                      m_unit);

@@ -93,6 +93,7 @@ void paintLoupe(QPainter &painter, const Loupe &loupe, const QFont &font)
     image.setDevicePixelRatio(dpr);
     const QRectF inside({}, loupe.frame.size());
     QPainter near(&image);
+    near.setLayoutDirection(Qt::LeftToRight);
     paintShapes(near, loupe.list, loupe.camera);
     paintLabels(near, loupe.list, loupe.camera, font);
     near.setFont(labelFont(font));

@@ -122,6 +122,7 @@ QRectF chipRect(const Chip &chip, QSizeF viewport, const QFont &font)
 
 void paintOverlay(QPainter &painter, const ScenePicture &picture)
 {
+    painter.setLayoutDirection(Qt::LeftToRight); // no widget tells it here
     paintLabels(painter, picture.list, picture.camera, picture.font);
     if (picture.loupe)
         paintLoupe(painter, *picture.loupe, picture.font);

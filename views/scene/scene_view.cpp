@@ -34,6 +34,7 @@ SceneView::SceneView(PresetDocument &document, QWidget *parent)
     , m_editor(document)
     , m_actions(new SceneActions(m_editor, this))
 {
+    setLayoutDirection(Qt::LeftToRight); // x points to the right in every language
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     m_camera.fit(document.preset().halfWidth);

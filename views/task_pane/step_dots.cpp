@@ -66,7 +66,10 @@ QRectF StepDots::dotRect(int step) const
 {
     const double room = width() - 2.0 * side - diameter;
     const double pitch = std::min(widest, count() > 1 ? room / (count() - 1) : widest);
-    return {side + step * pitch, 0.5 * (height() - diameter), diameter, diameter};
+    const double along = side + step * pitch;
+    const bool mirrored = layoutDirection() == Qt::RightToLeft;
+    return {mirrored ? width() - along - diameter : along, 0.5 * (height() - diameter), diameter,
+            diameter};
 }
 
 int StepDots::stepAt(QPointF place) const
@@ -185,11 +188,12 @@ void StepDots::keyPressEvent(QKeyEvent *event)
 {
     const int last = count() - 1;
     const int from = m_marked >= 0 ? m_marked : std::max(0, m_current);
+    const int right = layoutDirection() == Qt::RightToLeft ? -1 : 1;
     switch (event->key()) {
     case Qt::Key_Left:
-        return mark(std::max(0, from - 1));
+        return mark(std::clamp(from - right, 0, std::max(0, last)));
     case Qt::Key_Right:
-        return mark(std::min(last, from + 1));
+        return mark(std::clamp(from + right, std::min(0, last), std::max(0, last)));
     case Qt::Key_Home:
         return mark(std::min(0, last));
     case Qt::Key_End:
