@@ -3,6 +3,7 @@
 #include "app/cli/grade_results.h"
 
 #include "app/language.h"
+#include "tasks/spoken_locale.h"
 
 #include <QDir>
 #include <QLocale>
@@ -47,7 +48,7 @@ std::optional<Error> writeResults(const GradeRequest &request, const Lab &lab,
 void speak(const QString &language)
 {
     setLanguage(language);
-    QLocale::setDefault(language == QLatin1String("en") ? QLocale::c() : QLocale(language));
+    QLocale::setDefault(language == QLatin1String("en") ? QLocale::c() : spokenLocale(language));
 }
 
 ExitCode verdictOn(const Manifest &manifest, const GradeRequest &request)

@@ -11,6 +11,7 @@
 #include "tasks/hand_in/hand_in.h"
 #include "tasks/lab_list.h"
 #include "tasks/lab_reader.h"
+#include "tasks/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -59,7 +60,7 @@ std::optional<ExitCode> takeLanguage(const QCommandLineParser &parser, const Wor
     setLanguage(asked);
     // Numbers as in the words around them.
     if (QLocale().language() != QLocale(currentLanguage()).language())
-        QLocale::setDefault(QLocale(currentLanguage()));
+        QLocale::setDefault(spokenLocale(currentLanguage()));
     return std::nullopt;
 }
 

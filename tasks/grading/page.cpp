@@ -113,11 +113,12 @@ QString escapedName(const QString &name)
 QString pageStart(const QString &title, const QString &language, const QString &style)
 {
     // Whatever got in would still load and run nothing.
-    return QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\"%4>\n<head>\n<meta charset=\"utf-8\">\n"
-                          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
-                          "'none'; style-src 'unsafe-inline'\">\n"
-                          "<meta name=\"viewport\" content=\"width=device-width\">\n"
-                          "<title>%2</title>\n<style>%3</style>\n</head>\n<body>\n")
+    return QStringLiteral(
+               "<!DOCTYPE html>\n<html lang=\"%1\"%4>\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src "
+               "'none'; style-src 'unsafe-inline'\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width\">\n"
+               "<title>%2</title>\n<style>%3</style>\n</head>\n<body>\n")
         .arg(escaped(language), escaped(title), commonStyle + style, directionAttribute(language));
 }
 
