@@ -8165,11 +8165,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>kinetic %1</source>
         <comment>unit</comment>
-        <translation>الحركية ⁨%1⁩</translation>
+        <translation>الحركية %1</translation>
     </message>
     <message>
         <source>kinetic %1</source>
-        <translation>الحركية ⁨%1⁩</translation>
+        <translation>الحركية %1</translation>
     </message>
     <message>
         <source>kinetic</source>
@@ -8193,7 +8193,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>total %1</source>
-        <translation>الكلية ⁨%1⁩</translation>
+        <translation>الكلية %1</translation>
     </message>
     <message>
         <source>taken by hits</source>
@@ -9593,7 +9593,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>pinned %1</source>
         <comment>a run</comment>
-        <translation>المثبّت ⁨%1⁩</translation>
+        <translation>المثبّت %1</translation>
     </message>
     <message>
         <source>%1: how it went on after %2 s</source>
@@ -11237,11 +11237,11 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>hit %1</source>
-        <translation>التصادم ⁨%1⁩</translation>
+        <translation>التصادم %1</translation>
     </message>
     <message>
         <source>hits %1–%2</source>
-        <translation>التصادمات ⁦%1–%2⁩</translation>
+        <translation>⁧التصادمات ⁦%1–%2⁩⁩</translation>
     </message>
 </context>
 <context>
@@ -11320,7 +11320,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>step %1</source>
-        <translation>الخطوة ⁨%1⁩</translation>
+        <translation>الخطوة %1</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -11513,7 +11513,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Hits %1</source>
-        <translation>التصادمات ⁨%1⁩</translation>
+        <translation>التصادمات %1</translation>
     </message>
     <message>
         <source>Hits</source>
