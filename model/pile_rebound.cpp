@@ -15,8 +15,8 @@ namespace {
 constexpr double reboundTolerance = 0.01;
 /// Sweeps over the contacts for it, at most.
 constexpr int mostSweeps = 60;
-/// Sweeps that part what overlaps in the end.
-constexpr int mostParting = 1000;
+/// Sweeps that part what overlaps in the end, for each thousand circles.
+constexpr std::size_t mostParting = 200;
 
 } // namespace
 
@@ -43,7 +43,8 @@ void PileStep::partEnds()
     m_unparted = m_ends;
     bool any = false;
     bool found = true;
-    for (int sweep = 0; sweep < mostParting && found; ++sweep) {
+    const std::size_t most = mostParting * std::max<std::size_t>(1, m_circles.size() / 1000);
+    for (std::size_t sweep = 0; sweep < most && found; ++sweep) {
         found = false;
         for (const Near &near : m_near) {
             const double gap = gapOf(near, m_ends);

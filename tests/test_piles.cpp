@@ -279,8 +279,7 @@ void TestPiles::aHeapNeitherOverlapsNorGainsEnergy()
     QFETCH(int, columns);
     QFETCH(int, steps);
     const double pitch = 0.4 * 19 / columns;
-    Preset preset =
-        rows(columns == 19 ? 190 : 50 * columns, columns, 0.375 * pitch, 0.25 * pitch);
+    Preset preset = rows(columns == 19 ? 190 : 50 * columns, columns, 0.375 * pitch, 0.25 * pitch);
     preset.restitution = restitution;
     Random random(5);
     for (PresetCircle &c : preset.circles) {
