@@ -16,11 +16,27 @@ of_glibc='^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|nsl|util|anl|BrokenLocale)\.
 # A desktop has these, and its graphics drivers need its own: bundled for machines that lack them.
 of_desktop='^lib(stdc\+\+|gcc_s|GL|EGL|GLX|OpenGL|GLdispatch|X11|X11-xcb|xcb|xcb-(dri2|dri3|glx|present|sync|randr|shm|xfixes|render)|Xau|Xdmcp|Xext|drm|gbm|z|zstd|lzma|expat|fontconfig|freetype|dbus-1|systemd|udev|gcrypt|gpg-error|selinux|cap|uuid|bsd|md|wayland-(client|server|egl|cursor))\.so.*$'
 
-# package_of FILE: the Debian package that owns a library, and its version.
+declare -A owners versions
+
+# read_packages: which package each library, plugin and font of this machine belongs to, and its version. Once:
+# asking dpkg of every file takes minutes.
+read_packages() {
+    local name value
+    while read -r name value; do
+        owners[$name]=$value
+    done < <(awk '/\.(so|otf|ttf)/ { package = FILENAME; sub(/.*\//, "", package)
+                                    sub(/(:[^.]*)?\.list$/, "", package)
+                                    sub(/^\/usr/, ""); print $0, package }' /var/lib/dpkg/info/*.list)
+    while read -r name value; do
+        versions[$name]=$value
+    done < <(dpkg-query -W -f='${Package} ${Version}\n')
+}
+
+# package_of FILE: the Debian package that owns it; nothing if none does.
 package_of() {
-    local owner
-    owner=$({ dpkg -S "$(readlink -f "$1")" || dpkg -S "$1" || dpkg -S "/usr$1"; } 2>/dev/null | head -1)
-    dpkg-query -W -f='${Package} ${Version}\n' "${owner%%:*}" | head -1
+    local real
+    real=$(readlink -f "$1")
+    echo "${owners[${real#/usr}]:-${owners[${1#/usr}]:-}}"
 }
 
 # bundle_library FILE FOLDER: copies it where it belongs, and notes where it comes from.
@@ -36,13 +52,13 @@ bundle_library() {
 
 # bundle_licence NAME FILE FOLDER: a line of LIBRARIES.txt, and the copyright of the package.
 bundle_licence() {
-    local package version
-    read -r package version <<<"$(package_of "$2")"
+    local package
+    package=$(package_of "$2")
     [ -n "$package" ] || {
         echo "tools/package: no package owns $2, so its licence is not known" >&2
         exit 1
     }
-    printf '%-52s %-28s %s\n' "$1" "$package" "$version" >>"$3/LIBRARIES.txt"
+    printf '%-52s %-28s %s\n' "$1" "$package" "${versions[$package]}" >>"$3/LIBRARIES.txt"
     cp -L "/usr/share/doc/$package/copyright" "$3/licenses/$package"
 }
 
@@ -66,6 +82,7 @@ make_portable() {
     name=cradle-$version-linux-$(uname -m)
     work=$(mktemp -d)
     folder=$work/$name
+    read_packages
     mkdir -p "$folder"/{lib/fallback,plugins,translations,fonts,licenses}
     DESTDIR=$work/installed cmake --install build/release --prefix /usr --strip >/dev/null
     mv "$work/installed/usr/bin" "$work/installed/usr/share" "$folder/"

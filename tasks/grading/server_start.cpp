@@ -5,6 +5,7 @@
 #include "tasks/grading/worker_server.h"
 
 #include <QFile>
+#include <QLibraryInfo>
 #include <QStandardPaths>
 
 #include <csignal>
@@ -33,10 +34,12 @@ void keepOnly(int control, int lab)
     close_range(lab < 0 ? serverControl + 1 : serverLab + 1, ~0U, 0);
 }
 
-/// How bubblewrap starts the server: of the disk it sees the system's libraries and this program.
+/// How bubblewrap starts the server: of the disk it sees the system's libraries, this program and
+/// the Qt that it runs with, which an archive brings along.
 std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program,
                                       const QByteArray &language)
 {
+    const QByteArray libraries = QFile::encodeName(QLibraryInfo::path(QLibraryInfo::LibrariesPath));
     std::vector<QByteArray> line{bubblewrap,
                                  "--unshare-all",
                                  "--die-with-parent",
@@ -55,6 +58,9 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
                                  "--ro-bind-try",
                                  "/etc/ld.so.cache",
                                  "/etc/ld.so.cache",
+                                 "--ro-bind-try",
+                                 libraries,
+                                 libraries,
                                  "--ro-bind",
                                  program,
                                  program,
