@@ -21,7 +21,7 @@ if(UNIX AND NOT APPLE)
     install(FILES "${resources}/completions/cradle" "${resources}/completions/cradle-cli"
             DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
     install(FILES "${resources}/packaging/copyright" DESTINATION "${docs}")
-    configure_file("${resources}/packaging/changelog.in" packaging/changelog.Debian @ONLY)
+    configure_file("${resources}/packaging/changelog.Debian" packaging/changelog.Debian @ONLY)
 
     # zipped NAME SOURCE FOLDER: installs a file as NAME.gz, without its date, as Debian's policy has it.
     find_program(CRADLE_GZIP gzip)
