@@ -13,6 +13,7 @@
 #include "views/charts/chart_pane.h"
 #include "views/code/code_pane.h"
 #include "views/scene/scene_view.h"
+#include "views/sound/hit_sounds.h"
 #include "views/transport_bar.h"
 
 #include <QActionGroup>
@@ -172,6 +173,13 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
     slows->setToolTip(MenuText::tr("A run goes at 1/8× after every hit, and before those that are "
                                    "recorded already; its steps stay as they are"));
     QObject::connect(slows, &QAction::toggled, &window, &MainWindow::slowAtHits);
+    QAction *sounds = menu->addAction(MenuText::tr("S&ounds of hits"));
+    sounds->setCheckable(true);
+    sounds->setChecked(window.hitSounds().isOn());
+    sounds->setShortcut(Qt::SHIFT | Qt::Key_H);
+    sounds->setToolTip(MenuText::tr("The heavier a circle, the lower its tone; the greater the "
+                                    "impulse, the louder"));
+    QObject::connect(sounds, &QAction::toggled, &window, &MainWindow::soundHits);
     QAction *frameTime = menu->addAction(MenuText::tr("Steps as long as the &frames took"));
     frameTime->setCheckable(true);
     frameTime->setChecked(simulation->usesFrameTime());

@@ -21,6 +21,7 @@
 #include "views/inspector/inspector.h"
 #include "views/notes_pane.h"
 #include "views/scene/scene_view.h"
+#include "views/sound/hit_sounds.h"
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
@@ -98,6 +99,9 @@ void MainWindow::makePanes()
     m_notice = new NoticeBar(top);
     m_announcer = new Announcer(this);
     m_announcer->follow(simulation);
+    m_hitSounds = new HitSounds(simulation, this);
+    connect(m_hitSounds, &HitSounds::struck, this,
+            [this](const std::vector<Tone> &tones) { play(samplesOf(tones)); });
     auto *rows = new QVBoxLayout(top);
     rows->setContentsMargins({});
     rows->setSpacing(0);

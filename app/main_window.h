@@ -25,10 +25,12 @@ class Inspector;
 class KeepingDesk;
 class MarkdownView;
 class NotesPane;
+class HitSounds;
 class NoticeBar;
 class PhaseChart;
 class PresentationLayer;
 class SceneView;
+class SoundOutput;
 class TaskPane;
 class Timeline;
 class TransportBar;
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] VersionsPane &versions() { return *m_versions; }
     [[nodiscard]] NotesPane &notes() { return *m_notes; }
     [[nodiscard]] Announcer &announcer() { return *m_announcer; }
+    [[nodiscard]] HitSounds &hitSounds() { return *m_hitSounds; }
     [[nodiscard]] NoticeBar &notice() { return *m_notice; }
     [[nodiscard]] const std::vector<QDockWidget *> &panes() const { return m_docks; }
 
@@ -81,6 +84,7 @@ public slots:
     void pauseAtHits(bool on);
     void slowAtHits(bool on);
     void announceHits(bool on); ///< to screen readers
+    void soundHits(bool on);    ///< pitch by mass, loudness by impulse
     void followCentreOfMass(bool on);
     void showInScene(const cradle::SceneOptions &options);
     void unlockPanes(bool unlocked); ///< gives the panes title bars to move them by
@@ -152,6 +156,7 @@ private:
     void showLooseScene();
     void showReport();
     void announceVerdict();
+    void play(std::vector<float> samples); ///< a sound
     void showVisit(bool visiting);
     void showMode();
     void chooseMode(int index);
@@ -192,6 +197,8 @@ private:
     PhaseChart *m_phase = nullptr;
     NoticeBar *m_notice = nullptr;
     Announcer *m_announcer = nullptr;
+    HitSounds *m_hitSounds = nullptr;
+    SoundOutput *m_soundOutput = nullptr; ///< once something sounded
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;

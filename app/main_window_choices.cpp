@@ -4,11 +4,16 @@
 // What the student has chosen to see, and keeps from one session to the next.
 #include "app/main_window.h"
 
+#include "app/notice_bar.h"
 #include "app/workbench.h"
 #include "views/announcer.h"
 #include "views/scene/scene_view.h"
+#include "views/sound/hit_sounds.h"
+#include "views/sound/sound_output.h"
 
 #include <QSettings>
+
+#include <utility>
 
 namespace cradle {
 
@@ -17,6 +22,7 @@ namespace {
 constexpr QLatin1String exactKey("exactMotion");
 constexpr QLatin1String pauseKey("pauseAtHits");
 constexpr QLatin1String slowKey("slowAtHits");
+constexpr QLatin1String soundKey("soundHits");
 constexpr QLatin1String announceKey("announceHits");
 constexpr QLatin1String followKey("followCentreOfMass");
 
@@ -45,6 +51,7 @@ void MainWindow::restoreChoices()
     simulation.setSlowsAtHits(m_settings.value(slowKey).toBool());
     m_scene->followCentreOfMass(m_settings.value(followKey).toBool());
     m_announcer->setSaysHits(m_settings.value(announceKey, true).toBool());
+    m_hitSounds->setOn(m_settings.value(soundKey).toBool());
     SceneOptions options;
     for (const auto &[key, option] : optionKeys)
         options.*option = m_settings.value(QLatin1String(key), options.*option).toBool();
@@ -73,6 +80,25 @@ void MainWindow::announceHits(bool on)
 {
     m_settings.setValue(announceKey, on);
     m_announcer->setSaysHits(on);
+}
+
+void MainWindow::soundHits(bool on)
+{
+    m_settings.setValue(soundKey, on);
+    m_hitSounds->setOn(on);
+}
+
+/// The device is asked for with the first sound; a machine without one is told of once.
+void MainWindow::play(std::vector<float> samples)
+{
+    if (!m_soundOutput) {
+        m_soundOutput = new SoundOutput(this);
+        connect(m_soundOutput, &SoundOutput::failed, this, [this] {
+            m_notice->warn(tr("There is no sound here: no sound server (PulseAudio or PipeWire) "
+                              "could be reached. Everything else goes on."));
+        });
+    }
+    m_soundOutput->play(std::move(samples));
 }
 
 void MainWindow::followCentreOfMass(bool on)

@@ -157,6 +157,7 @@ void MainWindow::showShortcuts()
         {tr("The hit before or after"), tr("PgUp, PgDown")},
         {tr("Start and end of the run"), tr("Home, End")},
         {tr("From curve to curve of a chart"), tr("Up, Down")},
+        {tr("Hear that curve from left to right"), tr("Return")},
         {tr("Along the dots of the steps, and open"), tr("Left, Right, Return")}};
     const auto half = static_cast<std::ptrdiff_t>((menus.size() + 1) / 2);
     const QString cell = QStringLiteral("<td>%1</td><td>&nbsp;&nbsp;</td>");

@@ -6,6 +6,7 @@
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
 #include "views/scene/scene_view.h"
+#include "views/sound/tone.h"
 
 #include <QFileDialog>
 
@@ -21,6 +22,8 @@ void MainWindow::wireCharts()
         connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
             simulation->seek(simulation->recording().indexAt(time));
         });
+        connect(chart, &ChartPane::curvePlayed, this,
+                [this](const std::vector<double> &values) { play(samplesOfCurve(values)); });
         connect(chart, &ChartPane::runRequested, simulation, &Simulation::start);
         connect(chart, &ChartPane::pinRequested, this, &MainWindow::pinRun);
         connect(chart, &ChartPane::failed, this, &MainWindow::report);

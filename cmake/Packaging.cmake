@@ -41,7 +41,7 @@ else()
         set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-qpa-plugins")
     endif()
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-        "bubblewrap, fonts-inter, fonts-jetbrains-mono, libgl1-mesa-dri, qt6-translations-l10n")
+        "bubblewrap, fonts-inter, fonts-jetbrains-mono, libgl1-mesa-dri, libpulse0, qt6-translations-l10n")
     set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Two circles in a square come to life in seventeen steps: motion, bouncing off
 walls, gravity, Euler and symplectic Euler side by side, glancing collisions,

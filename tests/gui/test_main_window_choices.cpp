@@ -4,6 +4,7 @@
 #include "tests/gui/open_window.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
+#include "views/sound/hit_sounds.h"
 
 #include <QAction>
 #include <QApplication>
@@ -75,8 +76,8 @@ void TestMainWindowChoices::choicesAreKeptBetweenSessions()
 {
     QVERIFY(!m_open->simulation().pausesAtHits());
     QVERIFY(!m_open->window.scene().followsCentreOfMass());
-    for (const char *text : {"Pause at hits", "Slow motion", "Follow the centre", "Exact motion",
-                             "Trails", "Centre of mass"}) {
+    for (const char *text : {"Pause at hits", "Slow motion", "Sounds of hits", "Follow the centre",
+                             "Exact motion", "Trails", "Centre of mass"}) {
         QVERIFY2(action(text), text);
         action(text)->trigger();
     }
@@ -84,6 +85,7 @@ void TestMainWindowChoices::choicesAreKeptBetweenSessions()
     m_open = std::make_unique<OpenWindow>(*m_folder);
     QVERIFY(m_open->simulation().pausesAtHits());
     QVERIFY(m_open->simulation().slowsAtHits());
+    QVERIFY(m_open->window.hitSounds().isOn());
     QVERIFY(m_open->simulation().shadow());
     QVERIFY(m_open->window.scene().followsCentreOfMass());
     SceneOptions options;

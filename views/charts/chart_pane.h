@@ -58,6 +58,7 @@ public slots:
 signals:
     void seekRequested(double time); ///< s: a click or a drag in the chart
     void pinRequested();
+    void curvePlayed(const std::vector<double> &values); ///< see ChartPlot
     void runRequested();                     ///< to go on, after a click that meant something else
     void failed(const cradle::Error &error); ///< a file could not be written
 

@@ -54,6 +54,7 @@ void ChartPane::wirePlot()
     });
     connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetByClick);
     connect(m_plot, &ChartPlot::curveTold, this, &ChartPane::describe);
+    connect(m_plot, &ChartPlot::curvePlayed, this, &ChartPane::curvePlayed);
     connect(m_plot, &ChartPlot::resized, this, &ChartPane::redraw);
 }
 

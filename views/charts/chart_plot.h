@@ -100,7 +100,10 @@ signals:
     void panned(double seconds, double values); ///< what is shown is to move by
     void resetRequested();
     void curveTold(); ///< toldCurve() is of another curve
-    void resized();   ///< what is shown is to be shown anew
+    /// Return was pressed: the curve that the keys are at is to be heard, at equal times of what is
+    /// shown, as far as the run has come.
+    void curvePlayed(const std::vector<double> &values);
+    void resized(); ///< what is shown is to be shown anew
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;
@@ -140,6 +143,7 @@ private:
     void drawBox(QPainter &painter) const;
     void drawFocus(QPainter &painter) const;
     void tellNext(int direction);
+    void playTold();
     void pick(double x);
     void chooseBox();
     [[nodiscard]] QRectF box() const; ///< px: that is dragged

@@ -9,11 +9,14 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
 
-constexpr double chipRoom = 4.0; ///< px around the text
+constexpr double chipRoom = 4.0;          ///< px around the text
+constexpr std::size_t playedValues = 400; ///< of a curve that is heard
 
 } // namespace
 
@@ -41,11 +44,29 @@ void ChartPlot::tellNext(int direction)
     emit curveTold();
 }
 
+/// Of what the run has recorded: beyond that there is nothing to hear.
+void ChartPlot::playTold()
+{
+    if (toldCurve().isEmpty() || m_curves[static_cast<std::size_t>(m_told)].samples->isEmpty())
+        return;
+    const ChartCurve &curve = m_curves[static_cast<std::size_t>(m_told)];
+    std::vector<double> values(playedValues);
+    const double from = std::max(m_moment.from, curve.samples->firstTime() - curve.shift);
+    const double length = std::min(m_moment.to, curve.samples->lastTime() - curve.shift) - from;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(values.size() - 1);
+        values[i] = curve.samples->valueAt(from + share * length + curve.shift);
+    }
+    emit curvePlayed(values);
+}
+
 void ChartPlot::keyPressEvent(QKeyEvent *event)
 {
     const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     if (plain && (event->key() == Qt::Key_Down || event->key() == Qt::Key_Up))
         tellNext(event->key() == Qt::Key_Down ? 1 : -1);
+    else if (plain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+        playTold();
     else
         event->ignore(); // nothing here is scrolled
 }
