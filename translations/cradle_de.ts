@@ -584,14 +584,6 @@
         <source>Speed to the right, drawn between the least and the most</source>
         <translation>Tempo nach rechts, gezogen zwischen dem kleinsten und dem größten</translation>
     </message>
-    <message>
-        <source>Again at once</source>
-        <translation>Gleich noch einmal</translation>
-    </message>
-    <message>
-        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
-        <translation>Von denen mit e = 1 geschehen einige, zwischen gleichen Kreisen, vor einer Wand, die Kreis 2 gleich zurückschickt</translation>
-    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -2861,14 +2853,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
         <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s² und im zweiten um %3 m/s². Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
-    </message>
-    <message>
-        <source>A hit soon after another is not answered</source>
-        <translation>Ein Stoß bald nach einem anderen wird nicht beantwortet</translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
     </message>
     <message>
         <source>Between equal circles the push is %1 times as large as it should be</source>
@@ -5164,6 +5148,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
         <translation>Sie sagen jeden Stoß an, der gezeigt wird; in einem laufenden Lauf ab und zu einen</translation>
     </message>
+    <message>
+        <source>S&amp;ounds of hits</source>
+        <translation>Stöße &amp;hören</translation>
+    </message>
+    <message>
+        <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
+        <translation>Je schwerer ein Kreis, desto tiefer sein Ton; je größer der Kraftstoß, desto lauter</translation>
+    </message>
 </context>
 <context>
     <name>MessageText</name>
@@ -6888,10 +6880,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>slow hit %1</source>
         <translation>langsamer Stoß %1</translation>
-    </message>
-    <message>
-        <source>contact %1, in front of a wall</source>
-        <translation>Stoß %1, vor einer Wand</translation>
     </message>
 </context>
 <context>
@@ -9391,6 +9379,18 @@ Ihre Nummer:</translation>
     <message>
         <source>Up, Down</source>
         <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>Hier gibt es keinen Ton: Kein Klangserver (PulseAudio oder PipeWire) ist zu erreichen. Alles andere geht weiter.</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>Diese Kurve von links nach rechts hören</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
