@@ -82,6 +82,11 @@ void setFonts(QTextDocument *document)
     for (QTextCursor &span : PictureObjects::spansOf(document)) {
         const int level = span.blockFormat().headingLevel();
         QTextCharFormat format = span.charFormat();
+        if (format.fontItalic() && span.selectedText().isRightToLeft()) {
+            // Arabic has no slanted letters, and fonts have none: they would show as boxes.
+            format.setFontItalic(false);
+            format.setFontWeight(QFont::DemiBold);
+        }
         if (level > 0) {
             const double scale = level == 1 ? 1.25 : level == 2 ? 1.05 : 1.0;
             format.clearProperty(QTextFormat::FontSizeAdjustment);
