@@ -137,10 +137,10 @@ void AuthorWindow::reload()
 /// What is typed and is no value is not in the lab, and so not in what was saved.
 void AuthorWindow::tellRefused()
 {
-    const QStringList checks = m_checksTab->refusedChecks();
-    if (!checks.isEmpty())
-        m_notice->showNotice(tr("Saved, but for fields of checks that hold no value yet: %1")
-                                 .arg(checks.join(QStringLiteral(", "))));
+    const QStringList refused = m_checksTab->refusedChecks() + m_textTab->refusedValues();
+    if (!refused.isEmpty())
+        m_notice->showNotice(tr("Saved, but for fields that hold no value yet: %1")
+                                 .arg(refused.join(QStringLiteral(", "))));
 }
 
 bool AuthorWindow::saveAs()

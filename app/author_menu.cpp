@@ -57,6 +57,8 @@ void AuthorWindow::fillMenus()
     edit->addSeparator();
     add(edit, tr("Insert the scene as a &figure"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F),
         this, &AuthorWindow::insertFigure);
+    add(edit, tr("&Values of lab and step"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), this,
+        &AuthorWindow::openValues);
     add(edit, tr("Start from the moment &shown"), {}, m_sceneTab, &SceneTab::setFromMoment);
 
     QMenu *step = m_stepMenu = menuBar()->addMenu(tr("&Step"));

@@ -59,19 +59,53 @@ void AuthorWindow::showVisit()
     }
 }
 
+void AuthorWindow::openValues()
+{
+    showTab(Text);
+    m_textTab->openValues();
+}
+
+/// The language of a file with texts in another than the lab's own; empty for all others.
+static QString languageOf(const QString &file)
+{
+    const QStringList parts = file.section(QLatin1Char('/'), -1).split(QLatin1Char('.'));
+    return parts.size() == 3 ? parts[1] : QString();
+}
+
+/// The id of one of a step's parts, which task.json counts and its translations name.
+template <typename Part>
+static QString idAt(const std::vector<Part> &parts, const QString &which)
+{
+    bool isNumber = false;
+    const std::size_t index = which.toUInt(&isNumber);
+    return !isNumber ? which : index < parts.size() ? parts[index].id : QString();
+}
+
 /// Opens the place that \p finding is about: the step, the tab, and there the program or field.
 void AuthorWindow::goTo(const Error &finding)
 {
-    if (finding.file == QLatin1String("lab.json")) {
-        editProperties();
+    const bool isText = finding.file.endsWith(QLatin1String(".md"))
+                        || finding.file.endsWith(QLatin1String(".json"));
+    if (const QString language = languageOf(finding.file); isText && !language.isEmpty())
+        m_document.setLanguage(language);
+    else if (isText)
+        m_document.setLanguage(languagesOf(m_document.files()).value(0));
+    const QString part = finding.pointer.section(QLatin1Char('/'), 1, 1);
+    const bool ofValue = part == QLatin1String("values");
+    const QString which = finding.pointer.section(QLatin1Char('/'), 2, 2);
+    if (!finding.file.contains(QLatin1Char('/'))) { // lab.json and its translations
+        if (ofValue) {
+            showTab(Text);
+            m_textTab->openValue({}, which);
+        } else {
+            editProperties();
+        }
         return;
     }
     const QString step = finding.file.section(QLatin1Char('/'), 0, 0);
     const QString file = finding.file.section(QLatin1Char('/'), 1);
     if (m_document.steps().contains(step))
         m_document.setStep(step);
-    const QString part = finding.pointer.section(QLatin1Char('/'), 1, 1);
-    const auto index = finding.pointer.section(QLatin1Char('/'), 2, 2).toUInt();
     const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
     if (file.startsWith(QLatin1String("checks/"))) {
         showTab(Checks);
@@ -88,18 +122,27 @@ void AuthorWindow::goTo(const Error &finding)
             m_sceneTab->openStart();
     } else if (part == QLatin1String("checks")) {
         showTab(Checks);
-        if (form && index < form->checks.size())
-            m_checksTab->showCheck(form->checks[index].id);
+        if (form)
+            m_checksTab->showCheck(idAt(form->checks, which));
     } else if (part == QLatin1String("remarks")) {
         showTab(Programs);
-        if (form && index < form->remarks.size())
-            m_programsTab->openRemark(form->remarks[index].id);
+        if (const QString id = form ? idAt(form->remarks, which) : QString(); !id.isEmpty())
+            m_programsTab->openRemark(id);
+    } else if (part == QLatin1String("mistakes")) {
+        showTab(Programs);
+        m_programsTab->openProgram(QStringLiteral("mistakes/%1.lua").arg(which), 0);
     } else {
         showTab(Text);
         if (part == QLatin1String("prediction"))
             m_textTab->openPrediction();
         else if (part == QLatin1String("questions"))
             m_textTab->openQuestions();
+        else if (ofValue)
+            m_textTab->openValue(step, which);
+        else if (part == QLatin1String("hints") || part == QLatin1String("code_hints"))
+            m_textTab->openHint(part == QLatin1String("code_hints"), which.toInt());
+        else if (finding.file.endsWith(QLatin1String(".md")))
+            m_textTab->openLine(finding.line);
     }
 }
 

@@ -64,6 +64,7 @@ public slots:
     void openAsStudent();
     void editProperties(); ///< of the lab: title, version, id
     void insertFigure();   ///< the scene as it is shown
+    void openValues();     ///< of the lab and the open step
     void showTab(int tab);
 
 signals:

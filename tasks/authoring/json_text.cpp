@@ -107,8 +107,8 @@ constexpr std::array keyOrder{
     "timesteps", "speeds",   "offset",   "both_move",  "again",      "restitutions", "radii",
     "densities", "position", "velocity", "radius",     "density",    "colour",       "integrator",
     "rms_speed", "seed",     "hints",    "code_hints", "circles",    "points",       "parameters",
-    "scene",     "checks",   "mistakes", "remarks",    "steps",      "moves",        "extra",
-    "locked"};
+    "scene",     "checks",   "mistakes", "remarks",    "from",       "to",           "step",
+    "values",    "draw",     "steps",    "moves",      "extra",      "locked"};
 
 } // namespace
 

@@ -95,6 +95,14 @@ void MarkdownEditor::goTo(const UnknownName &name)
     setFocus();
 }
 
+void MarkdownEditor::goToLine(int line)
+{
+    QTextCursor cursor(document()->findBlockByNumber(line - 1));
+    cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    setTextCursor(cursor);
+    setFocus();
+}
+
 void MarkdownEditor::lookForNames()
 {
     std::vector<UnknownName> unknown;

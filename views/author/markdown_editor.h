@@ -26,6 +26,7 @@ public:
     void setKnownNames(const TextNames &known);
     [[nodiscard]] const std::vector<UnknownName> &unknown() const { return m_unknown; }
     void goTo(const UnknownName &name); ///< selects it
+    void goToLine(int line);            ///< from 1
 
 signals:
     void edited(const QString &text); ///< by the author, not by showText()

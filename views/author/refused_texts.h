@@ -15,8 +15,8 @@ class RefusedTexts
 public:
     struct Text {
         QString typed;
-        QString value; ///< of the field when it was typed, as text
-        QString reason;
+        QString value;  ///< of the field when it was typed, as text
+        QString reason; ///< empty: it waits for another field of the same value
     };
 
     /// What the fields belong to, as "STEP/CHECK"; every text is that of one subject.
@@ -40,9 +40,12 @@ public:
     /// Why the subject's first text is no value; empty if it has none.
     [[nodiscard]] QString reason() const
     {
-        const auto first = m_texts.lowerBound(m_subject);
-        return first != m_texts.end() && first.key().startsWith(m_subject) ? first->reason
-                                                                           : QString();
+        for (auto it = m_texts.lowerBound(m_subject);
+             it != m_texts.end() && it.key().startsWith(m_subject); ++it) {
+            if (!it->reason.isEmpty())
+                return it->reason;
+        }
+        return {};
     }
     /// All subjects that have such texts.
     [[nodiscard]] QStringList subjects() const

@@ -4,11 +4,13 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/mode.h"
+#include "tasks/values/put_values.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
 #include "views/author/questions_editor.h"
 #include "views/author/step_fields.h"
+#include "views/author/values_editor.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 #include "views/theme.h"
@@ -72,6 +74,7 @@ void TextTab::makeLayout()
 
     m_prediction = new PredictionEditor(m_renderer, this);
     m_questions = new QuestionsEditor(m_renderer, this);
+    m_values = new ValuesEditor(m_document, this);
     m_fields = new StepFields(m_document, this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -80,6 +83,7 @@ void TextTab::makeLayout()
     column->addWidget(m_splitter, 1);
     column->addWidget(m_prediction, 1);
     column->addWidget(m_questions, 1);
+    column->addWidget(m_values, 1);
     column->addWidget(m_fields);
 }
 
@@ -147,10 +151,11 @@ void TextTab::reload()
     m_hints->setReadOnly(m_document.isReadOnly());
     m_prediction->setReadOnly(m_document.isReadOnly());
     m_questions->setReadOnly(m_document.isReadOnly());
-    const bool writes = part() != PredictionPart && part() != QuestionsPart;
+    const bool writes = part() == Instructions || part() == Hints || part() == CodeHints;
     m_splitter->setVisible(writes);
     m_prediction->setVisible(part() == PredictionPart);
     m_questions->setVisible(part() == QuestionsPart);
+    m_values->setVisible(part() == ValuesPart);
     m_figure->setVisible(writes);
     m_mode->setVisible(writes);
     reloadForm();
@@ -163,6 +168,7 @@ void TextTab::reloadForm()
     const Result<TaskForm> form =
         taskForm(m_document.files(), m_document.step(), m_document.language());
     m_hints->setVisible(form && part() != Instructions);
+    m_values->reload();
     if (!form)
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
@@ -197,7 +203,11 @@ void TextTab::showPreview()
 {
     const QString folder = m_pictures.follow(m_document.files(), m_document.step());
     const Mode mode = m_mode->currentIndex() == 0 ? Mode::Code : Mode::Explore;
-    const QString text = m_editor->toPlainText();
+    const QString typed = m_editor->toPlainText();
+    // Students see numbers where values stand.
+    const Result<QString> put =
+        withNumbers(typed, valuesOf(m_document.files(), m_document.step(), {}));
+    const QString text = put ? *put : typed;
     m_preview->setMarkdown(part() == Instructions ? textFor(mode, text) : text,
                            QUrl::fromLocalFile(folder));
 }
@@ -231,7 +241,7 @@ void TextTab::retranslate()
         }
     };
     setItems(m_part, {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
-                      tr("Prediction"), tr("Questions that count")});
+                      tr("Prediction"), tr("Questions that count"), tr("Values")});
     setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
     m_mode->setAccessibleName(tr("Mode of the preview"));

@@ -23,6 +23,7 @@ class MarkdownView;
 class PredictionEditor;
 class QuestionsEditor;
 class StepFields;
+class ValuesEditor;
 
 /// The texts of a step: instructions and hints in CommonMark and TeX beside what the student will
 /// see, in every language of the lab; the commit message and the id.
@@ -39,6 +40,13 @@ public:
     void insertFigure(const QString &name, const QString &description);
     void openPrediction(); ///< of the step
     void openQuestions();
+    void openHint(bool ofProgram, int hint);
+    void openLine(int line); ///< of the instructions, from 1; 0: none of them
+    void openValues();
+    /// The same, at a value of \p step, or of the lab if that is empty.
+    void openValue(const QString &step, const QString &name);
+    /// Values of which a field holds what is none.
+    [[nodiscard]] QStringList refusedValues() const;
 
 signals:
     void figureRequested(); ///< the author wants the scene as a figure
@@ -48,7 +56,7 @@ protected:
 
 private:
     /// Which text is written.
-    enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart };
+    enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart, ValuesPart };
 
     void makeLayout();
     QWidget *makeEditorColumn();
@@ -81,6 +89,7 @@ private:
     MarkdownView *m_preview = nullptr;
     PredictionEditor *m_prediction = nullptr;
     QuestionsEditor *m_questions = nullptr;
+    ValuesEditor *m_values = nullptr;
     StepFields *m_fields = nullptr;
     QStringList m_shownHints;
     bool m_loading = false;

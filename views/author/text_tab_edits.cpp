@@ -5,6 +5,7 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
+#include "views/author/values_editor.h"
 
 #include <QComboBox>
 
@@ -72,6 +73,36 @@ void TextTab::openPrediction()
 void TextTab::openQuestions()
 {
     m_part->setCurrentIndex(QuestionsPart);
+}
+
+void TextTab::openHint(bool ofProgram, int hint)
+{
+    m_part->setCurrentIndex(ofProgram ? CodeHints : Hints);
+    m_hints->setCurrent(hint);
+    m_editor->setFocus();
+}
+
+void TextTab::openLine(int line)
+{
+    m_part->setCurrentIndex(Instructions);
+    m_editor->goToLine(line);
+}
+
+void TextTab::openValues()
+{
+    m_part->setCurrentIndex(ValuesPart);
+    m_values->setFocus();
+}
+
+void TextTab::openValue(const QString &step, const QString &name)
+{
+    openValues();
+    m_values->showValue(step, name);
+}
+
+QStringList TextTab::refusedValues() const
+{
+    return m_values->refused();
 }
 
 void TextTab::insertFigure(const QString &name, const QString &description)

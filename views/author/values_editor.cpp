@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/values_editor.h"
+
+#include "model/expression.h"
+#include "model/shortest_number.h"
+#include "tasks/values/lab_values.h"
+#include "views/author/form_rows.h"
+#include "views/author/tool_buttons.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+constexpr int mostValues = 50; ///< as in the schemas
+constexpr int mostShown = 12;  ///< numbers that a text lists
+
+/// Whether what is typed says the same in other words: "2." while it becomes "2.5".
+bool isSame(const QString &typed, const QString &text)
+{
+    if (typed.trimmed() == text.trimmed())
+        return true;
+    bool isNumber = false;
+    (void)text.toDouble(&isNumber); // an expression is what it is written as
+    const Result<double> a = evaluated(typed);
+    return isNumber && a && *a == text.toDouble();
+}
+
+} // namespace
+
+void ValuesEditor::wire()
+{
+    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
+        if (m_loading)
+            return;
+        m_chosen = at() < 0 ? QString() : subjectOf(current());
+        ++m_typing;
+        showCurrent();
+    });
+    connect(m_add, &QToolButton::clicked, this, &ValuesEditor::add);
+    connect(m_remove, &QToolButton::clicked, this, &ValuesEditor::remove);
+    connect(m_kind, &QComboBox::activated, this, &ValuesEditor::takeKind);
+    connect(m_place, &QComboBox::activated, this, &ValuesEditor::takePlace);
+    connect(m_draw, &QLineEdit::textEdited, this, &ValuesEditor::takeDraw);
+    connect(m_student, &QLineEdit::textChanged, this, &ValuesEditor::showFacts);
+    for (int i = 0; i < LineCount; ++i)
+        connect(m_lines[i], &QLineEdit::textEdited, this,
+                [this, i] { takeLines(static_cast<Line>(i)); });
+    connect(&m_document, &AuthorDocument::opened, this, [this] {
+        m_texts.clear();
+        m_student->clear();
+    });
+}
+
+int ValuesEditor::at() const
+{
+    return m_list->currentRow();
+}
+
+QString ValuesEditor::subjectOf(const Row &row)
+{
+    return row.step.isEmpty() ? row.value.name : row.step + QLatin1Char('/') + row.value.name;
+}
+
+QStringList ValuesEditor::refused() const
+{
+    return m_texts.subjects();
+}
+
+void ValuesEditor::reload()
+{
+    m_rows.clear();
+    for (const QString &step : {QString(), m_document.step()}) {
+        if (step.isEmpty() && !m_rows.empty())
+            continue; // no step is open
+        for (const ValueForm &value : valueForms(m_document.files(), step))
+            m_rows.push_back({step, value});
+    }
+    m_loading = true;
+    m_list->clear();
+    int chosen = 0;
+    for (const Row &row : m_rows) {
+        if (subjectOf(row) == m_chosen)
+            chosen = m_list->count();
+        m_list->addItem(rowText(row));
+    }
+    m_list->setCurrentRow(std::min(chosen, m_list->count() - 1));
+    m_chosen = at() < 0 ? QString() : subjectOf(current());
+    m_loading = false;
+    m_heading->setText(tr("Values · %1").arg(m_list->count()));
+    if (const QString draw = drawOf(m_document.files()); m_draw->text() != draw)
+        m_draw->setText(draw);
+    showCurrent();
+}
+
+void ValuesEditor::showValue(const QString &step, const QString &name)
+{
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (m_rows[i].step == step && m_rows[i].value.name == name)
+            m_list->setCurrentRow(static_cast<int>(i));
+    }
+    m_lines[Name]->setFocus();
+}
+
+QString ValuesEditor::rowText(const Row &row) const
+{
+    const ValueForm &value = row.value;
+    const QString what =
+        value.drawn ? tr("%1: from %2 to %3, drawn")
+                          .arg(value.name, shortestNumber(value.from), shortestNumber(value.to))
+                    : QStringLiteral("%1 = %2").arg(value.name, value.expression);
+    return row.step.isEmpty() ? tr("%1 (whole lab)").arg(what) : what;
+}
+
+void ValuesEditor::showCurrent()
+{
+    const bool writable = !m_document.isReadOnly();
+    const bool any = at() >= 0;
+    m_empty->setVisible(!any);
+    m_form->setVisible(any);
+    m_add->setEnabled(writable && !m_document.steps().isEmpty()
+                      && taken(m_document.step()).size() < mostValues);
+    m_remove->setEnabled(writable && any);
+    m_kind->setEnabled(writable);
+    m_place->setEnabled(writable);
+    m_draw->setReadOnly(!writable);
+    for (QLineEdit *line : m_lines)
+        line->setReadOnly(!writable);
+    if (any) {
+        m_texts.setSubject(m_chosen);
+        m_kind->setCurrentIndex(current().value.drawn ? 1 : 0);
+        m_place->setCurrentIndex(current().step.isEmpty() ? 0 : 1);
+        showLines();
+    }
+    showFacts();
+}
+
+bool ValuesEditor::isShown(Line line) const
+{
+    return line == Name || (line == Expression) != current().value.drawn;
+}
+
+QString ValuesEditor::valueText(Line line) const
+{
+    const ValueForm &value = current().value;
+    switch (line) {
+    case Name:
+        return value.name;
+    case Expression:
+        return value.expression;
+    case From:
+        return shortestNumber(value.from);
+    case To:
+        return shortestNumber(value.to);
+    case Step:
+        return shortestNumber(value.step);
+    case LineCount:
+        break;
+    }
+    return {};
+}
+
+void ValuesEditor::showLines()
+{
+    for (int i = 0; i < LineCount; ++i) {
+        const Line line = static_cast<Line>(i);
+        QLineEdit *edit = m_lines[i];
+        const QString value = valueText(line);
+        const RefusedTexts::Text *refused = m_texts.find(edit->objectName(), value);
+        const QString text = refused ? refused->typed : value;
+        if (!isSame(edit->text(), text))
+            edit->setText(text);
+        markRefused(edit, refused && !refused->reason.isEmpty());
+        m_captions[i]->setVisible(isShown(line));
+        edit->setVisible(isShown(line));
+    }
+    const QString reason = m_texts.reason();
+    showRefusal(m_refusal, reason.isEmpty() ? faultOfValue(m_document.files(), current().step,
+                                                           current().value.name)
+                                            : reason);
+}
+
+/// What the value is for whom, and where it is used.
+void ValuesEditor::showFacts()
+{
+    const bool any = at() >= 0;
+    const bool drawn = any && current().value.drawn;
+    const bool draws = drawsValues(m_document.files());
+    m_facts->setVisible(any);
+    m_studentCaption->setVisible(drawn);
+    m_student->setVisible(drawn);
+    m_drawn->setVisible(drawn && !m_student->text().trimmed().isEmpty());
+    m_drawCaption->setVisible(draws);
+    m_draw->setVisible(draws);
+    if (!any)
+        return;
+    const Row &row = current();
+    const QString &name = row.value.name;
+    QStringList facts{tr("Write {{%1}} in texts, programs and checks; in scenes and other values "
+                         "%1 alone.")
+                          .arg(name)};
+    const Values values = valuesOf(m_document.files(), row.step, {});
+    if (drawn) {
+        QStringList numbers;
+        for (const double number : numbersOf(row.value, mostShown))
+            numbers.append(shortestNumber(number));
+        const int count = countOf(row.value);
+        if (count > mostShown)
+            numbers.append(QStringLiteral("…"));
+        facts.append(tr("Each student gets one of %n number(s): %1. You, and who gives no number, "
+                        "have the first.",
+                        nullptr, count)
+                         .arg(numbers.join(QStringLiteral(", "))));
+    } else if (values.contains(name)) {
+        facts.append(QStringLiteral("%1 = %2").arg(name, shortestNumber(values.value(name))));
+    }
+    const QStringList uses = filesUsing(m_document.files(), row.step, name);
+    facts.append(uses.isEmpty() ? tr("Nothing uses it yet.")
+                                : tr("Used in %1.").arg(uses.join(QStringLiteral(", "))));
+    m_facts->setText(facts.join(QStringLiteral("\n\n")));
+    if (const QString student = m_student->text().trimmed(); !student.isEmpty())
+        m_drawn->setText(
+            tr("Student %1 has %2 = %3")
+                .arg(student, name,
+                     shortestNumber(valuesOf(m_document.files(), row.step, student).value(name))));
+}
+
+} // namespace cradle

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/values_editor.h"
+
+#include "views/author/form_rows.h"
+#include "views/author/rows_list.h"
+#include "views/author/tool_buttons.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+constexpr int listWidth = 260;    ///< px
+constexpr int longestDraw = 200;  ///< characters, as in lab.schema.json
+constexpr int longestNumber = 64; ///< characters of a student's number
+constexpr int longestValue = 400; ///< characters, as in the schemas
+
+} // namespace
+
+ValuesEditor::ValuesEditor(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    auto *parts = new QSplitter(Qt::Horizontal, this);
+    parts->addWidget(makeList());
+    parts->addWidget(makeForm());
+    parts->addWidget(makeFacts());
+    parts->setChildrenCollapsible(false);
+    parts->setSizes({listWidth, 370, 370});
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(parts);
+    setFocusProxy(m_list);
+    retranslate();
+    wire();
+    reload();
+}
+
+QWidget *ValuesEditor::makeList()
+{
+    auto *side = new QWidget;
+    m_heading = makeHeading(side);
+    m_list = makeRowsList(QStringLiteral("values"), side);
+    wrapRows(m_list);
+    m_add = makeIconButton(QStringLiteral("add"), side);
+    m_remove = makeIconButton(QStringLiteral("remove"), side);
+    side->setLayout(makeRowsColumn(m_heading, {m_add, m_remove}, m_list));
+    setRowKeys(m_list, {.up = nullptr, .down = nullptr, .remove = m_remove, .rename = [this] {
+                            m_lines[Name]->setFocus();
+                            m_lines[Name]->selectAll();
+                        }});
+    return side;
+}
+
+QWidget *ValuesEditor::makeForm()
+{
+    auto *side = new QWidget;
+    m_empty = makeMutedText(side);
+    m_form = new QWidget(side);
+    m_kindCaption = new QLabel(m_form);
+    m_kind = new QComboBox(m_form);
+    m_placeCaption = new QLabel(m_form);
+    m_place = new QComboBox(m_form);
+    m_kind->setObjectName(QStringLiteral("valueKind"));
+    m_place->setObjectName(QStringLiteral("valuePlace"));
+    m_kindCaption->setBuddy(m_kind);
+    m_placeCaption->setBuddy(m_place);
+    const char *const names[] = {"valueName", "valueExpression", "valueFrom", "valueTo",
+                                 "valueStep"};
+    QFormLayout *rows = makeFormRows();
+    for (int i = 0; i < LineCount; ++i) {
+        m_captions[i] = new QLabel(m_form);
+        m_lines[i] = new QLineEdit(m_form);
+        m_lines[i]->setObjectName(QLatin1String(names[i]));
+        m_lines[i]->setMaxLength(longestValue);
+        m_captions[i]->setBuddy(m_lines[i]);
+        rows->addRow(m_captions[i], m_lines[i]);
+        if (i == Name)
+            rows->addRow(m_kindCaption, m_kind);
+    }
+    rows->addRow(m_placeCaption, m_place);
+    m_refusal = makeRefusal(m_form);
+    m_refusal->setObjectName(QStringLiteral("valueRefusal"));
+    auto *column = new QVBoxLayout(m_form);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addLayout(rows);
+    column->addWidget(m_refusal);
+    auto *both = new QVBoxLayout(side);
+    both->setContentsMargins(12, 8, 12, 8);
+    both->addWidget(m_empty);
+    both->addWidget(m_form);
+    both->addStretch(1);
+    // Made in another order than they are reached.
+    setTabOrder(m_lines[Name], m_kind);
+    setTabOrder(m_kind, m_lines[Expression]);
+    setTabOrder(m_lines[Step], m_place);
+    return side;
+}
+
+QWidget *ValuesEditor::makeFacts()
+{
+    auto *side = new QWidget;
+    m_facts = makeMutedText(side);
+    m_facts->setObjectName(QStringLiteral("valueFacts"));
+    m_studentCaption = new QLabel(side);
+    m_student = new QLineEdit(side);
+    m_student->setObjectName(QStringLiteral("valueStudent"));
+    m_student->setMaxLength(longestNumber);
+    m_studentCaption->setBuddy(m_student);
+    m_drawn = makeMutedText(side);
+    m_drawn->setObjectName(QStringLiteral("valueDrawn"));
+    m_drawCaption = new QLabel(side);
+    m_draw = new QLineEdit(side);
+    m_draw->setObjectName(QStringLiteral("valueDraw"));
+    m_draw->setMaxLength(longestDraw);
+    m_drawCaption->setBuddy(m_draw);
+    QFormLayout *rows = makeFormRows();
+    rows->addRow(m_studentCaption, m_student);
+    rows->addRow(m_drawn);
+    rows->addRow(m_drawCaption, m_draw);
+    auto *column = new QVBoxLayout(side);
+    column->setContentsMargins(12, 8, 12, 8);
+    column->setSpacing(12);
+    column->addWidget(m_facts);
+    column->addLayout(rows);
+    column->addStretch(1);
+    return side;
+}
+
+void ValuesEditor::retranslate()
+{
+    m_heading->setText(tr("Values · %1").arg(m_list->count()));
+    m_list->setAccessibleName(tr("Values of the lab and of the step"));
+    nameButton(m_add, tr("Add a value"));
+    nameButton(m_remove, tr("Remove the value"), tr("Delete"));
+    m_empty->setText(tr("No number has a name yet. Add one with the plus, and write it in braces, "
+                        "as {{e}}, where texts, programs and checks need it: then it stands in one "
+                        "place, and may be another for each student."));
+    const auto setItems = [](QComboBox *box, const QStringList &texts) {
+        for (int i = 0; i < texts.size(); ++i) {
+            if (i >= box->count())
+                box->addItem(texts[i]);
+            box->setItemText(i, texts[i]);
+        }
+    };
+    setItems(m_kind, {tr("The same for all"), tr("Drawn for each student")});
+    setItems(m_place, {tr("In the whole lab"), tr("In this step")});
+    m_kindCaption->setText(tr("Kind"));
+    m_kind->setAccessibleName(tr("Whether the value is drawn"));
+    m_placeCaption->setText(tr("Known"));
+    m_place->setAccessibleName(tr("Where the value is known"));
+    const QString captions[] = {tr("Name"), tr("Value"), tr("From"), tr("To"), tr("Step")};
+    for (int i = 0; i < LineCount; ++i) {
+        m_captions[i]->setText(captions[i]);
+        m_lines[i]->setAccessibleName(captions[i]);
+    }
+    m_lines[Name]->setToolTip(tr("Letters, digits and underscores"));
+    m_lines[Expression]->setToolTip(
+        tr("A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses "
+           "want"));
+    m_lines[Step]->setToolTip(tr("From one number to the next"));
+    m_studentCaption->setText(tr("Student number"));
+    m_student->setAccessibleName(tr("Student number to try the draw with"));
+    m_student->setToolTip(tr("To see what that student gets; it is kept nowhere"));
+    m_drawCaption->setText(tr("Draw"));
+    m_draw->setAccessibleName(tr("Draw of the lab"));
+    m_draw->setToolTip(tr("Another text draws other values: change it every year"));
+}
+
+void ValuesEditor::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        reload();
+    }
+}
+
+} // namespace cradle
