@@ -55,6 +55,8 @@ void AuthorWindow::fillMenus()
     redo->setShortcuts(again);
     edit->addActions({undo, redo});
     edit->addSeparator();
+    add(edit, tr("F&ind and replace in the lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H),
+        this, &AuthorWindow::openSearch);
     add(edit, tr("Insert the scene as a &figure"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F),
         this, &AuthorWindow::insertFigure);
     add(edit, tr("&Values of lab and step"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), this,

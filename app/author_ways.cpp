@@ -5,6 +5,7 @@
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/checks_tab.h"
+#include "views/author/find_panel.h"
 #include "views/author/programs_tab.h"
 #include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
@@ -63,6 +64,11 @@ void AuthorWindow::openValues()
 {
     showTab(Text);
     m_textTab->openValues();
+}
+
+void AuthorWindow::openSearch()
+{
+    m_find->open();
 }
 
 /// The language of a file with texts in another than the lab's own; empty for all others.

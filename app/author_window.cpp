@@ -7,6 +7,7 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/broken_file.h"
 #include "views/author/checks_tab.h"
+#include "views/author/find_panel.h"
 #include "views/author/language_box.h"
 #include "views/author/programs_tab.h"
 #include "views/author/proof_tab.h"
@@ -86,6 +87,8 @@ void AuthorWindow::makePanes()
     column->setSpacing(0);
     column->addWidget(m_notice);
     column->addWidget(m_splitter, 1);
+    m_find = new FindPanel(m_document, centre);
+    column->addWidget(m_find);
     setCentralWidget(centre);
 }
 
@@ -115,6 +118,9 @@ void AuthorWindow::wire()
         connect(&m_document, signal, this, &AuthorWindow::showBroken);
     connect(m_steps, &StepsPanel::said, this,
             [this](const QString &text) { m_notice->showNotice(text); });
+    connect(m_find, &FindPanel::said, this,
+            [this](const QString &text) { m_notice->showNotice(text); });
+    connect(m_find, &FindPanel::chosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
     connect(m_steps, &StepsPanel::menuRequested, this,

@@ -21,6 +21,7 @@ namespace cradle {
 class BrokenFile;
 class NoticeBar;
 class ChecksTab;
+class FindPanel;
 class ProgramsTab;
 class ProofTab;
 class SceneTab;
@@ -65,6 +66,7 @@ public slots:
     void editProperties(); ///< of the lab: title, version, id
     void insertFigure();   ///< the scene as it is shown
     void openValues();     ///< of the lab and the open step
+    void openSearch();     ///< over the whole lab
     void showTab(int tab);
 
 signals:
@@ -113,6 +115,7 @@ private:
     QTabWidget *m_tabs = nullptr;
     SceneTab *m_sceneTab = nullptr;
     TextTab *m_textTab = nullptr;
+    FindPanel *m_find = nullptr;
     ChecksTab *m_checksTab = nullptr;
     ProgramsTab *m_programsTab = nullptr;
     ProofTab *m_proofTab = nullptr;
