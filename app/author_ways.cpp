@@ -45,6 +45,10 @@ void AuthorWindow::wireProof()
             });
     connect(m_sceneTab, &SceneTab::visitingChanged, this, &AuthorWindow::showVisit);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AuthorWindow::showVisit);
+    connect(m_tabs, &QTabWidget::currentChanged, this, [this](int tab) {
+        if (tab == Checks)
+            m_checksTab->setProgram(m_programsTab->program());
+    });
 }
 
 /// Says of the scene what run is to be seen there, and nothing of it in other tabs.

@@ -5,6 +5,7 @@
 #include "tasks/authoring/free_name.h"
 #include "views/author/check_editor.h"
 #include "views/author/check_script.h"
+#include "views/author/check_trial.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/icons.h"
@@ -76,10 +77,17 @@ void ChecksTab::makeLayout()
     m_splitter->addWidget(scroll);
     m_splitter->addWidget(m_script);
     m_splitter->setChildrenCollapsible(false);
+    m_trial = new CheckTrial(m_document, this);
+    auto *right = new QWidget(this);
+    auto *column = new QVBoxLayout(right);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_splitter, 1);
+    column->addWidget(m_trial);
 
     auto *halves = new QSplitter(Qt::Horizontal, this);
     halves->addWidget(side);
-    halves->addWidget(m_splitter);
+    halves->addWidget(right);
     halves->setChildrenCollapsible(false);
     halves->setStretchFactor(1, 1);
     halves->setSizes({listWidth, 760});
@@ -149,6 +157,8 @@ void ChecksTab::showCurrent()
     if (at >= 0)
         m_editor->show(check, m_document.step());
     m_script->showCheck(check);
+    m_trial->setVisible(at >= 0);
+    m_trial->setCheck(check.id);
 }
 
 /// Marks the checks in which something is typed that is no value.
@@ -265,6 +275,11 @@ void ChecksTab::showCheck(const QString &id)
         if (m_checks[static_cast<std::size_t>(i)].id == id)
             m_list->setCurrentRow(i);
     }
+}
+
+void ChecksTab::setProgram(const QString &file)
+{
+    m_trial->setProgram(file);
 }
 
 void ChecksTab::showScript(const QString &file)

@@ -20,6 +20,7 @@ namespace cradle {
 
 class CheckEditor;
 class CheckScript;
+class CheckTrial;
 class CodeEditor;
 
 /// The checks of a step: a list in the order of the report, and the chosen one as a form. A check
@@ -33,6 +34,8 @@ public:
     void showCheck(const QString &id);
     void showScript(const QString &file); ///< the check in Lua that \p file is the program of
     [[nodiscard]] CodeEditor &scriptEditor();
+    /// The program of the step that a check is tried on: "mistakes/NAME.lua".
+    void setProgram(const QString &file);
     /// The checks of any step, "STEP/ID", in which something is typed that is no value.
     [[nodiscard]] QStringList refusedChecks() const;
 
@@ -70,6 +73,7 @@ private:
     QSplitter *m_splitter = nullptr;
     CheckEditor *m_editor = nullptr;
     CheckScript *m_script = nullptr;
+    CheckTrial *m_trial = nullptr;
     QString m_shownStep;
     bool m_loading = false;
 };

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/open_author.h"
+
+#include "app/author_window.h"
+#include "tasks/authoring/lab_edits.h"
+
+#include <QLabel>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// One check of a step, tried on one of its programs.
+class TestAuthorTrial : public QObject
+{
+    Q_OBJECT
+private slots:
+    void solutionPassesAndMistakeFails();
+    void programOpenIsOffered();
+    void whatIsSaidGoesWithTheNextEdit();
+    void programThatStopsIsTold();
+};
+
+namespace {
+
+/// Opens the second check of the first step: that the ball falls by symplectic Euler.
+void openCheck(OpenAuthor &author, const QTemporaryDir &folder)
+{
+    openBall(author, folder);
+    author.window.showTab(AuthorWindow::Checks);
+    author.find<QListWidget>("checks")->setCurrentRow(1);
+}
+
+QString tried(OpenAuthor &author, const QString &program)
+{
+    author.find<QComboBox>("trialProgram")->setCurrentText(program);
+    author.click(QStringLiteral("Try this check"));
+    auto *result = author.find<QLabel>("trialResult");
+    if (!QTest::qWaitFor([&] { return result->text() != QStringLiteral("Running…"); }, 60'000))
+        return QStringLiteral("nothing came");
+    return result->text();
+}
+
+} // namespace
+
+void TestAuthorTrial::solutionPassesAndMistakeFails()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openCheck(author, folder);
+    QCOMPARE(tried(author, QStringLiteral("solution.lua")), QStringLiteral("solution.lua passes."));
+    QVERIFY(tried(author, QStringLiteral("starter.lua"))
+                .startsWith(QLatin1String("starter.lua fails: ")));
+    const QString said = tried(author, QStringLiteral("mistakes/gravity-upward.lua"));
+    QVERIFY2(said.startsWith(QLatin1String("mistakes/gravity-upward.lua fails: ")),
+             qPrintable(said));
+    // That mistake is of gravity in the student's own scene; the Moon has its own.
+    author.find<QListWidget>("checks")->setCurrentRow(2);
+    QVERIFY(author.find<QLabel>("trialResult")->text().isEmpty());
+    QCOMPARE(tried(author, QStringLiteral("mistakes/gravity-upward.lua")),
+             QStringLiteral("mistakes/gravity-upward.lua passes."));
+}
+
+void TestAuthorTrial::programOpenIsOffered()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openCheck(author, folder);
+    author.window.showTab(AuthorWindow::Programs);
+    author.window.programsTab().openProgram(QStringLiteral("mistakes/thrown.lua"));
+    author.window.showTab(AuthorWindow::Checks);
+    QCOMPARE(author.find<QComboBox>("trialProgram")->currentText(),
+             QStringLiteral("mistakes/thrown.lua"));
+}
+
+void TestAuthorTrial::whatIsSaidGoesWithTheNextEdit()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openCheck(author, folder);
+    QVERIFY(!tried(author, QStringLiteral("solution.lua")).isEmpty());
+    author.window.checksTab().duplicateCheck();
+    QVERIFY(author.find<QLabel>("trialResult")->text().isEmpty());
+}
+
+void TestAuthorTrial::programThatStopsIsTold()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openCheck(author, folder);
+    QVERIFY(author.document().edit({}, withProgramText(author.files(),
+                                                       QStringLiteral("BALL1/starter.lua"),
+                                                       QStringLiteral("\nlocal a = nil + 1\n"))));
+    const QString said = tried(author, QStringLiteral("starter.lua"));
+    QVERIFY2(said.startsWith(QLatin1String("starter.lua stops in line 2: ")), qPrintable(said));
+}
+
+QTEST_MAIN(TestAuthorTrial)
+
+#include "test_author_trial.moc"
