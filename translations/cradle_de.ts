@@ -7296,10 +7296,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Es gibt Änderungen, die nicht gespeichert sind. Nimmst du stattdessen die Dateien des Ordners, holt Rückgängig deine zurück.</translation>
     </message>
     <message>
-        <source>Saved, but for fields of checks that hold no value yet: %1</source>
-        <translation>Gespeichert, bis auf Felder von Prüfungen, in denen noch kein Wert steht: %1</translation>
-    </message>
-    <message>
         <source>Not all of it can be read</source>
         <translation>Nicht alles lässt sich lesen</translation>
     </message>
@@ -7310,6 +7306,18 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Export anyway</source>
         <translation>Trotzdem exportieren</translation>
+    </message>
+    <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>Gespeichert, bis auf Felder, in denen noch kein Wert steht: %1</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>Im Lab &amp;suchen und ersetzen…</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>&amp;Werte von Lab und Schritt</translation>
     </message>
 </context>
 <context>
@@ -7508,6 +7516,49 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Program of the check</source>
         <translation>Programm der Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckTrial</name>
+    <message>
+        <source>It cannot be tried before what is wrong in this step is mended.</source>
+        <translation>Sie lässt sich erst versuchen, wenn behoben ist, was in diesem Schritt nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>Running…</source>
+        <translation>Läuft…</translation>
+    </message>
+    <message>
+        <source>%1 stops in line %2: %3</source>
+        <translation>%1 hält in Zeile %2 an: %3</translation>
+    </message>
+    <message>
+        <source>%1 stops: %2</source>
+        <translation>%1 hält an: %2</translation>
+    </message>
+    <message>
+        <source>%1 passes.</source>
+        <translation>%1 besteht.</translation>
+    </message>
+    <message>
+        <source>%1 fails: %2</source>
+        <translation>%1 besteht nicht: %2</translation>
+    </message>
+    <message>
+        <source>Try this check</source>
+        <translation>Diese Prüfung versuchen</translation>
+    </message>
+    <message>
+        <source>On that program, with the first seed</source>
+        <translation>An diesem Programm, mit dem ersten Startwert</translation>
+    </message>
+    <message>
+        <source>Program to try the check on</source>
+        <translation>Programm, an dem die Prüfung versucht wird</translation>
+    </message>
+    <message>
+        <source>How the check went</source>
+        <translation>Wie die Prüfung ausging</translation>
     </message>
 </context>
 <context>
@@ -8286,6 +8337,94 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
             <numerusform>%n Treffer</numerusform>
             <numerusform>%n Treffer</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindPanel</name>
+    <message>
+        <source>Found nowhere</source>
+        <translation>Nirgends gefunden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n Stelle</numerusform>
+            <numerusform>%n Stellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n file(s)</source>
+        <translation>
+            <numerusform>in %n Datei</numerusform>
+            <numerusform>in %n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>„%1“ ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced; Undo brings them back</source>
+        <translation>
+            <numerusform>%n Stelle ersetzt; Rückgängig bringt sie zurück</numerusform>
+            <numerusform>%n Stellen ersetzt; Rückgängig bringt sie zurück</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Text to find in the lab</source>
+        <translation>Text, der im Lab gesucht wird</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>Text to put there</source>
+        <translation>Text, der dafür eingesetzt wird</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>Alle ersetzen</translation>
+    </message>
+    <message>
+        <source>In all places of the list, as one edit</source>
+        <translation>An allen Stellen der Liste, als eine Änderung</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Groß/klein beachten</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Ganze Wörter</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>Im ganzen Lab</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>In diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Where to look</source>
+        <translation>Wo gesucht wird</translation>
+    </message>
+    <message>
+        <source>Close the search</source>
+        <translation>Suche schließen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Places that were found</source>
+        <translation>Gefundene Stellen</translation>
     </message>
 </context>
 <context>
@@ -11168,6 +11307,10 @@ Ihre Nummer:</translation>
         <source>Edit the questions</source>
         <translation>Fragen ändern</translation>
     </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
 </context>
 <context>
     <name>cradle::Timeline</name>
@@ -11377,6 +11520,176 @@ Ihre Nummer:</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesEditor</name>
+    <message>
+        <source>Values · %1</source>
+        <translation>Werte · %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, drawn</source>
+        <translation>%1: von %2 bis %3, gezogen</translation>
+    </message>
+    <message>
+        <source>%1 (whole lab)</source>
+        <translation>%1 (ganzes Lab)</translation>
+    </message>
+    <message>
+        <source>Write {{%1}} in texts, programs and checks; in scenes and other values %1 alone.</source>
+        <translation>In Texten, Programmen und Prüfungen steht dafür {{%1}}, in Szenen und anderen Werten %1 allein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each student gets one of %n number(s): %1. You, and who gives no number, have the first.</source>
+        <translation>
+            <numerusform>Alle Studierenden erhalten diese %n Zahl: %1.</numerusform>
+            <numerusform>Wer das Lab bearbeitet, erhält eine von %n Zahlen: %1. Du und wer keine Nummer angibt, haben die erste.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing uses it yet.</source>
+        <translation>Noch benutzt ihn nichts.</translation>
+    </message>
+    <message>
+        <source>Used in %1.</source>
+        <translation>Benutzt in %1.</translation>
+    </message>
+    <message>
+        <source>Student %1 has %2 = %3</source>
+        <translation>Nummer %1 hat %2 = %3</translation>
+    </message>
+    <message>
+        <source>Edit a value</source>
+        <translation>Wert ändern</translation>
+    </message>
+    <message>
+        <source>A name of letters, digits and underscores that means nothing else, as sin does, is right</source>
+        <translation>Richtig ist ein Name aus Buchstaben, Ziffern und Unterstrichen, der nichts anderes bedeutet wie etwa sin</translation>
+    </message>
+    <message>
+        <source>Another value has this name already</source>
+        <translation>Ein anderer Wert hat diesen Namen schon</translation>
+    </message>
+    <message>
+        <source>There is a value %1 already</source>
+        <translation>Einen Wert %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>Edit the draw</source>
+        <translation>Ziehung ändern</translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation>Wert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Values of the lab and of the step</source>
+        <translation>Werte des Labs und des Schritts</translation>
+    </message>
+    <message>
+        <source>Remove the value</source>
+        <translation>Wert entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>
+        <translation>Noch hat keine Zahl einen Namen. Füge mit dem Plus eine hinzu und schreibe sie in Klammern, als {{e}}, wo Texte, Programme und Prüfungen sie brauchen: Dann steht sie an einer Stelle und darf für alle Studierenden eine andere sein.</translation>
+    </message>
+    <message>
+        <source>The same for all</source>
+        <translation>Für alle gleich</translation>
+    </message>
+    <message>
+        <source>Drawn for each student</source>
+        <translation>Für jede Person gezogen</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>Im ganzen Lab</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>In diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Whether the value is drawn</source>
+        <translation>Ob der Wert gezogen wird</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannt</translation>
+    </message>
+    <message>
+        <source>Where the value is known</source>
+        <translation>Wo der Wert bekannt ist</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>Letters, digits and underscores</source>
+        <translation>Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses want</source>
+        <translation>Eine Zahl oder ein Ausdruck wie 2*k oder sqrt(2*9.81*5), in der Einheit, die dort gebraucht wird, wo er steht</translation>
+    </message>
+    <message>
+        <source>From one number to the next</source>
+        <translation>Von einer Zahl zur nächsten</translation>
+    </message>
+    <message>
+        <source>Student number</source>
+        <translation>Matrikelnummer</translation>
+    </message>
+    <message>
+        <source>Student number to try the draw with</source>
+        <translation>Matrikelnummer, mit der die Ziehung versucht wird</translation>
+    </message>
+    <message>
+        <source>To see what that student gets; it is kept nowhere</source>
+        <translation>Um zu sehen, was diese Person erhält; sie wird nirgends aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Ziehung</translation>
+    </message>
+    <message>
+        <source>Draw of the lab</source>
+        <translation>Ziehung des Labs</translation>
+    </message>
+    <message>
+        <source>Another text draws other values: change it every year</source>
+        <translation>Ein anderer Text zieht andere Werte: Ändere ihn jedes Jahr</translation>
     </message>
 </context>
 <context>

@@ -73,6 +73,30 @@
     </message>
 </context>
 <context>
+    <name>cradle::FindPanel</name>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n place</numerusform>
+            <numerusform>%n places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n file(s)</source>
+        <translation>
+            <numerusform>in %n file</numerusform>
+            <numerusform>in %n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced; Undo brings them back</source>
+        <translation>
+            <numerusform>%n place replaced; Undo brings it back</numerusform>
+            <numerusform>%n places replaced; Undo brings them back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cradle::GradeDialog</name>
     <message numerus="yes">
         <source>%n of the students as they were before.</source>
@@ -133,6 +157,16 @@
         <translation>
             <numerusform>%n selected</numerusform>
             <numerusform>%n selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesEditor</name>
+    <message numerus="yes">
+        <source>Each student gets one of %n number(s): %1. You, and who gives no number, have the first.</source>
+        <translation>
+            <numerusform>Each student gets this %n number: %1.</numerusform>
+            <numerusform>Each student gets one of %n numbers: %1. You, and who gives no number, have the first.</numerusform>
         </translation>
     </message>
 </context>
