@@ -584,6 +584,14 @@
         <source>Speed to the right, drawn between the least and the most</source>
         <translation>Tempo nach rechts, gezogen zwischen dem kleinsten und dem größten</translation>
     </message>
+    <message>
+        <source>Again at once</source>
+        <translation>Gleich noch einmal</translation>
+    </message>
+    <message>
+        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
+        <translation>Von denen mit e = 1 geschehen einige, zwischen gleichen Kreisen, vor einer Wand, die Kreis 2 gleich zurückschickt</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -2878,6 +2886,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source> (%1)</source>
         <comment>walls</comment>
         <translation> (an %1)</translation>
+    </message>
+    <message>
+        <source>A hit soon after another is not answered</source>
+        <translation>Ein Stoß bald nach einem anderen wird nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
     </message>
 </context>
 <context>
@@ -6880,6 +6896,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>slow hit %1</source>
         <translation>langsamer Stoß %1</translation>
+    </message>
+    <message>
+        <source>contact %1, in front of a wall</source>
+        <translation>Stoß %1, vor einer Wand</translation>
     </message>
 </context>
 <context>
