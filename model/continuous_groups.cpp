@@ -145,18 +145,12 @@ bool ContinuousSolver::foreseePiles()
         begin += places.size();
         if (!isPile(places.size()))
             continue;
-        double fastest = 0.0;
-        for (const Place &place : places)
-            fastest =
-                std::max(fastest, lengthSquared(m_motions[m_members[place.member].slot].velocity));
-        fastest = std::sqrt(fastest);
         for (const Place &place : places) {
             Member &member = m_members[place.member];
             if (member.foreseen)
                 continue;
             member.foreseen = found = true;
-            member.fastest =
-                std::max(length(m_motions[member.slot].velocity), 0.5 * fastest) + m_gravity * m_dt;
+            member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
             m_kicked = std::max(m_kicked, member.fastest);
             widen(place.member);
         }
