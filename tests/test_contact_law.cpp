@@ -178,7 +178,7 @@ void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()
     LawProgram once = withHit(hitOf(hitWays[0], law));
     once.start = QStringLiteral("done = false");
     QCOMPARE(step.contact(written(once, structures[0])),
-             QStringList(text("Only the first hit is answered")));
+             QStringList(text("A later hit is not answered")));
     // Without a wall nothing comes back, and nothing is said of it.
     LawProgram open = withHit(hitOf(hitWays[0], {.mass = QStringLiteral("1")}));
     open.walls.clear();

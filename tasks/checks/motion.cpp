@@ -231,6 +231,9 @@ QString figure(Vec2 value)
 
 QString figureBeside(double value, double other)
 {
+    // Noise of rounding is no difference.
+    if (std::abs(value - other) <= 1e-9 * (1.0 + std::abs(other)))
+        return figure(value);
     for (int digits = 4; digits < 16; ++digits) {
         const QString text = QString::number(value, 'g', digits);
         if (text != QString::number(other, 'g', digits))

@@ -307,7 +307,7 @@ private:
                     "farther off it gets one. How long ago the last hit was does not matter: what "
                     "counts is whether they overlap and come nearer."),
                 m_own.contacts.front());
-        add(ContactText::tr("Only the first hit is answered"),
+        add(ContactText::tr("A later hit is not answered"),
             ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
                             "circle 1. What your program remembers of a hit must be forgotten when "
                             "they have parted."),

@@ -22,6 +22,8 @@ QString brief(double value)
 {
     if (std::abs(value) < 1e-7)
         return QStringLiteral("0");
+    // What lies between two figures, as 9.81/60, is rounded up whatever noise it carries.
+    value *= 1.0 + 1e-9;
     const double size = std::abs(value);
     // Whole numbers that are not long stay whole, and none is written with an exponent.
     if (size >= 1000.0 && size < 1e6)

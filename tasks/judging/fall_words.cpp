@@ -154,7 +154,7 @@ private:
                     FlightText::tr("Count the lines of a step that change the velocity.")};
         if (std::abs(p.value - 0.5) < wrong)
             return {FlightText::tr("The velocity of %who gets only half of gravity"),
-                    FlightText::tr("Where a method takes two halves, both count.")};
+                    FlightText::tr("Look for a factor ½, or for a second half that is missing.")};
         return {FlightText::tr("Gravity on %who is %1 times as strong as it should be")
                     .arg(brief(p.value)),
                 FlightText::tr("Look at the factors in the line that changes the velocity.")};
@@ -182,9 +182,10 @@ private:
             return FlightSaid{
                 FlightText::tr("The fall of %who is not that of the gravity in the scene"),
                 FlightText::tr("In your own scene gravity is %1 m/s²; the velocity changes by %2 "
-                               "m/s² in the first step and by %3 m/s² in the second. Look at what "
+                               "m/s in the first step and by %3 m/s in the second. Look at what "
                                "else changes the velocity, away from any hit.")
-                    .arg(brief(right), brief(own.accelerations[i]), brief(own.later[i])),
+                    .arg(brief(right), brief(own.scene.timestep * own.accelerations[i]),
+                         brief(own.scene.timestep * own.later[i])),
                 {{m_ground.own, false}, 1, {m_i}, false}};
         return FlightSaid{
             FlightText::tr("The fall of %who is not that of the gravity in the scene"),

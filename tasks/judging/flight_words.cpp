@@ -189,8 +189,16 @@ private:
             return right().after({.position = {}, .velocity = velocity}, timestep()).velocity
                    - velocity;
         };
+        const QString headline =
+            FlightText::tr("What changes the velocity of %who asks how it moves");
+        // Two moments that look right show nothing of it.
+        if (brief(a.turn) == brief(asked(a.velocity)) && brief(b.turn) == brief(asked(b.velocity)))
+            return said(headline,
+                        FlightText::tr("Look at the conditions in front of the lines that change "
+                                       "the velocity."),
+                        false);
         return said(
-            FlightText::tr("What changes the velocity of %who asks how it moves"),
+            headline,
             FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
                            "m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are "
                            "right. Look at the conditions in front of the lines that change the "

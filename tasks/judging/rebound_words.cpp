@@ -248,9 +248,17 @@ private:
             // A law without any rebound is one of its own.
             if (std::abs(first) < blur)
                 return;
-            add(ReboundText::tr("A number stands for e in the hit of two circles"),
-                ReboundText::tr("Whatever e is, the rebound is that of e = %1.")
-                    .arg(number(first)));
+            if (first < -blur)
+                add(ReboundText::tr("After a hit the circles still run into each other"));
+            else if (first > 1.0 + blur)
+                add(ReboundText::tr("After a hit the circles part faster than they met"));
+            else
+                add(ReboundText::tr("A number stands for e in the hit of two circles"),
+                    ReboundText::tr("Whatever e is, the rebound is that of e = %1.")
+                        .arg(number(first)));
+        } else if (std::min(first, second) < -blur || std::max(first, second) > 1.0 + blur) {
+            // No e is like that: something else is wrong with the push.
+            add(ReboundText::tr("e does not act on the rebound as it should"));
         } else {
             add(ReboundText::tr("Numbers stand for e in the hit of two circles"),
                 ReboundText::tr("Whatever e is, circle 1 answers as with e = %1 and circle 2 as "

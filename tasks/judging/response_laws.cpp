@@ -163,7 +163,8 @@ std::vector<ResponseLaw> exchangeLaws()
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              return PairVelocities{n, h.in.across1, n, h.in.across2};
          },
-         ResponseText::tr("After a hit both circles have the same velocity along the normal"),
+         ResponseText::tr(
+             "After an elastic hit both circles have the same velocity along the normal"),
          ResponseText::tr("They go on side by side and do not part: each gets only half of the "
                           "change that an elastic hit makes. Look at the factor in front.")},
         {[](Hit h) {

@@ -32,6 +32,8 @@ public:
             });
             if (!m_right.hits[static_cast<std::size_t>(at - m_own.hits.begin())].fits(at->radius))
                 continue; // the reference does not turn at the rim either
+            if (at->step == 1 && brief(at->came) == brief(at->left))
+                continue; // put elsewhere, not turned
             const auto [headline, body] = reachWords(*at, circle);
             const auto same =
                 std::find_if(said.begin(), said.end(),
@@ -134,7 +136,7 @@ private:
     {
         // Turned before it had flown a step: where it would have turned else is not seen.
         if (hit.step == 1)
-            return {WallText::tr("Something changes the velocity of %who before it is at a wall"),
+            return {WallText::tr("Something away from every wall changes the velocity of %who"),
                     WallText::tr("Thrown towards the %1, its velocity changed from %2 to %3 m/s "
                                  "in the first step, with its centre still %4 m from that wall; "
                                  "its radius is %5 m. Look at the conditions: which of them is "

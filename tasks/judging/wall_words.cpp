@@ -155,7 +155,7 @@ private:
                 continue;
             add(WallText::tr("A hit at a wall puts %who somewhere else"),
                 WallText::tr("At the %1 it was put %2 m away from its own path, at %3 m. Each "
-                             "circle goes back to its *own* place: look at which old position it "
+                             "circle goes back to its *own* place: look at which position it "
                              "gets.")
                     .arg(motion::wallName(hit.wall), brief(hit.leap), brief(hit.landed)),
                 hit, {hit.circle}, Suspect::Answer, true);
