@@ -1679,8 +1679,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Nicht jedes Treffen wird beantwortet</translation>
     </message>
     <message>
-        <source>Only the first hit is answered</source>
-        <translation>Nur der erste Stoß wird beantwortet</translation>
+        <source>A later hit is not answered</source>
+        <translation>Ein späterer Stoß wird nicht beantwortet</translation>
     </message>
     <message>
         <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
@@ -1875,8 +1875,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who bekommt die Geschwindigkeit nur die halbe Schwerkraft</translation>
     </message>
     <message>
-        <source>Where a method takes two halves, both count.</source>
-        <translation>Nimmt ein Verfahren zwei Hälften, so zählen beide.</translation>
+        <source>Look for a factor ½, or for a second half that is missing.</source>
+        <translation>Suche einen Faktor ½ oder eine zweite Hälfte, die fehlt.</translation>
     </message>
     <message>
         <source>Gravity on %who is %1 times as strong as it should be</source>
@@ -2091,6 +2091,14 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Im Stoß zweier Kreise steht eine Zahl für e</translation>
     </message>
     <message>
+        <source>After a hit the circles part faster than they met</source>
+        <translation>Nach einem Stoß trennen sich die Kreise schneller, als sie sich trafen</translation>
+    </message>
+    <message>
+        <source>After a hit the circles still run into each other</source>
+        <translation>Nach einem Stoß laufen die Kreise noch immer ineinander</translation>
+    </message>
+    <message>
         <source>Whatever e is, the rebound is that of e = %1.</source>
         <translation>Wie groß e auch ist, der Rückprall ist der von e = %1.</translation>
     </message>
@@ -2199,8 +2207,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Die Geschwindigkeit von Kreis 1 wird aus dem berechnet, was aus Kreis 2 geworden ist</translation>
     </message>
     <message>
-        <source>After a hit both circles have the same velocity along the normal</source>
-        <translation>Nach einem Stoß haben beide Kreise längs der Normalen dieselbe Geschwindigkeit</translation>
+        <source>After an elastic hit both circles have the same velocity along the normal</source>
+        <translation>Nach einem elastischen Stoß haben beide Kreise längs der Normalen dieselbe Geschwindigkeit</translation>
     </message>
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
@@ -2559,8 +2567,8 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
         <translation>Ein Stoß an einer Wand versetzt %who</translation>
     </message>
     <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
-        <translation>An %1 wurde der Kreis %2 m von seiner eigenen Bahn weg gesetzt, auf %3 m. Jeder Kreis geht an seinen *eigenen* Ort zurück: Sieh nach, welchen alten Ort er bekommt.</translation>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
+        <translation>An %1 wurde der Kreis %2 m von seiner eigenen Bahn weg gesetzt, auf %3 m. Jeder Kreis geht an seinen *eigenen* Ort zurück: Sieh nach, welchen Ort er bekommt.</translation>
     </message>
     <message>
         <source>A hit of one circle at a wall also stops the other on its way</source>
@@ -2665,6 +2673,10 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     <message>
         <source>What changes the velocity of %who asks how it moves</source>
         <translation>Was die Geschwindigkeit ändert, hängt für %who davon ab, wie er sich bewegt</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
@@ -2843,8 +2855,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Mit e = %1 geht ein Stoß nicht richtig aus</translation>
     </message>
     <message>
-        <source>Something changes the velocity of %who before it is at a wall</source>
-        <translation>Etwas ändert die Geschwindigkeit von %who vor der Wand</translation>
+        <source>Something away from every wall changes the velocity of %who</source>
+        <translation>Etwas ändert fern von jeder Wand die Geschwindigkeit von %who</translation>
     </message>
     <message>
         <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
@@ -2859,8 +2871,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
     </message>
     <message>
-        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
-        <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s² und im zweiten um %3 m/s². Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
+        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
+        <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s und im zweiten um %3 m/s. Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
     </message>
     <message>
         <source>Between equal circles the push is %1 times as large as it should be</source>
