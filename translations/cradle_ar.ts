@@ -592,6 +592,14 @@
         <source>Speed to the right, drawn between the least and the most</source>
         <translation>السرعة نحو اليمين، تُسحب بين الأدنى والأقصى</translation>
     </message>
+    <message>
+        <source>Again at once</source>
+        <translation>مرة أخرى فورًا</translation>
+    </message>
+    <message>
+        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
+        <translation>من تلك التي فيها ⁦e = 1⁩ يقع بعضها، بين دائرتين متساويتين، أمام جدار يعيد الدائرة 2 فورًا</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -1093,10 +1101,6 @@
         <translation>لا حكم؛ بل جمع نتائج الأجزاء، كلٌّ منها مجلد</translation>
     </message>
     <message>
-        <source>of the pages and of what students are told: en or de; en without it</source>
-        <translation>لغة الصفحات وما يُقال للطلاب: en أو de؛ ومن دونه en</translation>
-    </message>
-    <message>
         <source>tell how the folder was understood, and judge nothing</source>
         <translation>بيان كيف فُهم المجلد، دون حكم</translation>
     </message>
@@ -1123,10 +1127,6 @@
     <message>
         <source>--shard needs --secret FILE, the same for every shard</source>
         <translation>يحتاج ⁦--shard⁩ إلى ⁦--secret FILE⁩، واحد لكل الأجزاء</translation>
-    </message>
-    <message>
-        <source>--language %1: en or de is right</source>
-        <translation>⁦--language %1⁩: الصواب en أو de</translation>
     </message>
     <message>
         <source>--late-percent and --late-most are numbers from 0 to 100</source>
@@ -1351,10 +1351,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <translation>أين يُكتب</translation>
     </message>
     <message>
-        <source>of the report: en or de; without it that of the system</source>
-        <translation>لغة التقرير: en أو de؛ ومن دونه لغة النظام</translation>
-    </message>
-    <message>
         <source>Writes the report of a student&apos;s work: what was asked, what the program does, how it came about. Every step is judged anew.</source>
         <translation>يكتب تقرير عمل طالب: ما طُلب، وما يفعله البرنامج، وكيف نشأ. يُحكم على كل مرحلة من جديد.</translation>
     </message>
@@ -1389,6 +1385,18 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>this is no text in UTF-8, which would be right</source>
         <translation>هذا ليس نصًا بترميز ⁦UTF-8⁩، وهو الصواب</translation>
+    </message>
+    <message>
+        <source>of the pages and of what students are told, such as en or de; en without it</source>
+        <translation>للصفحات ولما يقرؤه الطلاب، مثل en أو ar؛ وبدونها en</translation>
+    </message>
+    <message>
+        <source>--language %1: one of %2 is right</source>
+        <translation>⁦--language %1⁩: الصحيح واحدة من ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>of the report, such as en or de; without it that of the system</source>
+        <translation>للتقرير، مثل en أو ar؛ وبدونها لغة النظام</translation>
     </message>
 </context>
 <context>
@@ -1695,10 +1703,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>كانت سرعة الدائرة 1 على خط المركزين ⁦%1 m/s⁩ وسرعة الدائرة ⁦2 %2 m/s⁩، فاقتربتا بسرعة ⁦%3 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المعتبَر هو سرعة إحداهما بالنسبة إلى الأخرى.</translation>
     </message>
     <message>
-        <source>Only the first hit is answered</source>
-        <translation>لا يُستجاب إلا للتصادم الأول</translation>
-    </message>
-    <message>
         <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
         <translation>صُدمت الدائرة 2، وعادت من الجدار الذي خلفها، ومرت عبر الدائرة 1. ما يتذكره برنامجك عن تصادم يجب أن يُنسى بعد أن تفترقا.</translation>
     </message>
@@ -1811,10 +1815,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تنال سرعة %who إلا نصف الجاذبية</translation>
     </message>
     <message>
-        <source>Where a method takes two halves, both count.</source>
-        <translation>حين تأخذ الطريقة نصفين يُحسب كلاهما.</translation>
-    </message>
-    <message>
         <source>Gravity on %who is %1 times as strong as it should be</source>
         <translation>الجاذبية على %who أقوى مما يجب بمقدار ⁨%1⁩ مرة</translation>
     </message>
@@ -1825,10 +1825,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>The fall of %who is not that of the gravity in the scene</source>
         <translation>سقوط %who ليس سقوط جاذبية المشهد</translation>
-    </message>
-    <message>
-        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
-        <translation>في مشهدك الجاذبية ⁦%1 m/s²⁩؛ وتتغير السرعة بمقدار ⁦%2 m/s²⁩ في الخطوة الأولى وبمقدار ⁦%3 m/s²⁩ في الثانية. انظر ما الذي يغيّر السرعة غيرها، بعيدًا عن أي تصادم.</translation>
     </message>
     <message>
         <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
@@ -2379,10 +2375,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>تُحسب سرعة الدائرة 1 مما صارت إليه الدائرة 2</translation>
     </message>
     <message>
-        <source>After a hit both circles have the same velocity along the normal</source>
-        <translation>بعد التصادم تكون للدائرتين السرعة نفسها على الناظم</translation>
-    </message>
-    <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
         <translation>تمضيان جنبًا إلى جنب ولا تفترقان: كلٌّ لا تنال إلا نصف التغير الذي يصنعه تصادم مرن. انظر إلى العامل في المقدمة.</translation>
     </message>
@@ -2795,10 +2787,6 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>يأتي الارتداد حين يتجاوز المركز الجدار بنصف قطر، ⁦%1 m⁩. من طرفي الدائرة يلامس القريبُ أولًا: انظر إلى الإشارة أمام نصف القطر.</translation>
     </message>
     <message>
-        <source>Something changes the velocity of %who before it is at a wall</source>
-        <translation>شيء ما يغيّر سرعة %who قبل بلوغ الجدار</translation>
-    </message>
-    <message>
         <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>عند الرمي نحو ⁨%1⁩ تغيرت السرعة من ⁨%2⁩ إلى ⁦%3 m/s⁩ في الخطوة الأولى، والمركز لا يزال على بعد ⁦%4 m⁩ من ذلك الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى الشروط: أيّها صادق بعيدًا عن كل جدار؟</translation>
     </message>
@@ -2844,10 +2832,6 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>التصادم بجدار يضع %who في مكان آخر</translation>
     </message>
     <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
-        <translation>عند ⁨%1⁩ وُضعت على بعد ⁦%2 m⁩ من مسارها، في ⁦%3 m⁩. كل دائرة تعود إلى موضعها *هي*: انظر أيّ موضع قديم تأخذ.</translation>
-    </message>
-    <message>
         <source>A hit puts %who further out (%1)</source>
         <translation>التصادم يضع %who أبعد إلى الخارج (⁨%1⁩)</translation>
     </message>
@@ -2886,6 +2870,50 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>تُردّ الدائرة ⁨%1⁩ مرة أخرى وهي تغادر الجدار
 
 كانت حافتها لا تزال في الخارج وهي تتحرك نحو الداخل بالفعل، فرُدّت إلى الجدار مرة أخرى: في سقوط منخفض أو بعد تصادم بطيء. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
+    </message>
+    <message>
+        <source>A hit soon after another is not answered</source>
+        <translation>تصادم بُعيد آخر لا يلقى استجابة</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>صُدمت الدائرة 2 وعادت خلال بضع خطوات من الجدار القريب خلفها ودخلت في الدائرة 1 بلا استجابة؛ ومن جدار أبعد تلقى استجابة. لا يهمّ كم مضى على التصادم الأخير: المهم هل تتداخلان وتتقاربان.</translation>
+    </message>
+    <message>
+        <source>A later hit is not answered</source>
+        <translation>تصادم لاحق لا يلقى استجابة</translation>
+    </message>
+    <message>
+        <source>Look for a factor ½, or for a second half that is missing.</source>
+        <translation>ابحث عن معامل ⁦½⁩، أو عن نصف ثانٍ ناقص.</translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
+        <translation>في مشهدك الجاذبية ⁦%1 m/s²⁩؛ وتتغير السرعة بمقدار ⁦%2 m/s⁩ في الخطوة الأولى وبمقدار ⁦%3 m/s⁩ في الثانية. انظر ما الذي يغيّر السرعة غير ذلك، بعيدًا عن أي تصادم.</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>انظر إلى الشروط التي تسبق الأسطر التي تغيّر السرعة.</translation>
+    </message>
+    <message>
+        <source>After a hit the circles still run into each other</source>
+        <translation>بعد التصادم تستمر الدائرتان في التقارب</translation>
+    </message>
+    <message>
+        <source>After a hit the circles part faster than they met</source>
+        <translation>بعد التصادم تفترق الدائرتان أسرع مما التقتا</translation>
+    </message>
+    <message>
+        <source>After an elastic hit both circles have the same velocity along the normal</source>
+        <translation>بعد تصادم مرن تكون للدائرتين السرعة نفسها على الناظم</translation>
+    </message>
+    <message>
+        <source>Something away from every wall changes the velocity of %who</source>
+        <translation>شيء ما بعيدًا عن كل جدار يغيّر سرعة %who</translation>
+    </message>
+    <message>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
+        <translation>عند ⁨%1⁩ وُضعت على بعد ⁦%2 m⁩ من مسارها، في ⁦%3 m⁩. كل دائرة تعود إلى موضعها *هي*: انظر أيّ موضع تأخذ.</translation>
     </message>
 </context>
 <context>
@@ -4174,10 +4202,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>المتوقَّع والموجود</translation>
     </message>
     <message>
-        <source>It comes true: %1</source>
-        <translation>يتحقق: ⁨%1⁩</translation>
-    </message>
-    <message>
         <source>Expected: %1</source>
         <translation>المتوقَّع: ⁨%1⁩</translation>
     </message>
@@ -4228,6 +4252,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Energy as a part of that at the start</source>
         <translation>الطاقة كجزء مما كانت في البداية</translation>
+    </message>
+    <message>
+        <source>What happens: %1</source>
+        <translation>ما يحدث: ⁨%1⁩</translation>
     </message>
 </context>
 <context>
@@ -5167,6 +5195,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>About &amp;Qt</source>
         <translation>حول Qt (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>S&amp;ounds of hits</source>
+        <translation>أصوات التصادمات (&amp;O)</translation>
+    </message>
+    <message>
+        <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
+        <translation>كلما كانت الدائرة أثقل كان صوتها أخفض؛ وكلما كبر الدفع علا الصوت</translation>
     </message>
 </context>
 <context>
@@ -6897,6 +6933,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>parting at %1°</source>
         <translation>افتراق عند ⁦%1°⁩</translation>
     </message>
+    <message>
+        <source>contact %1, in front of a wall</source>
+        <translation>التماسّ ⁨%1⁩، أمام جدار</translation>
+    </message>
 </context>
 <context>
     <name>VersionsPane</name>
@@ -7102,10 +7142,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>You have changes that are not saved. If you take the files of the folder instead, Undo brings yours back.</source>
         <translation>لديك تغييرات لم تُحفظ. إن أخذت ملفات المجلد بدلًا منها أعادت «تراجع» تغييراتك.</translation>
-    </message>
-    <message>
-        <source>Saved, but for fields of checks that hold no value yet: %1</source>
-        <translation>حُفظ، إلا حقول فحوص لا قيمة فيها بعد: ⁨%1⁩</translation>
     </message>
     <message>
         <source>A new or empty folder for the lab</source>
@@ -7327,6 +7363,18 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>Parts of the step</source>
         <translation>أجزاء المرحلة</translation>
     </message>
+    <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>حُفظ، عدا حقول لا تحوي قيمة بعد: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>البحث والاستبدال في المختبر… (&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>قيم المختبر والمرحلة (&amp;V)</translation>
+    </message>
 </context>
 <context>
     <name>cradle::BrokenFile</name>
@@ -7524,6 +7572,49 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Program of the check</source>
         <translation>برنامج الفحص</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckTrial</name>
+    <message>
+        <source>It cannot be tried before what is wrong in this step is mended.</source>
+        <translation>لا يمكن تجربته قبل إصلاح ما هو خطأ في هذه المرحلة.</translation>
+    </message>
+    <message>
+        <source>Running…</source>
+        <translation>يعمل…</translation>
+    </message>
+    <message>
+        <source>%1 stops in line %2: %3</source>
+        <translation>⁨%1⁩ يتوقف في السطر ⁨%2⁩: ⁨%3⁩</translation>
+    </message>
+    <message>
+        <source>%1 stops: %2</source>
+        <translation>⁨%1⁩ يتوقف: ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>%1 passes.</source>
+        <translation>⁨%1⁩ ينجح.</translation>
+    </message>
+    <message>
+        <source>%1 fails: %2</source>
+        <translation>⁨%1⁩ يفشل: ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>Try this check</source>
+        <translation>جرّب هذا الفحص</translation>
+    </message>
+    <message>
+        <source>On that program, with the first seed</source>
+        <translation>على ذلك البرنامج، بالبذرة الأولى</translation>
+    </message>
+    <message>
+        <source>Program to try the check on</source>
+        <translation>البرنامج الذي يُجرَّب عليه الفحص</translation>
+    </message>
+    <message>
+        <source>How the check went</source>
+        <translation>كيف جرى الفحص</translation>
     </message>
 </context>
 <context>
@@ -8310,6 +8401,106 @@ Its rim was still outside, it moved inward already, and it was turned into the w
             <numerusform>%n مطابقة</numerusform>
             <numerusform>%n مطابقة</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::FindPanel</name>
+    <message>
+        <source>Found nowhere</source>
+        <translation>لم يوجد في أي مكان</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>لا مواضع</numerusform>
+            <numerusform>موضع واحد</numerusform>
+            <numerusform>موضعان</numerusform>
+            <numerusform>%n مواضع</numerusform>
+            <numerusform>%n موضعًا</numerusform>
+            <numerusform>%n موضع</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n file(s)</source>
+        <translation>
+            <numerusform>في لا ملف</numerusform>
+            <numerusform>في ملف واحد</numerusform>
+            <numerusform>في ملفين</numerusform>
+            <numerusform>في %n ملفات</numerusform>
+            <numerusform>في %n ملفًا</numerusform>
+            <numerusform>في %n ملف</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>استبدال «⁨%1⁩»</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced; Undo brings them back</source>
+        <translation>
+            <numerusform>لم يُستبدل شيء</numerusform>
+            <numerusform>استُبدل موضع واحد؛ والتراجع يعيده</numerusform>
+            <numerusform>استُبدل موضعان؛ والتراجع يعيدهما</numerusform>
+            <numerusform>استُبدلت %n مواضع؛ والتراجع يعيدها</numerusform>
+            <numerusform>استُبدل %n موضعًا؛ والتراجع يعيدها</numerusform>
+            <numerusform>استُبدل %n موضع؛ والتراجع يعيدها</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>بحث</translation>
+    </message>
+    <message>
+        <source>Text to find in the lab</source>
+        <translation>النص المطلوب في المختبر</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>استبدال بـ</translation>
+    </message>
+    <message>
+        <source>Text to put there</source>
+        <translation>النص الذي يوضع مكانه</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>استبدال الكل</translation>
+    </message>
+    <message>
+        <source>In all places of the list, as one edit</source>
+        <translation>في كل مواضع القائمة، كتعديل واحد</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>مطابقة حالة الأحرف</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>كلمات كاملة</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>في المختبر كله</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>في هذه المرحلة</translation>
+    </message>
+    <message>
+        <source>Where to look</source>
+        <translation>أين يُبحث</translation>
+    </message>
+    <message>
+        <source>Close the search</source>
+        <translation>إغلاق البحث</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Places that were found</source>
+        <translation>المواضع التي وُجدت</translation>
     </message>
 </context>
 <context>
@@ -9411,6 +9602,18 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Back to my scene</source>
         <translation>العودة إلى مشهدي</translation>
+    </message>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>لا صوت هنا: تعذّر الوصول إلى خادم صوت (⁦PulseAudio⁩ أو ⁦PipeWire⁩). وكل ما عداه يستمر.</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>سماع هذا المنحنى من اليسار إلى اليمين</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -11208,6 +11411,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>Edit the questions</source>
         <translation>تحرير الأسئلة</translation>
     </message>
+    <message>
+        <source>Values</source>
+        <translation>القيم</translation>
+    </message>
 </context>
 <context>
     <name>cradle::Timeline</name>
@@ -11417,6 +11624,180 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>&amp;Redo</source>
         <translation>إعادة (&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesEditor</name>
+    <message>
+        <source>Values · %1</source>
+        <translation>القيم · ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, drawn</source>
+        <translation>⁨%1⁩: من ⁨%2⁩ إلى ⁨%3⁩، بالسحب</translation>
+    </message>
+    <message>
+        <source>%1 (whole lab)</source>
+        <translation>⁨%1⁩ (المختبر كله)</translation>
+    </message>
+    <message>
+        <source>Write {{%1}} in texts, programs and checks; in scenes and other values %1 alone.</source>
+        <translation>اكتب ⁦{{%1}}⁩ في النصوص والبرامج والفحوص؛ وفي المشاهد والقيم الأخرى ⁦%1⁩ وحده.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each student gets one of %n number(s): %1. You, and who gives no number, have the first.</source>
+        <translation>
+            <numerusform>لا يحصل أي طالب على عدد من %n: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+            <numerusform>يحصل كل طالب على عدد واحد: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+            <numerusform>يحصل كل طالب على أحد عددين: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+            <numerusform>يحصل كل طالب على واحد من %n أعداد: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+            <numerusform>يحصل كل طالب على واحد من %n عددًا: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+            <numerusform>يحصل كل طالب على واحد من %n عدد: ⁨%1⁩. أنت ومن لا يعطي رقمًا لكم الأول.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing uses it yet.</source>
+        <translation>لا شيء يستعملها بعد.</translation>
+    </message>
+    <message>
+        <source>Used in %1.</source>
+        <translation>مستعملة في ⁨%1⁩.</translation>
+    </message>
+    <message>
+        <source>Student %1 has %2 = %3</source>
+        <translation>للطالب ⁨%1⁩: ⁦%2 = %3⁩</translation>
+    </message>
+    <message>
+        <source>Edit a value</source>
+        <translation>تعديل قيمة</translation>
+    </message>
+    <message>
+        <source>A name of letters, digits and underscores that means nothing else, as sin does, is right</source>
+        <translation>الصحيح اسم من أحرف وأرقام وشرطات سفلية لا يعني شيئًا آخر كما يعني sin</translation>
+    </message>
+    <message>
+        <source>Another value has this name already</source>
+        <translation>قيمة أخرى تحمل هذا الاسم</translation>
+    </message>
+    <message>
+        <source>There is a value %1 already</source>
+        <translation>توجد قيمة ⁨%1⁩ من قبل</translation>
+    </message>
+    <message>
+        <source>Edit the draw</source>
+        <translation>تعديل السحب</translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation>إضافة قيمة</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>إزالة قيمة</translation>
+    </message>
+    <message>
+        <source>Values of the lab and of the step</source>
+        <translation>قيم المختبر والمرحلة</translation>
+    </message>
+    <message>
+        <source>Remove the value</source>
+        <translation>إزالة القيمة</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>
+        <translation>لا عدد له اسم بعد. أضف واحدًا بعلامة الزائد واكتبه بين أقواس، مثل ⁦{{e}}⁩، حيث تحتاجه النصوص والبرامج والفحوص: فيقع في موضع واحد، وقد يختلف لكل طالب.</translation>
+    </message>
+    <message>
+        <source>The same for all</source>
+        <translation>نفسها للجميع</translation>
+    </message>
+    <message>
+        <source>Drawn for each student</source>
+        <translation>مسحوبة لكل طالب</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>في المختبر كله</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>في هذه المرحلة</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>النوع</translation>
+    </message>
+    <message>
+        <source>Whether the value is drawn</source>
+        <translation>هل تُسحب القيمة</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>معروفة</translation>
+    </message>
+    <message>
+        <source>Where the value is known</source>
+        <translation>أين تُعرف القيمة</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>الاسم</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>القيمة</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>من</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>إلى</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>المقدار</translation>
+    </message>
+    <message>
+        <source>Letters, digits and underscores</source>
+        <translation>أحرف وأرقام وشرطات سفلية</translation>
+    </message>
+    <message>
+        <source>A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses want</source>
+        <translation>عدد، أو عبارة مثل ⁦2*k⁩ أو ⁦sqrt(2*9.81*5)⁩، بالوحدة التي تطلبها مواضع استعماله</translation>
+    </message>
+    <message>
+        <source>From one number to the next</source>
+        <translation>من عدد إلى الذي يليه</translation>
+    </message>
+    <message>
+        <source>Student number</source>
+        <translation>رقم الطالب</translation>
+    </message>
+    <message>
+        <source>Student number to try the draw with</source>
+        <translation>رقم طالب لتجربة السحب</translation>
+    </message>
+    <message>
+        <source>To see what that student gets; it is kept nowhere</source>
+        <translation>لرؤية ما يحصل عليه ذلك الطالب؛ ولا يُحفظ في أي مكان</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>السحب</translation>
+    </message>
+    <message>
+        <source>Draw of the lab</source>
+        <translation>سحب المختبر</translation>
+    </message>
+    <message>
+        <source>Another text draws other values: change it every year</source>
+        <translation>نص آخر يسحب قيمًا أخرى: غيّره كل عام</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@
     <name>ChartExport</name>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
-        <translation>le nom se termine par .%1, mais c&apos;est un fichier .%2 ; choisissez un autre nom</translation>
+        <translation>le nom se termine par .%1, mais c&apos;est un fichier .%2&#xa0;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>Drawings (*.svg)</source>
@@ -52,7 +52,7 @@
     </message>
     <message>
         <source>What is right; that of the scene if left out</source>
-        <translation>La bonne valeur ; celle de la scène si omise</translation>
+        <translation>La bonne valeur&#xa0;; celle de la scène si omise</translation>
     </message>
     <message>
         <source>Circles collide</source>
@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>How long each circle must be free of walls and circles; a tenth of the duration if left out</source>
-        <translation>Combien de temps chaque cercle doit rester loin des parois et des autres cercles ; un dixième de la durée si omis</translation>
+        <translation>Combien de temps chaque cercle doit rester loin des parois et des autres cercles&#xa0;; un dixième de la durée si omis</translation>
     </message>
     <message>
         <source>How many hits there must be</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>Any of these is right: both stop; they swap their velocities; they swap the parts along the line of centres; the impulse of masses and e</source>
-        <translation>N&apos;importe laquelle convient : les deux s&apos;arrêtent ; ils échangent leurs vitesses ; ils échangent les composantes suivant la ligne des centres ; l&apos;impulsion des masses et de e</translation>
+        <translation>N&apos;importe laquelle convient&#xa0;: les deux s&apos;arrêtent&#xa0;; ils échangent leurs vitesses&#xa0;; ils échangent les composantes suivant la ligne des centres&#xa0;; l&apos;impulsion des masses et de e</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -120,7 +120,7 @@
     </message>
     <message>
         <source>One for each of the circles; not looked at if left out</source>
-        <translation>Une pour chacun des cercles ; non examinée si omise</translation>
+        <translation>Une pour chacun des cercles&#xa0;; non examinée si omise</translation>
     </message>
     <message>
         <source>Not looked at if left out</source>
@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>Positions and velocities at a moment; between two steps, on the straight line between them</source>
-        <translation>Positions et vitesses à un instant ; entre deux pas, sur le segment qui les joint</translation>
+        <translation>Positions et vitesses à un instant&#xa0;; entre deux pas, sur le segment qui les joint</translation>
     </message>
     <message>
         <source>Moment</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>Seconds from the start; the end if left out</source>
-        <translation>En secondes depuis le début ; la fin si omis</translation>
+        <translation>En secondes depuis le début&#xa0;; la fin si omis</translation>
     </message>
     <message>
         <source>Positions</source>
@@ -216,7 +216,7 @@
     </message>
     <message>
         <source>At a wall v_n&apos; = −e v_n; the part along the wall stays; at the rim and in time</source>
-        <translation>À une paroi v_n&apos; = −e v_n ; la composante le long de la paroi reste ; au bord et à temps</translation>
+        <translation>À une paroi v_n&apos; = −e v_n&#xa0;; la composante le long de la paroi reste&#xa0;; au bord et à temps</translation>
     </message>
     <message>
         <source>Stays inside</source>
@@ -240,7 +240,7 @@
     </message>
     <message>
         <source>How many are looked at; those lower than the tolerance are not</source>
-        <translation>Combien sont examinés ; ceux plus bas que la tolérance ne le sont pas</translation>
+        <translation>Combien sont examinés&#xa0;; ceux plus bas que la tolérance ne le sont pas</translation>
     </message>
     <message>
         <source>How far off is still right, as a share of the first height</source>
@@ -260,7 +260,7 @@
     </message>
     <message>
         <source>Circles 1 and 2 answer every contact, in time, by one of the named laws: stop, exchange velocities, exchange normal parts, impulse with e</source>
-        <translation>Les cercles 1 et 2 réagissent à chaque contact, à temps, selon l&apos;une des lois nommées : arrêt, échange des vitesses, échange des composantes normales, impulsion avec e</translation>
+        <translation>Les cercles 1 et 2 réagissent à chaque contact, à temps, selon l&apos;une des lois nommées&#xa0;: arrêt, échange des vitesses, échange des composantes normales, impulsion avec e</translation>
     </message>
     <message>
         <source>Hit when the gap closes</source>
@@ -392,29 +392,29 @@
     </message>
     <message>
         <source>the moment %1 s is after the end of the scene; at most its duration of %2 s is right</source>
-        <translation>l&apos;instant %1 s est après la fin de la scène ; au plus sa durée de %2 s convient</translation>
+        <translation>l&apos;instant %1 s est après la fin de la scène&#xa0;; au plus sa durée de %2 s convient</translation>
     </message>
     <message numerus="yes">
         <source>there is no circle %1; the scene of the step has %n circle(s)</source>
         <translation>
-            <numerusform>il n&apos;y a pas de cercle %1 ; la scène de l&apos;étape a %n cercle</numerusform>
-            <numerusform>il n&apos;y a pas de cercle %1 ; la scène de l&apos;étape a %n cercles</numerusform>
+            <numerusform>il n&apos;y a pas de cercle %1&#xa0;; la scène de l&apos;étape a %n cercle</numerusform>
+            <numerusform>il n&apos;y a pas de cercle %1&#xa0;; la scène de l&apos;étape a %n cercles</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 is not right here; right would be one of %2</source>
-        <translation>%1 ne convient pas ici ; il faudrait une valeur parmi %2</translation>
+        <translation>%1 ne convient pas ici&#xa0;; il faudrait une valeur parmi %2</translation>
     </message>
     <message numerus="yes">
         <source>%1 needs %2 circles; the scene of the step has %n circle(s)</source>
         <translation>
-            <numerusform>%1 a besoin de %2 cercles ; la scène de l&apos;étape a %n cercle</numerusform>
-            <numerusform>%1 a besoin de %2 cercles ; la scène de l&apos;étape a %n cercles</numerusform>
+            <numerusform>%1 a besoin de %2 cercles&#xa0;; la scène de l&apos;étape a %n cercle</numerusform>
+            <numerusform>%1 a besoin de %2 cercles&#xa0;; la scène de l&apos;étape a %n cercles</numerusform>
         </translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing; right would be %2</source>
-        <translation>« %1 » manque ; il faudrait %2</translation>
+        <translation>«&#xa0;%1&#xa0;» manque&#xa0;; il faudrait %2</translation>
     </message>
     <message>
         <source>%1 has no parameters</source>
@@ -422,11 +422,11 @@
     </message>
     <message>
         <source>%1 has no parameter &quot;%2&quot;; it has %3</source>
-        <translation>%1 n&apos;a pas de paramètre « %2 » ; il a %3</translation>
+        <translation>%1 n&apos;a pas de paramètre «&#xa0;%2&#xa0;»&#xa0;; il a %3</translation>
     </message>
     <message>
         <source>%1 is not right here; right would be %2</source>
-        <translation>%1 ne convient pas ici ; il faudrait %2</translation>
+        <translation>%1 ne convient pas ici&#xa0;; il faudrait %2</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -442,7 +442,7 @@
     </message>
     <message>
         <source>The scenes take turns with these; 1/60 s if left out, in the student&apos;s own scene its own</source>
-        <translation>Les scènes les prennent à tour de rôle ; 1/60 s si omis, et dans la scène de l&apos;étudiant le sien</translation>
+        <translation>Les scènes les prennent à tour de rôle&#xa0;; 1/60 s si omis, et dans la scène de l&apos;étudiant le sien</translation>
     </message>
     <message>
         <source>Drawn between the least and the most</source>
@@ -458,7 +458,7 @@
     </message>
     <message>
         <source>From the x axis; the scenes divide them evenly</source>
-        <translation>À partir de l&apos;axe x ; les scènes les répartissent régulièrement</translation>
+        <translation>À partir de l&apos;axe x&#xa0;; les scènes les répartissent régulièrement</translation>
     </message>
     <message>
         <source>Scenes</source>
@@ -494,7 +494,7 @@
     </message>
     <message>
         <source>The same scenes in every check; drawn anew with the seed of the check if left out</source>
-        <translation>Les mêmes scènes à chaque vérification ; tirées à nouveau avec la graine de la vérification si omise</translation>
+        <translation>Les mêmes scènes à chaque vérification&#xa0;; tirées à nouveau avec la graine de la vérification si omise</translation>
     </message>
     <message>
         <source>The student&apos;s own scene</source>
@@ -550,7 +550,7 @@
     </message>
     <message>
         <source>Also one after the other, or one of them at rest; else circle 2 rests before the hit</source>
-        <translation>Aussi l&apos;un derrière l&apos;autre, ou l&apos;un d&apos;eux au repos ; sinon le cercle 2 est au repos avant le choc</translation>
+        <translation>Aussi l&apos;un derrière l&apos;autre, ou l&apos;un d&apos;eux au repos&#xa0;; sinon le cercle 2 est au repos avant le choc</translation>
     </message>
     <message>
         <source>Circles that part</source>
@@ -558,7 +558,7 @@
     </message>
     <message>
         <source>Circles 1 and 2 overlap, as after a hit that was told late, and move apart already; ask for 0 hits</source>
-        <translation>Les cercles 1 et 2 se chevauchent, comme après un choc constaté trop tard, et se séparent déjà ; demandez 0 choc</translation>
+        <translation>Les cercles 1 et 2 se chevauchent, comme après un choc constaté trop tard, et se séparent déjà&#xa0;; demandez 0 choc</translation>
     </message>
     <message>
         <source>Slow hits</source>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
-        <translation>Les cercles arrivent lentement au sol et au plafond, plus ou moins tôt dans un pas : ce qui quitte une paroi plus lentement qu&apos;il n&apos;y est arrivé est facilement renvoyé deux fois</translation>
+        <translation>Les cercles arrivent lentement au sol et au plafond, plus ou moins tôt dans un pas&#xa0;: ce qui quitte une paroi plus lentement qu&apos;il n&apos;y est arrivé est facilement renvoyé deux fois</translation>
     </message>
     <message>
         <source>Drops</source>
@@ -584,132 +584,140 @@
         <source>Speed to the right, drawn between the least and the most</source>
         <translation>Vitesse vers la droite, tirée au sort entre le minimum et le maximum</translation>
     </message>
+    <message>
+        <source>Again at once</source>
+        <translation>De nouveau aussitôt</translation>
+    </message>
+    <message>
+        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
+        <translation>De celles où e = 1, quelques-unes, entre cercles égaux, ont lieu devant une paroi qui renvoie aussitôt le cercle 2</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
     <message>
         <source>There is no circle %1; add one</source>
-        <translation>Il n&apos;y a pas de cercle %1 ; ajoutez-en un</translation>
+        <translation>Il n&apos;y a pas de cercle %1&#xa0;; ajoutez-en un</translation>
     </message>
     <message>
         <source>A check runs at most %1 circles; there are %2</source>
-        <translation>Une vérification fait tourner au plus %1 cercles ; il y en a %2</translation>
+        <translation>Une vérification fait tourner au plus %1 cercles&#xa0;; il y en a %2</translation>
     </message>
     <message>
         <source>The timestep %1 s is too short to be judged; %2 s or more is right</source>
-        <translation>Le pas de temps %1 s est trop court pour être évalué ; il faut %2 s ou plus</translation>
+        <translation>Le pas de temps %1 s est trop court pour être évalué&#xa0;; il faut %2 s ou plus</translation>
     </message>
     <message>
         <source>After bounce %1 circle %2 rises to %3 m above the floor; e to the power of %4 times the first height, with e = %5, is %6 m</source>
-        <translation>Après le rebond %1, le cercle %2 remonte à %3 m au-dessus du sol ; e à la puissance %4 fois la première hauteur, avec e = %5, donne %6 m</translation>
+        <translation>Après le rebond %1, le cercle %2 remonte à %3 m au-dessus du sol&#xa0;; e à la puissance %4 fois la première hauteur, avec e = %5, donne %6 m</translation>
     </message>
     <message>
         <source>Circle %1 comes off the floor and down again %2 times; at least %3 is right</source>
-        <translation>Le cercle %1 quitte le sol et y retombe %2 fois ; il faut au moins %3 fois</translation>
+        <translation>Le cercle %1 quitte le sol et y retombe %2 fois&#xa0;; il faut au moins %3 fois</translation>
     </message>
     <message>
         <source>At step %1 circle %2 hit a wall and its velocity along the wall changed from %3 to %4 m/s; only the part into the wall should change</source>
-        <translation>Au pas %1, le cercle %2 a heurté une paroi et sa vitesse le long de la paroi est passée de %3 à %4 m/s ; seule la composante vers la paroi doit changer</translation>
+        <translation>Au pas %1, le cercle %2 a heurté une paroi et sa vitesse le long de la paroi est passée de %3 à %4 m/s&#xa0;; seule la composante vers la paroi doit changer</translation>
     </message>
     <message>
         <source>At step %1 circle %2 turned round although its rim was still %3 m from the %4; it should touch first</source>
-        <translation>Au pas %1, le cercle %2 a fait demi-tour alors que son bord n&apos;avait pas encore atteint %4 (il restait %3 m) ; il doit d&apos;abord y avoir contact</translation>
+        <translation>Au pas %1, le cercle %2 a fait demi-tour alors que son bord n&apos;avait pas encore atteint %4 (il restait %3 m)&#xa0;; il doit d&apos;abord y avoir contact</translation>
     </message>
     <message>
         <source>At step %1 circle %2 was already leaving the %3 with %4 m/s and was turned round again; it should be left alone</source>
-        <translation>Au pas %1, le cercle %2 quittait déjà %3 avec %4 m/s et a été renvoyé de nouveau ; il faut le laisser partir</translation>
+        <translation>Au pas %1, le cercle %2 quittait déjà %3 avec %4 m/s et a été renvoyé de nouveau&#xa0;; il faut le laisser partir</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s ; il faut %6 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s&#xa0;; il faut %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s ; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s&#xa0;; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
     </message>
     <message>
         <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
-        <translation>En %1 s, les parois ont renvoyé un cercle %2 fois ; il faut en voir au moins %3 pour les évaluer</translation>
+        <translation>En %1 s, les parois ont renvoyé un cercle %2 fois&#xa0;; il faut en voir au moins %3 pour les évaluer</translation>
     </message>
     <message>
         <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
-        <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m ; au plus le chemin d&apos;un pas, %5 m, est admis</translation>
+        <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m&#xa0;; au plus le chemin d&apos;un pas, %5 m, est admis</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5 ; la paroi doit le renvoyer aussitôt</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5&#xa0;; la paroi doit le renvoyer aussitôt</translation>
     </message>
     <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
-        <translation>En %1 s, le cercle %2 est arrivé %3 fois à une paroi ; il faut le voir au moins %4 fois pour juger s&apos;il reste à l&apos;intérieur</translation>
+        <translation>En %1 s, le cercle %2 est arrivé %3 fois à une paroi&#xa0;; il faut le voir au moins %4 fois pour juger s&apos;il reste à l&apos;intérieur</translation>
     </message>
     <message>
         <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>Au pas %1, les cercles ont changé de vitesse alors que leurs bords étaient encore à %2 m l&apos;un de l&apos;autre ; ils doivent d&apos;abord se toucher, à une distance de r₁ + r₂</translation>
+        <translation>Au pas %1, les cercles ont changé de vitesse alors que leurs bords étaient encore à %2 m l&apos;un de l&apos;autre&#xa0;; ils doivent d&apos;abord se toucher, à une distance de r₁ + r₂</translation>
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc ; il faut laisser en paix des cercles qui s&apos;éloignent</translation>
+        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc&#xa0;; il faut laisser en paix des cercles qui s&apos;éloignent</translation>
     </message>
     <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>Au pas %1, le cercle 1 est sorti du choc avec %2 m/s et le cercle 2 avec %3 m/s ; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
+        <translation>Au pas %1, le cercle 1 est sorti du choc avec %2 m/s et le cercle 2 avec %3 m/s&#xa0;; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
-        <translation>Au pas %1, les cercles se sont rencontrés à %2 m/s suivant la ligne des centres et séparés à %3 m/s ; e fois autant, avec e = %4, donne %5 m/s</translation>
+        <translation>Au pas %1, les cercles se sont rencontrés à %2 m/s suivant la ligne des centres et séparés à %3 m/s&#xa0;; e fois autant, avec e = %4, donne %5 m/s</translation>
     </message>
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était ; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
+        <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
     </message>
     <message>
         <source>The circles hit each other %1 times; at least %2 is right</source>
-        <translation>Les cercles se sont heurtés %1 fois ; il faut au moins %2 fois</translation>
+        <translation>Les cercles se sont heurtés %1 fois&#xa0;; il faut au moins %2 fois</translation>
     </message>
     <message>
         <source>The circles never hit each other; they should</source>
-        <translation>Les cercles ne se sont jamais heurtés ; ils doivent le faire</translation>
+        <translation>Les cercles ne se sont jamais heurtés&#xa0;; ils doivent le faire</translation>
     </message>
     <message>
         <source>At step %1 the hit changed the total momentum from %2 to %3 kg m/s; it should stay</source>
-        <translation>Au pas %1, le choc a fait passer la quantité de mouvement totale de %2 à %3 kg m/s ; elle doit se conserver</translation>
+        <translation>Au pas %1, le choc a fait passer la quantité de mouvement totale de %2 à %3 kg m/s&#xa0;; elle doit se conserver</translation>
     </message>
     <message>
         <source>At step %1 the hit changed the kinetic energy from %2 to %3 J; it should stay</source>
-        <translation>Au pas %1, le choc a fait passer l&apos;énergie cinétique de %2 à %3 J ; elle doit se conserver</translation>
+        <translation>Au pas %1, le choc a fait passer l&apos;énergie cinétique de %2 à %3 J&#xa0;; elle doit se conserver</translation>
     </message>
     <message>
         <source>At step %1 circle %2 left the first hit with %3 m/s; %4 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est sorti du premier choc avec %3 m/s ; il faut %4 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est sorti du premier choc avec %3 m/s&#xa0;; il faut %4 m/s</translation>
     </message>
     <message>
         <source>At step %1 the kinetic energy was %2 J before the hit and %3 J after it; with e below 1 it should be less</source>
-        <translation>Au pas %1, l&apos;énergie cinétique valait %2 J avant le choc et %3 J après ; avec e inférieur à 1, elle doit diminuer</translation>
+        <translation>Au pas %1, l&apos;énergie cinétique valait %2 J avant le choc et %3 J après&#xa0;; avec e inférieur à 1, elle doit diminuer</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s; the circles should pass through each other unchanged</source>
-        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s ; les cercles doivent se traverser sans rien changer</translation>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; les cercles doivent se traverser sans rien changer</translation>
     </message>
     <message>
         <source>At %1 s circle %2 is at %3 m; %4 m is right</source>
-        <translation>À %1 s, le cercle %2 est en %3 m ; il faut %4 m</translation>
+        <translation>À %1 s, le cercle %2 est en %3 m&#xa0;; il faut %4 m</translation>
     </message>
     <message>
         <source>At %1 s circle %2 moves with %3 m/s; %4 m/s is right</source>
-        <translation>À %1 s, le cercle %2 a la vitesse %3 m/s ; il faut %4 m/s</translation>
+        <translation>À %1 s, le cercle %2 a la vitesse %3 m/s&#xa0;; il faut %4 m/s</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 changed by %3 m/s, an acceleration of %4 m/s²; %5 m/s² is right here</source>
-        <translation>Au pas %1, la vitesse du cercle %2 a changé de %3 m/s, soit une accélération de %4 m/s² ; il faut ici %5 m/s²</translation>
+        <translation>Au pas %1, la vitesse du cercle %2 a changé de %3 m/s, soit une accélération de %4 m/s²&#xa0;; il faut ici %5 m/s²</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
-        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m ; selon %4, il se déplace de %5 m</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; selon %4, il se déplace de %5 m</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
-        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m ; sa vitesse multipliée par le pas de temps donne %4 m</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m</translation>
     </message>
     <message>
         <source>. This is what %1 does</source>
@@ -717,7 +725,7 @@
     </message>
     <message>
         <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
-        <translation>Le cercle %1 n&apos;a été loin des parois et des autres cercles que pendant %2 s ; il faut le voir au moins %3 s pour évaluer son mouvement</translation>
+        <translation>Le cercle %1 n&apos;a été loin des parois et des autres cercles que pendant %2 s&#xa0;; il faut le voir au moins %3 s pour évaluer son mouvement</translation>
     </message>
     <message>
         <source> or </source>
@@ -729,15 +737,15 @@
     </message>
     <message>
         <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
-        <translation>Le cercle %1 se déplace selon %2 et le cercle %3 selon %4 ; il faut le même pour les deux</translation>
+        <translation>Le cercle %1 se déplace selon %2 et le cercle %3 selon %4&#xa0;; il faut le même pour les deux</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m; x₀ + v₀t + ½gt² is %4 m</source>
-        <translation>Au pas %1, le cercle %2 est en %3 m ; x₀ + v₀t + ½gt² donne %4 m</translation>
+        <translation>Au pas %1, le cercle %2 est en %3 m&#xa0;; x₀ + v₀t + ½gt² donne %4 m</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
-        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m d&apos;un coup ; avec sa vitesse, il parcourt %4 m</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m d&apos;un coup&#xa0;; avec sa vitesse, il parcourt %4 m</translation>
     </message>
     <message>
         <source>left wall</source>
@@ -777,19 +785,19 @@
     </message>
     <message>
         <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
-        <translation>%1 : la vérification elle-même s&apos;est arrêtée, elle ne dit donc rien de votre travail : %2</translation>
+        <translation>%1&#xa0;: la vérification elle-même s&apos;est arrêtée, elle ne dit donc rien de votre travail&#xa0;: %2</translation>
     </message>
     <message>
         <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
-        <translation>Le cercle %1 n&apos;est jamais tombé sur le sol en %2 s ; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
+        <translation>Le cercle %1 n&apos;est jamais tombé sur le sol en %2 s&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
     </message>
     <message>
         <source>After %1 s circle %2 still comes %3 m above the floor with e = %4; at most %5 m is right for its integrator</source>
-        <translation>Après %1 s, le cercle %2 remonte encore à %3 m au-dessus du sol avec e = %4 ; au plus %5 m convient pour son intégrateur</translation>
+        <translation>Après %1 s, le cercle %2 remonte encore à %3 m au-dessus du sol avec e = %4&#xa0;; au plus %5 m convient pour son intégrateur</translation>
     </message>
     <message>
         <source>%1 is %2 %4 at the start; %3 %4 is asked for</source>
-        <translation>%1 vaut %2 %4 au début ; il faut %3 %4</translation>
+        <translation>%1 vaut %2 %4 au début&#xa0;; il faut %3 %4</translation>
     </message>
     <message>
         <source>The position of circle %1</source>
@@ -809,23 +817,23 @@
     </message>
     <message>
         <source>There are %1 circles; %2 are asked for</source>
-        <translation>Il y a %1 cercles ; %2 sont demandés</translation>
+        <translation>Il y a %1 cercles&#xa0;; %2 sont demandés</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m with %4 m/s and circle %5 at %6 m with %7 m/s; they should be in the same place with the same velocity</source>
-        <translation>Au pas %1, le cercle %2 est en %3 m avec %4 m/s et le cercle %5 en %6 m avec %7 m/s ; ils doivent être au même endroit avec la même vitesse</translation>
+        <translation>Au pas %1, le cercle %2 est en %3 m avec %4 m/s et le cercle %5 en %6 m avec %7 m/s&#xa0;; ils doivent être au même endroit avec la même vitesse</translation>
     </message>
     <message>
         <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
-        <translation>Le cercle %1 a parcouru %2 m en %3 s ; il faut voir au moins son diamètre de %4 m pour juger s&apos;ils restent ensemble</translation>
+        <translation>Le cercle %1 a parcouru %2 m en %3 s&#xa0;; il faut voir au moins son diamètre de %4 m pour juger s&apos;ils restent ensemble</translation>
     </message>
     <message>
         <source>not judged: what moves the circles is not what the step asks for</source>
-        <translation>non évalué : ce qui déplace les cercles n&apos;est pas ce que demande l&apos;étape</translation>
+        <translation>non évalué&#xa0;: ce qui déplace les cercles n&apos;est pas ce que demande l&apos;étape</translation>
     </message>
     <message>
         <source>not judged: the program stopped with an error</source>
-        <translation>non évalué : le programme s&apos;est arrêté sur une erreur</translation>
+        <translation>non évalué&#xa0;: le programme s&apos;est arrêté sur une erreur</translation>
     </message>
     <message>
         <source>Your program moves the circles</source>
@@ -837,11 +845,11 @@
     </message>
     <message>
         <source>Nothing moves the circles: write on_update</source>
-        <translation>Rien ne déplace les cercles : écrivez on_update</translation>
+        <translation>Rien ne déplace les cercles&#xa0;: écrivez on_update</translation>
     </message>
     <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
-        <translation>Votre programme déplace les cercles : supprimez on_update, et les lois de la scène le feront</translation>
+        <translation>Votre programme déplace les cercles&#xa0;: supprimez on_update, et les lois de la scène le feront</translation>
     </message>
     <message>
         <source>What the step fixes is as the step has it</source>
@@ -849,18 +857,18 @@
     </message>
     <message>
         <source>the check took more than %1 million instructions; an update should take a few thousand</source>
-        <translation>la vérification a utilisé plus de %1 millions d&apos;instructions ; une mise à jour devrait en prendre quelques milliers</translation>
+        <translation>la vérification a utilisé plus de %1 millions d&apos;instructions&#xa0;; une mise à jour devrait en prendre quelques milliers</translation>
     </message>
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
-        <translation>arrêtée par la machine : la vérification a pris plus de %1 s. Ce n&apos;est pas un verdict sur le programme</translation>
+        <translation>arrêtée par la machine&#xa0;: la vérification a pris plus de %1 s. Ce n&apos;est pas un verdict sur le programme</translation>
     </message>
 </context>
 <context>
     <name>CircleClipboard</name>
     <message>
         <source>The clipboard is empty: copy circles first</source>
-        <translation>Le presse-papiers est vide : copiez d&apos;abord des cercles</translation>
+        <translation>Le presse-papiers est vide&#xa0;: copiez d&apos;abord des cercles</translation>
     </message>
     <message>
         <source>The clipboard holds too much text to be circles</source>
@@ -868,7 +876,7 @@
     </message>
     <message>
         <source>The clipboard holds no circles: %1</source>
-        <translation>Le presse-papiers ne contient pas de cercles : %1</translation>
+        <translation>Le presse-papiers ne contient pas de cercles&#xa0;: %1</translation>
     </message>
     <message>
         <source>The scene on the clipboard has no circles</source>
@@ -890,7 +898,7 @@
     </message>
     <message>
         <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
-        <translation>Évalue un programme, ou avec --preset seul les lois du moteur, pour une étape : d&apos;après ce qu&apos;ils font. Un programme qui ne se charge pas ou qui s&apos;arrête ne réussit pas ; la raison est aussi sur la sortie d&apos;erreur, sous la forme FICHIER:LIGNE: message.</translation>
+        <translation>Évalue un programme, ou avec --preset seul les lois du moteur, pour une étape&#xa0;: d&apos;après ce qu&apos;ils font. Un programme qui ne se charge pas ou qui s&apos;arrête ne réussit pas&#xa0;; la raison est aussi sur la sortie d&apos;erreur, sous la forme FICHIER:LIGNE: message.</translation>
     </message>
     <message>
         <source>the step, like L42T5</source>
@@ -898,15 +906,15 @@
     </message>
     <message>
         <source>the program to judge; - is standard input</source>
-        <translation>le programme à évaluer ; - est l&apos;entrée standard</translation>
+        <translation>le programme à évaluer&#xa0;; - est l&apos;entrée standard</translation>
     </message>
     <message>
         <source>the scene; without it that of the step</source>
-        <translation>la scène ; par défaut celle de l&apos;étape</translation>
+        <translation>la scène&#xa0;; par défaut celle de l&apos;étape</translation>
     </message>
     <message>
         <source>the answers to the step&apos;s questions: {&quot;ID&quot;: ANSWER}</source>
-        <translation>les réponses aux questions de l&apos;étape : {&quot;ID&quot;: RÉPONSE}</translation>
+        <translation>les réponses aux questions de l&apos;étape&#xa0;: {&quot;ID&quot;: RÉPONSE}</translation>
     </message>
     <message>
         <source>number of the student for whom the lab draws its values</source>
@@ -914,19 +922,19 @@
     </message>
     <message>
         <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab</source>
-        <translation>le dossier du TP ou NOM.cradle ; par défaut le TP fourni</translation>
+        <translation>le dossier du TP ou NOM.cradle&#xa0;; par défaut le TP fourni</translation>
     </message>
     <message>
         <source>of the scenes; 1 without it</source>
-        <translation>des scènes ; 1 par défaut</translation>
+        <translation>des scènes&#xa0;; 1 par défaut</translation>
     </message>
     <message>
         <source>one of %1; text without it</source>
-        <translation>une valeur parmi %1 ; text par défaut</translation>
+        <translation>une valeur parmi %1&#xa0;; text par défaut</translation>
     </message>
     <message>
         <source>where to write; without it the terminal</source>
-        <translation>où écrire ; par défaut le terminal</translation>
+        <translation>où écrire&#xa0;; par défaut le terminal</translation>
     </message>
     <message>
         <source>judge only where rlimits, seccomp and namespaces are to be had</source>
@@ -938,11 +946,11 @@
     </message>
     <message>
         <source>SCRIPT.lua or --preset P.json is missing: what is to be judged?</source>
-        <translation>SCRIPT.lua ou --preset P.json manque : que faut-il évaluer ?</translation>
+        <translation>SCRIPT.lua ou --preset P.json manque&#xa0;: que faut-il évaluer&#xa0;?</translation>
     </message>
     <message>
         <source>unknown format %1; one of %2 is right</source>
-        <translation>format inconnu : %1 ; il faut une valeur parmi %2</translation>
+        <translation>format inconnu&#xa0;: %1&#xa0;; il faut une valeur parmi %2</translation>
     </message>
     <message>
         <source>--seed %1 is not a whole number</source>
@@ -950,11 +958,11 @@
     </message>
     <message>
         <source>the lab has no step %1; it has %2</source>
-        <translation>le TP n&apos;a pas d&apos;étape %1 ; il a %2</translation>
+        <translation>le TP n&apos;a pas d&apos;étape %1&#xa0;; il a %2</translation>
     </message>
     <message>
         <source>left out of the zip: %1</source>
-        <translation>laissé hors du zip : %1</translation>
+        <translation>laissé hors du zip&#xa0;: %1</translation>
     </message>
     <message>
         <source>the results may not go where the submissions are</source>
@@ -966,7 +974,7 @@
     </message>
     <message>
         <source>a secret was made for the scenes of this class: %1; keep it, and publish it to nobody</source>
-        <translation>un secret a été créé pour les scènes de cette classe : %1 ; conservez-le et ne le donnez à personne</translation>
+        <translation>un secret a été créé pour les scènes de cette classe&#xa0;: %1&#xa0;; conservez-le et ne le donnez à personne</translation>
     </message>
     <message>
         <source>the lab</source>
@@ -982,11 +990,11 @@
     </message>
     <message>
         <source>--require-isolation: this machine has only: %1</source>
-        <translation>--require-isolation : cette machine n&apos;a que : %1</translation>
+        <translation>--require-isolation&#xa0;: cette machine n&apos;a que&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 holds results of another version (%2); another folder is right, or --again to begin anew</source>
-        <translation>%1 contient des résultats d&apos;une autre version (%2) ; prenez un autre dossier, ou --again pour tout recommencer</translation>
+        <translation>%1 contient des résultats d&apos;une autre version (%2)&#xa0;; prenez un autre dossier, ou --again pour tout recommencer</translation>
     </message>
     <message>
         <source>the shard</source>
@@ -994,7 +1002,7 @@
     </message>
     <message>
         <source>programs: %1</source>
-        <translation>programmes : %1</translation>
+        <translation>programmes&#xa0;: %1</translation>
     </message>
     <message>
         <source>nothing to judge</source>
@@ -1002,15 +1010,15 @@
     </message>
     <message>
         <source>missing: %1 %2</source>
-        <translation>manque : %1 %2</translation>
+        <translation>manque&#xa0;: %1 %2</translation>
     </message>
     <message>
         <source>students: %1</source>
-        <translation>étudiants : %1</translation>
+        <translation>étudiants&#xa0;: %1</translation>
     </message>
     <message>
         <source>none of the folders has the lab; --lab LAB is right</source>
-        <translation>aucun des dossiers n&apos;a le TP ; il faut --lab TP</translation>
+        <translation>aucun des dossiers n&apos;a le TP&#xa0;; il faut --lab TP</translation>
     </message>
     <message>
         <source>the results were judged by another version of the lab</source>
@@ -1022,15 +1030,15 @@
     </message>
     <message>
         <source>--language %1: the results are in the language %2, in which they were judged</source>
-        <translation>--language %1 : les résultats sont dans la langue %2, celle de leur évaluation</translation>
+        <translation>--language %1&#xa0;: les résultats sont dans la langue %2, celle de leur évaluation</translation>
     </message>
     <message>
         <source>%1 holds results of another version; another folder is right, or --again to begin anew</source>
-        <translation>%1 contient des résultats d&apos;une autre version ; prenez un autre dossier, ou --again pour tout recommencer</translation>
+        <translation>%1 contient des résultats d&apos;une autre version&#xa0;; prenez un autre dossier, ou --again pour tout recommencer</translation>
     </message>
     <message>
         <source>isolation: %1</source>
-        <translation>isolation : %1</translation>
+        <translation>isolation&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 students</source>
@@ -1050,7 +1058,7 @@
     </message>
     <message>
         <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
-        <translation>%1 étudiants sur %2, dont %3 inchangés ; étapes : %4 réussies, %5 non réussies, %6 non notées ; %7</translation>
+        <translation>%1 étudiants sur %2, dont %3 inchangés&#xa0;; étapes&#xa0;: %4 réussies, %5 non réussies, %6 non notées&#xa0;; %7</translation>
     </message>
     <message>
         <source>the folder of the results</source>
@@ -1058,23 +1066,23 @@
     </message>
     <message>
         <source>from which, with the id, each student&apos;s scenes follow; without it one is made and kept in RESULTS/secret.txt</source>
-        <translation>dont découlent, avec l&apos;identifiant, les scènes de chaque étudiant ; sinon un secret est créé et gardé dans RESULTS/secret.txt</translation>
+        <translation>dont découlent, avec l&apos;identifiant, les scènes de chaque étudiant&#xa0;; sinon un secret est créé et gardé dans RESULTS/secret.txt</translation>
     </message>
     <message>
         <source>students at a time; without it as many as processors</source>
-        <translation>étudiants à la fois ; par défaut autant que de processeurs</translation>
+        <translation>étudiants à la fois&#xa0;; par défaut autant que de processeurs</translation>
     </message>
     <message>
         <source>who is in the class: a table with columns id, folder, name, number, email, late days</source>
-        <translation>qui est dans la classe : un tableau avec les colonnes id, folder, name, number, email, late days</translation>
+        <translation>qui est dans la classe&#xa0;: un tableau avec les colonnes id, folder, name, number, email, late days</translation>
     </message>
     <message>
         <source>what each late day takes of the points; 0 without it</source>
-        <translation>ce que chaque jour de retard retire aux points ; 0 par défaut</translation>
+        <translation>ce que chaque jour de retard retire aux points&#xa0;; 0 par défaut</translation>
     </message>
     <message>
         <source>more percent are never taken; 100 without it</source>
-        <translation>jamais plus de pour cent ne sont retirés ; 100 par défaut</translation>
+        <translation>jamais plus de pour cent ne sont retirés&#xa0;; 100 par défaut</translation>
     </message>
     <message>
         <source>judge part I of N of the class, for --merge</source>
@@ -1082,11 +1090,11 @@
     </message>
     <message>
         <source>judge nothing; put together the results of shards, each a folder</source>
-        <translation>ne rien évaluer ; réunir les résultats de lots, chacun un dossier</translation>
+        <translation>ne rien évaluer&#xa0;; réunir les résultats de lots, chacun un dossier</translation>
     </message>
     <message>
         <source>of the pages and of what students are told, such as en or de; en without it</source>
-        <translation>des pages et de ce qu&apos;on dit aux étudiants, par exemple fr ou en ; en par défaut</translation>
+        <translation>des pages et de ce qu&apos;on dit aux étudiants, par exemple fr ou en&#xa0;; en par défaut</translation>
     </message>
     <message>
         <source>tell how the folder was understood, and judge nothing</source>
@@ -1098,7 +1106,7 @@
     </message>
     <message>
         <source>text, or json: events on standard output, one a line</source>
-        <translation>text, ou json : des événements sur la sortie standard, un par ligne</translation>
+        <translation>text, ou json&#xa0;: des événements sur la sortie standard, un par ligne</translation>
     </message>
     <message>
         <source>exit with 0 also if somebody did not pass, if only all are graded</source>
@@ -1106,11 +1114,11 @@
     </message>
     <message>
         <source>--jobs %1: a number from 1 to %2 is right</source>
-        <translation>--jobs %1 : il faut un nombre de 1 à %2</translation>
+        <translation>--jobs %1&#xa0;: il faut un nombre de 1 à %2</translation>
     </message>
     <message>
         <source>--shard %1: I/N is right, with I from 1 to N</source>
-        <translation>--shard %1 : il faut I/N, avec I de 1 à N</translation>
+        <translation>--shard %1&#xa0;: il faut I/N, avec I de 1 à N</translation>
     </message>
     <message>
         <source>--shard needs --secret FILE, the same for every shard</source>
@@ -1118,7 +1126,7 @@
     </message>
     <message>
         <source>--language %1: one of %2 is right</source>
-        <translation>--language %1 : il faut une valeur parmi %2</translation>
+        <translation>--language %1&#xa0;: il faut une valeur parmi %2</translation>
     </message>
     <message>
         <source>--late-percent and --late-most are numbers from 0 to 100</source>
@@ -1126,43 +1134,43 @@
     </message>
     <message>
         <source>Judges a class: every step of every student, each in a process of its own that can do nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if not all passed.</source>
-        <translation>Évalue une classe : chaque étape de chaque étudiant, chacune dans un processus à part qui ne peut rien faire d&apos;autre. SUBMISSIONS est un dossier de dossiers ou de fichiers .cradle-work, un téléchargement de Moodle, Canvas ou Blackboard, des clones de GitHub Classroom, ou un zip de tout cela ; rien n&apos;y est écrit. Arrêtée à tout moment, l&apos;évaluation reprend où elle en était. Code de sortie : 1 si tous n&apos;ont pas réussi.</translation>
+        <translation>Évalue une classe&#xa0;: chaque étape de chaque étudiant, chacune dans un processus à part qui ne peut rien faire d&apos;autre. SUBMISSIONS est un dossier de dossiers ou de fichiers .cradle-work, un téléchargement de Moodle, Canvas ou Blackboard, des clones de GitHub Classroom, ou un zip de tout cela&#xa0;; rien n&apos;y est écrit. Arrêtée à tout moment, l&apos;évaluation reprend où elle en était. Code de sortie&#xa0;: 1 si tous n&apos;ont pas réussi.</translation>
     </message>
     <message>
         <source>what was handed in; with --merge: results</source>
-        <translation>ce qui a été rendu ; avec --merge : des résultats</translation>
+        <translation>ce qui a été rendu&#xa0;; avec --merge&#xa0;: des résultats</translation>
     </message>
     <message>
         <source>unexpected argument %1; see %2 --help</source>
-        <translation>argument inattendu : %1 ; voir %2 --help</translation>
+        <translation>argument inattendu&#xa0;: %1&#xa0;; voir %2 --help</translation>
     </message>
     <message>
         <source>--out RESULTS is missing: where are the results to go?</source>
-        <translation>--out RESULTS manque : où doivent aller les résultats ?</translation>
+        <translation>--out RESULTS manque&#xa0;: où doivent aller les résultats&#xa0;?</translation>
     </message>
     <message>
         <source>there is no verdict; of the process that judged: %1</source>
-        <translation>il n&apos;y a pas de verdict ; du processus qui évaluait : %1</translation>
+        <translation>il n&apos;y a pas de verdict&#xa0;; du processus qui évaluait&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is a folder; a file is right</source>
-        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+        <translation>c&apos;est un dossier&#xa0;; il faut un fichier</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>illisible : %1</translation>
+        <translation>illisible&#xa0;: %1</translation>
     </message>
     <message>
         <source>the application that prints PDF is not beside cradle-cli; F.html is right without it</source>
-        <translation>l&apos;application qui imprime le PDF n&apos;est pas à côté de cradle-cli ; F.html convient sans elle</translation>
+        <translation>l&apos;application qui imprime le PDF n&apos;est pas à côté de cradle-cli&#xa0;; F.html convient sans elle</translation>
     </message>
     <message>
         <source>the report could not be printed: %1</source>
-        <translation>le rapport n&apos;a pas pu être imprimé : %1</translation>
+        <translation>le rapport n&apos;a pas pu être imprimé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>
-        <translation>Fait tourner une scène, selon ses lois ou par un programme, et écrit ce qui se passe : des tableaux, ou sinon un résumé. Si le programme s&apos;arrête, la raison est sur la sortie d&apos;erreur sous la forme FICHIER:LIGNE: message, les tableaux vont jusque-là et le code de sortie est 1. Ctrl+C met fin à l&apos;exécution : ce qui est écrit va jusque-là, et le code de sortie est 130.</translation>
+        <translation>Fait tourner une scène, selon ses lois ou par un programme, et écrit ce qui se passe&#xa0;: des tableaux, ou sinon un résumé. Si le programme s&apos;arrête, la raison est sur la sortie d&apos;erreur sous la forme FICHIER:LIGNE: message, les tableaux vont jusque-là et le code de sortie est 1. Ctrl+C met fin à l&apos;exécution&#xa0;: ce qui est écrit va jusque-là, et le code de sortie est 130.</translation>
     </message>
     <message>
         <source>the scene</source>
@@ -1174,7 +1182,7 @@
     </message>
     <message>
         <source>%1 % of the run; Ctrl+C ends it here</source>
-        <translation>%1 % de l&apos;exécution ; Ctrl+C l&apos;arrête ici</translation>
+        <translation>%1&#xa0;% de l&apos;exécution&#xa0;; Ctrl+C l&apos;arrête ici</translation>
     </message>
     <message>
         <source>how long, s</source>
@@ -1190,7 +1198,7 @@
     </message>
     <message>
         <source>a program that moves the circles; what it prints goes to standard error, what it plots and draws is dropped, its hits are inferred</source>
-        <translation>un programme qui déplace les cercles ; ce qu&apos;il affiche va sur la sortie d&apos;erreur, ce qu&apos;il trace et dessine est ignoré, ses chocs sont déduits</translation>
+        <translation>un programme qui déplace les cercles&#xa0;; ce qu&apos;il affiche va sur la sortie d&apos;erreur, ce qu&apos;il trace et dessine est ignoré, ses chocs sont déduits</translation>
     </message>
     <message>
         <source>write every N-th step only</source>
@@ -1210,11 +1218,11 @@
     </message>
     <message>
         <source>of the summary: text, or json, which is written beside tables, too</source>
-        <translation>du résumé : text, ou json, qui est écrit même à côté de tableaux</translation>
+        <translation>du résumé&#xa0;: text, ou json, qui est écrit même à côté de tableaux</translation>
     </message>
     <message>
         <source>--%1 %2 is not right; %3 is right</source>
-        <translation>--%1 %2 ne convient pas ; il faut %3</translation>
+        <translation>--%1 %2 ne convient pas&#xa0;; il faut %3</translation>
     </message>
     <message>
         <source>a number above 0 and at most %1</source>
@@ -1222,11 +1230,11 @@
     </message>
     <message>
         <source>a table and the summary cannot both go to standard output; a file for the table is right</source>
-        <translation>un tableau et le résumé ne peuvent pas aller tous deux sur la sortie standard ; il faut un fichier pour le tableau</translation>
+        <translation>un tableau et le résumé ne peuvent pas aller tous deux sur la sortie standard&#xa0;; il faut un fichier pour le tableau</translation>
     </message>
     <message>
         <source>--duration S is missing: how long, in s?</source>
-        <translation>--duration S manque : combien de temps, en s ?</translation>
+        <translation>--duration S manque&#xa0;: combien de temps, en s&#xa0;?</translation>
     </message>
     <message>
         <source>a whole number from 1</source>
@@ -1234,7 +1242,7 @@
     </message>
     <message>
         <source>%1 steps are too many; at most %2 are right</source>
-        <translation>%1 pas, c&apos;est trop ; au plus %2 conviennent</translation>
+        <translation>%1 pas, c&apos;est trop&#xa0;; au plus %2 conviennent</translation>
     </message>
     <message>
         <source>contacts merged from %1 s on</source>
@@ -1244,13 +1252,13 @@
         <source>%1: %2 circles, %3 steps, %4 s, %5 hits
 momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
 </source>
-        <translation>%1 : %2 cercles, %3 pas, %4 s, %5 chocs
+        <translation>%1&#xa0;: %2 cercles, %3 pas, %4 s, %5 chocs
 quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9 J
 </translation>
     </message>
     <message>
         <source>an argument is missing; see %1 --help</source>
-        <translation>un argument manque ; voir %1 --help</translation>
+        <translation>un argument manque&#xa0;; voir %1 --help</translation>
     </message>
     <message>
         <source>      passes every check
@@ -1261,7 +1269,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>      fails %1 without a diagnosis: %2
 </source>
-        <translation>      échoue à %1 sans diagnostic : %2
+        <translation>      échoue à %1 sans diagnostic&#xa0;: %2
 </translation>
     </message>
     <message>
@@ -1286,7 +1294,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>It was stopped: it asked the system for what no program needs.</source>
-        <translation>Il a été arrêté : il demandait au système ce dont aucun programme n&apos;a besoin.</translation>
+        <translation>Il a été arrêté&#xa0;: il demandait au système ce dont aucun programme n&apos;a besoin.</translation>
     </message>
     <message>
         <source>The process that judged it broke down.</source>
@@ -1308,7 +1316,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
-        <translation>Évalue un TP lui-même : les programmes de départ échouent à une vérification, les corrigés réussissent, chaque erreur connue échoue et est reconnue, et chaque vérification est mise en échec par une erreur. Affiche quelle erreur (ligne) échoue à quelle vérification (colonne, x) et pour quoi elle est prise.</translation>
+        <translation>Évalue un TP lui-même&#xa0;: les programmes de départ échouent à une vérification, les corrigés réussissent, chaque erreur connue échoue et est reconnue, et chaque vérification est mise en échec par une erreur. Affiche quelle erreur (ligne) échoue à quelle vérification (colonne, x) et pour quoi elle est prise.</translation>
     </message>
     <message>
         <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
@@ -1316,7 +1324,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
-        <translation>demander aussi pour chaque vérification si une modification du corrigé échoue par elle seule ; prend des minutes</translation>
+        <translation>demander aussi pour chaque vérification si une modification du corrigé échoue par elle seule&#xa0;; prend des minutes</translation>
     </message>
     <message>
         <source>with how many seeds every solution is judged, 1 to 1000</source>
@@ -1328,7 +1336,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab that the work belongs to</source>
-        <translation>le dossier du TP ou NOM.cradle ; par défaut le TP fourni auquel le travail appartient</translation>
+        <translation>le dossier du TP ou NOM.cradle&#xa0;; par défaut le TP fourni auquel le travail appartient</translation>
     </message>
     <message>
         <source>of the student</source>
@@ -1344,11 +1352,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>of the report, such as en or de; without it that of the system</source>
-        <translation>du rapport, par exemple fr ou en ; par défaut celle du système</translation>
+        <translation>du rapport, par exemple fr ou en&#xa0;; par défaut celle du système</translation>
     </message>
     <message>
         <source>Writes the report of a student&apos;s work: what was asked, what the program does, how it came about. Every step is judged anew.</source>
-        <translation>Écrit le rapport du travail d&apos;un étudiant : ce qui était demandé, ce que fait le programme, comment il est né. Chaque étape est évaluée à nouveau.</translation>
+        <translation>Écrit le rapport du travail d&apos;un étudiant&#xa0;: ce qui était demandé, ce que fait le programme, comment il est né. Chaque étape est évaluée à nouveau.</translation>
     </message>
     <message>
         <source>the folder, or a FILE.cradle-work</source>
@@ -1360,7 +1368,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>Writes a student&apos;s work into one file to be handed in: the programs, scenes, notes, the history and a report. Every step is judged once more.</source>
-        <translation>Écrit le travail d&apos;un étudiant dans un seul fichier à rendre : les programmes, les scènes, les remarques, l&apos;historique et un rapport. Chaque étape est évaluée encore une fois.</translation>
+        <translation>Écrit le travail d&apos;un étudiant dans un seul fichier à rendre&#xa0;: les programmes, les scènes, les remarques, l&apos;historique et un rapport. Chaque étape est évaluée encore une fois.</translation>
     </message>
     <message>
         <source>the folder</source>
@@ -1372,11 +1380,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>this is too long for a program; at most %1 are right</source>
-        <translation>c&apos;est trop long pour un programme ; au plus %1 conviennent</translation>
+        <translation>c&apos;est trop long pour un programme&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>this is text in UTF-16; UTF-8 would be right</source>
-        <translation>c&apos;est du texte en UTF-16 ; il faudrait UTF-8</translation>
+        <translation>c&apos;est du texte en UTF-16&#xa0;; il faudrait UTF-8</translation>
     </message>
     <message>
         <source>this is no text in UTF-8, which would be right</source>
@@ -1402,7 +1410,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>Off the exact motion: %1, %2.</source>
         <comment>energy, distance</comment>
-        <translation>Écart au mouvement exact : %1, %2.</translation>
+        <translation>Écart au mouvement exact&#xa0;: %1, %2.</translation>
     </message>
 </context>
 <context>
@@ -1417,10 +1425,10 @@ No hit is aimed at anything, yet within a second or two the speeds spread until 
 - The colours say which half a circle comes from. They mix much more slowly than the speeds.</source>
         <translation>Mille cercles égaux partent à la même vitesse, 2 m/s, dans toutes les directions. Appuyez sur Lancer et observez les vitesses en bas à droite.
 
-Aucun choc n&apos;est visé, et pourtant en une ou deux secondes les vitesses s&apos;étalent jusqu&apos;à se placer sur une courbe, celle de Maxwell et Boltzmann. Aucune énergie ne se perd : seule change la façon dont les cercles la partagent.
+Aucun choc n&apos;est visé, et pourtant en une ou deux secondes les vitesses s&apos;étalent jusqu&apos;à se placer sur une courbe, celle de Maxwell et Boltzmann. Aucune énergie ne se perd&#xa0;: seule change la façon dont les cercles la partagent.
 
-- Remontez la ligne de temps : la courbe est toujours la même, car elle ne dépend que de l&apos;énergie moyenne.
-- Mettez la restitution à 0.99 : le gaz se refroidit et la courbe se déplace vers la gauche.
+- Remontez la ligne de temps&#xa0;: la courbe est toujours la même, car elle ne dépend que de l&apos;énergie moyenne.
+- Mettez la restitution à 0.99&#xa0;: le gaz se refroidit et la courbe se déplace vers la gauche.
 - Les couleurs disent de quelle moitié vient un cercle. Elles se mélangent bien plus lentement que les vitesses.</translation>
     </message>
     <message>
@@ -1432,10 +1440,10 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
 - Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
         <translation>Un cercle lourd tombe sur un lit de 124 cercles légers, dont chacun a un six-millième de sa masse. Appuyez sur Lancer et observez l&apos;énergie.
 
-Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rapprochement. Pourtant, ici, un cinquième de toute l&apos;énergie disparaît en moins d&apos;un dixième de seconde, surtout en deux coups, à 0.94 s et 0.99 s : des cercles légers pris entre le lourd et le sol sont renvoyés de l&apos;un à l&apos;autre de plus en plus vite, des centaines de fois en un centième de seconde. C&apos;est ainsi que commence un effondrement inélastique.
+Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de rapprochement. Pourtant, ici, un cinquième de toute l&apos;énergie disparaît en moins d&apos;un dixième de seconde, surtout en deux coups, à 0.94 s et 0.99 s&#xa0;: des cercles légers pris entre le lourd et le sol sont renvoyés de l&apos;un à l&apos;autre de plus en plus vite, des centaines de fois en un centième de seconde. C&apos;est ainsi que commence un effondrement inélastique.
 
 - Remontez la ligne de temps jusqu&apos;à ces coups et parcourez-les pas à pas avec → et ←.
-- Mettez la restitution à 1 : le lit devient un gaz sous un piston, et le renvoie.</translation>
+- Mettez la restitution à 1&#xa0;: le lit devient un gaz sous un piston, et le renvoie.</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1454,7 +1462,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     <name>Expression</name>
     <message>
         <source>“%1” is not expected there</source>
-        <translation>« %1 » n&apos;est pas attendu là</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas attendu là</translation>
     </message>
     <message>
         <source>it comes to no finite number</source>
@@ -1462,7 +1470,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>“%1” is no number: %2</source>
-        <translation>« %1 » n&apos;est pas un nombre : %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre&#xa0;: %2</translation>
     </message>
     <message>
         <source>it is too deep</source>
@@ -1525,7 +1533,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>this is a folder; the name of a file is right</source>
-        <translation>c&apos;est un dossier ; il faut le nom d&apos;un fichier</translation>
+        <translation>c&apos;est un dossier&#xa0;; il faut le nom d&apos;un fichier</translation>
     </message>
     <message>
         <source>the name is too long</source>
@@ -1564,7 +1572,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
-        <translation>Côte à côte, ils réagissent à temps, mais en diagonale dès que leurs centres sont encore à %2 m l&apos;un de l&apos;autre : x et y examinés séparément décrivent des carrés. Faites des deux différences une seule distance.</translation>
+        <translation>Côte à côte, ils réagissent à temps, mais en diagonale dès que leurs centres sont encore à %2 m l&apos;un de l&apos;autre&#xa0;: x et y examinés séparément décrivent des carrés. Faites des deux différences une seule distance.</translation>
     </message>
     <message>
         <source>|Δx| + |Δy| is not the distance</source>
@@ -1580,7 +1588,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre : c&apos;est le carré de cette distance qui vaut r₁ + r₂. Un carré est en m², une longueur en m.</translation>
+        <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: c&apos;est le carré de cette distance qui vaut r₁ + r₂. Un carré est en m², une longueur en m.</translation>
     </message>
     <message>
         <source>Diameters are added in the test of contact, not radii</source>
@@ -1616,7 +1624,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
-        <translation>Quand ils se touchent, une position change et aucune vitesse, si bien que le pas suivant les y ramène. Un choc change les vitesses : regardez si ces lignes s&apos;exécutent, et ce qu&apos;elles demandent.</translation>
+        <translation>Quand ils se touchent, une position change et aucune vitesse, si bien que le pas suivant les y ramène. Un choc change les vitesses&#xa0;: regardez si ces lignes s&apos;exécutent, et ce qu&apos;elles demandent.</translation>
     </message>
     <message>
         <source>The circles run through each other</source>
@@ -1640,7 +1648,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
     </message>
     <message>
         <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
-        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à une distance des centres de %1 m, et n&apos;ont réagi que lorsqu&apos;elle augmentait de nouveau. Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, n allant de 1 vers 2 : regardez la comparaison, et dans quel sens pointe votre normale.</translation>
+        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à une distance des centres de %1 m, et n&apos;ont réagi que lorsqu&apos;elle augmentait de nouveau. Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, n allant de 1 vers 2&#xa0;: regardez la comparaison, et dans quel sens pointe votre normale.</translation>
     </message>
     <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
@@ -1668,7 +1676,7 @@ Un choc avec e = 0.9 laisse e² = 81 % de l&apos;énergie du mouvement de rappr
 When they touched it was put to %2 m, far from where it came from. Each circle goes back to its *own* old place: look at which one it gets.</source>
         <translation>Un choc déplace le cercle %1
 
-Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle retourne à sa *propre* ancienne position : regardez laquelle il reçoit.</translation>
+Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle retourne à sa *propre* ancienne position&#xa0;: regardez laquelle il reçoit.</translation>
     </message>
     <message>
         <source>Nothing happens when it is circle 2 that comes nearer</source>
@@ -1684,11 +1692,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
-        <translation>Suivant la ligne des centres, le cercle 1 avait %1 m/s et le cercle 2 %2 m/s ; ils se rapprochaient donc à %3 m/s, et sont entrés l&apos;un dans l&apos;autre ; d&apos;autres rencontres provoquent une réaction. Ce qui compte est la vitesse de l&apos;un par rapport à l&apos;autre.</translation>
-    </message>
-    <message>
-        <source>Only the first hit is answered</source>
-        <translation>Seul le premier choc provoque une réaction</translation>
+        <translation>Suivant la ligne des centres, le cercle 1 avait %1 m/s et le cercle 2 %2 m/s&#xa0;; ils se rapprochaient donc à %3 m/s, et sont entrés l&apos;un dans l&apos;autre&#xa0;; d&apos;autres rencontres provoquent une réaction. Ce qui compte est la vitesse de l&apos;un par rapport à l&apos;autre.</translation>
     </message>
     <message>
         <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
@@ -1700,7 +1704,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation>Ils se chevauchaient et s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s ; le pas suivant a donné %2 et %3 m/s. Des cercles qui s&apos;éloignent ont déjà eu leur choc : demandez s&apos;ils se rapprochent.</translation>
+        <translation>Ils se chevauchaient et s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s&#xa0;; le pas suivant a donné %2 et %3 m/s. Des cercles qui s&apos;éloignent ont déjà eu leur choc&#xa0;: demandez s&apos;ils se rapprochent.</translation>
     </message>
     <message>
         <source>circle %1</source>
@@ -1724,7 +1728,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
-        <translation>Dans une scène où la pesanteur vaut %1 m/s², l&apos;accélération est de %2 m/s², comme dans toutes les autres. Le nom `gravity` contient la valeur de la scène ; cherchez où votre programme a la sienne.</translation>
+        <translation>Dans une scène où la pesanteur vaut %1 m/s², l&apos;accélération est de %2 m/s², comme dans toutes les autres. Le nom `gravity` contient la valeur de la scène&#xa0;; cherchez où votre programme a la sienne.</translation>
     </message>
     <message>
         <source>Gravity pulls %who in a wrong direction</source>
@@ -1732,7 +1736,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Under gravity %1 m/s² the velocity changes by %2 m/s in a step of %3 s; it should change by %4 m/s.</source>
-        <translation>Sous la pesanteur %1 m/s², la vitesse change de %2 m/s en un pas de %3 s ; elle doit changer de %4 m/s.</translation>
+        <translation>Sous la pesanteur %1 m/s², la vitesse change de %2 m/s en un pas de %3 s&#xa0;; elle doit changer de %4 m/s.</translation>
     </message>
     <message>
         <source>Gravity moves %who at once and changes no velocity</source>
@@ -1740,7 +1744,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
-        <translation>Sous la pesanteur %1 m/s², un cercle au repos se retrouve à %2 m de là après un pas de %3 s, et sa vitesse est toujours 0. La pesanteur est une accélération : elle change la vitesse, et c&apos;est la vitesse qui change la position.</translation>
+        <translation>Sous la pesanteur %1 m/s², un cercle au repos se retrouve à %2 m de là après un pas de %3 s, et sa vitesse est toujours 0. La pesanteur est une accélération&#xa0;: elle change la vitesse, et c&apos;est la vitesse qui change la position.</translation>
     </message>
     <message>
         <source>Gravity does not act alike on light and heavy ones (%who)</source>
@@ -1748,7 +1752,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² quand le rayon est 1.25 fois et la masse volumique 1.5 fois plus grande. La pesanteur est déjà une accélération : tous les corps tombent de la même façon, quelle que soit leur masse.</translation>
+        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² quand le rayon est 1.25 fois et la masse volumique 1.5 fois plus grande. La pesanteur est déjà une accélération&#xa0;: tous les corps tombent de la même façon, quelle que soit leur masse.</translation>
     </message>
     <message>
         <source>Gravity acts on %who for a whole second in every step</source>
@@ -1756,7 +1760,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>An acceleration says what a second changes; a step lasts only Δt. Compare the units on both sides.</source>
-        <translation>Une accélération dit ce que change une seconde ; un pas ne dure que Δt. Comparez les unités des deux côtés.</translation>
+        <translation>Une accélération dit ce que change une seconde&#xa0;; un pas ne dure que Δt. Comparez les unités des deux côtés.</translation>
     </message>
     <message>
         <source>Gravity on %who is multiplied by the timestep twice</source>
@@ -1780,7 +1784,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
-        <translation>À chaque pas, la pesanteur doit changer la vitesse : cherchez la ligne qui le fait, et les conditions devant elle.</translation>
+        <translation>À chaque pas, la pesanteur doit changer la vitesse&#xa0;: cherchez la ligne qui le fait, et les conditions devant elle.</translation>
     </message>
     <message>
         <source>Gravity pushes %who against its own direction</source>
@@ -1803,10 +1807,6 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La vitesse ne reçoit que la moitié de la pesanteur, pour %who</translation>
     </message>
     <message>
-        <source>Where a method takes two halves, both count.</source>
-        <translation>Quand une méthode prend deux moitiés, les deux comptent.</translation>
-    </message>
-    <message>
         <source>Gravity on %who is %1 times as strong as it should be</source>
         <translation>La pesanteur agit %1 fois aussi fort qu&apos;il le faudrait sur %who</translation>
     </message>
@@ -1819,12 +1819,8 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La chute n&apos;est pas celle de la pesanteur de la scène, pour %who</translation>
     </message>
     <message>
-        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s² in the first step and by %3 m/s² in the second. Look at what else changes the velocity, away from any hit.</source>
-        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s² ; la vitesse change de %2 m/s² au premier pas et de %3 m/s² au deuxième. Cherchez ce qui change encore la vitesse, loin de tout choc.</translation>
-    </message>
-    <message>
         <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
-        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s², et la vitesse change de %2 m/s en une seconde. Une copie de la pesanteur garde la valeur de l&apos;instant où elle a été faite : avant ou après que `on_load` l&apos;a fixée ?</translation>
+        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s², et la vitesse change de %2 m/s en une seconde. Une copie de la pesanteur garde la valeur de l&apos;instant où elle a été faite&#xa0;: avant ou après que `on_load` l&apos;a fixée&#xa0;?</translation>
     </message>
     <message>
         <source>In your own scene the first step changes the velocity of %who</source>
@@ -1832,11 +1828,11 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
-        <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s ; rien à heurter n&apos;est proche. Regardez les valeurs que prend la ligne : sont-elles celles de ce pas, ou plus anciennes ?</translation>
+        <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s&#xa0;; rien à heurter n&apos;est proche. Regardez les valeurs que prend la ligne&#xa0;: sont-elles celles de ce pas, ou plus anciennes&#xa0;?</translation>
     </message>
     <message>
         <source>%1 is asked for.</source>
-        <translation>Demandé : %1.</translation>
+        <translation>Demandé&#xa0;: %1.</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
@@ -1844,7 +1840,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>Depuis le repos sous la pesanteur %1 m/s², un pas avance de %2 a Δt² en plus de v Δt. Euler avance avec l&apos;ancienne vitesse : 0 ; Euler symplectique avec la nouvelle : 1 ; les méthodes exactes avec ½.</translation>
+        <translation>Depuis le repos sous la pesanteur %1 m/s², un pas avance de %2 a Δt² en plus de v Δt. Euler avance avec l&apos;ancienne vitesse&#xa0;: 0&#xa0;; Euler symplectique avec la nouvelle&#xa0;: 1&#xa0;; les méthodes exactes avec ½.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -1852,11 +1848,11 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>The motion of %who is %1, not %2</source>
-        <translation>La méthode n&apos;est pas la bonne pour %who : %1, pas %2</translation>
+        <translation>La méthode n&apos;est pas la bonne pour %who&#xa0;: %1, pas %2</translation>
     </message>
     <message>
         <source>The motion of %who is no known method; %1 is asked for</source>
-        <translation>Le mouvement ne suit aucune méthode connue, pour %who ; demandé : %1</translation>
+        <translation>Le mouvement ne suit aucune méthode connue, pour %who&#xa0;; demandé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Euler</source>
@@ -1876,7 +1872,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
         <translation>Chaque cercle a la méthode de l&apos;autre
 
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt² ; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt²&#xa0;; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
     </message>
     <message>
         <source>The circles move by different methods
@@ -1884,7 +1880,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
         <translation>Les cercles se déplacent selon des méthodes différentes
 
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt² ; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt²&#xa0;; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
     </message>
     <message>
         <source>Every step puts %who where circle %1 is</source>
@@ -1892,7 +1888,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
-        <translation>Où que les deux démarrent, un pas plus tard ils sont au même endroit. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles : regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
+        <translation>Où que les deux démarrent, un pas plus tard ils sont au même endroit. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles&#xa0;: regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
     </message>
     <message>
         <source>The velocity of %who is set anew in every step</source>
@@ -1900,7 +1896,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
-        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer ; le départ se fixe une fois, dans `on_load`.</translation>
+        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer&#xa0;; le départ se fixe une fois, dans `on_load`.</translation>
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
@@ -1920,7 +1916,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>Dans une scène où seul le cercle %1 a une vitesse, ce qui avance de v Δt, c&apos;est : %who. Chaque cercle se déplace avec sa propre vitesse : regardez les noms dans la ligne qui le déplace.</translation>
+        <translation>Dans une scène où seul le cercle %1 a une vitesse, ce qui avance de v Δt, c&apos;est&#xa0;: %who. Chaque cercle se déplace avec sa propre vitesse&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
@@ -1936,11 +1932,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
-        <translation>Deux cercles partis à 1 m l&apos;un de l&apos;autre, au repos, sont à %1 m l&apos;un de l&apos;autre un pas de %2 s plus tard. L&apos;ancienne position se garde telle quelle ; on lui ajoute le chemin v Δt : regardez les parenthèses.</translation>
+        <translation>Deux cercles partis à 1 m l&apos;un de l&apos;autre, au repos, sont à %1 m l&apos;un de l&apos;autre un pas de %2 s plus tard. L&apos;ancienne position se garde telle quelle&#xa0;; on lui ajoute le chemin v Δt&#xa0;: regardez les parenthèses.</translation>
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m ; v Δt vaut %4 m.</translation>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; v Δt vaut %4 m.</translation>
     </message>
     <message>
         <source>The x of %who never changes</source>
@@ -1956,7 +1952,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m ; avec %4 m/s, de %5 m ; v Δt vaut %6 et %7 m.</translation>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; v Δt vaut %6 et %7 m.</translation>
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
@@ -1988,7 +1984,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Sous la pesanteur %1 m/s² et avec la vitesse %2 m/s, elle change de %3 m/s en un pas de %4 s, avec %5 m/s de %6 m/s ; il faut %7 et %8 m/s. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
+        <translation>Sous la pesanteur %1 m/s² et avec la vitesse %2 m/s, elle change de %3 m/s en un pas de %4 s, avec %5 m/s de %6 m/s&#xa0;; il faut %7 et %8 m/s. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
     </message>
     <message>
         <source>The way of %who is not multiplied by the timestep</source>
@@ -1996,7 +1992,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>A velocity says how far it gets in a whole second; a step lasts only Δt.</source>
-        <translation>Une vitesse dit le chemin d&apos;une seconde entière ; un pas ne dure que Δt.</translation>
+        <translation>Une vitesse dit le chemin d&apos;une seconde entière&#xa0;; un pas ne dure que Δt.</translation>
     </message>
     <message>
         <source>The way of %who is multiplied by the timestep twice</source>
@@ -2056,11 +2052,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
-        <translation>Pour chaque mètre de plus vers l&apos;extérieur, l&apos;accélération change de %1 m/s² ; il faut %2.</translation>
+        <translation>Pour chaque mètre de plus vers l&apos;extérieur, l&apos;accélération change de %1 m/s²&#xa0;; il faut %2.</translation>
     </message>
     <message>
         <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
-        <translation>Pour chaque m/s de vitesse, l&apos;accélération est de %1 m/s² ; il faut %2.</translation>
+        <translation>Pour chaque m/s de vitesse, l&apos;accélération est de %1 m/s²&#xa0;; il faut %2.</translation>
     </message>
     <message>
         <source>Something slows %who down on the way</source>
@@ -2092,7 +2088,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
-        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), le changement de v₁ valait %5 fois celui de v₂ ; il faut m₂/m₁ = %6.</translation>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), le changement de v₁ valait %5 fois celui de v₂&#xa0;; il faut m₂/m₁ = %6.</translation>
     </message>
     <message>
         <source>Where the masses differ, only circle %1 leaves as it should</source>
@@ -2100,7 +2096,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
-        <translation>Regardez par quelle masse la poussée sur l&apos;autre est divisée : chaque changement de vitesse est la poussée divisée par la masse du cercle lui-même.</translation>
+        <translation>Regardez par quelle masse la poussée sur l&apos;autre est divisée&#xa0;: chaque changement de vitesse est la poussée divisée par la masse du cercle lui-même.</translation>
     </message>
     <message>
         <source>The two masses are not worked out in the same way</source>
@@ -2156,7 +2152,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>A ball that is twice as wide is also twice as high and as deep: its mass grows with r³.</source>
-        <translation>Une boule deux fois plus large est aussi deux fois plus haute et deux fois plus profonde : sa masse croît comme r³.</translation>
+        <translation>Une boule deux fois plus large est aussi deux fois plus haute et deux fois plus profonde&#xa0;: sa masse croît comme r³.</translation>
     </message>
     <message>
         <source>The hits do not depend on the densities</source>
@@ -2176,7 +2172,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>With e = %1: </source>
-        <translation>Avec e = %1 : </translation>
+        <translation>Avec e = %1&#xa0;: </translation>
     </message>
     <message>
         <source>e also shortens the part of circle %1 across the line of centres</source>
@@ -2184,7 +2180,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Nothing pushes there: it stays as it was.</source>
-        <translation>Rien ne pousse dans cette direction : elle reste comme elle était.</translation>
+        <translation>Rien ne pousse dans cette direction&#xa0;: elle reste comme elle était.</translation>
     </message>
     <message>
         <source>e multiplies the whole velocities after the hit</source>
@@ -2192,7 +2188,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
-        <translation>e ne concerne que le rebond suivant la ligne des centres ; la quantité de mouvement totale se conserve.</translation>
+        <translation>e ne concerne que le rebond suivant la ligne des centres&#xa0;; la quantité de mouvement totale se conserve.</translation>
     </message>
     <message>
         <source>e also shortens the parts across the line of centres</source>
@@ -2200,7 +2196,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Nothing pushes there: they stay as they were.</source>
-        <translation>Rien ne pousse dans cette direction : elles restent comme elles étaient.</translation>
+        <translation>Rien ne pousse dans cette direction&#xa0;: elles restent comme elles étaient.</translation>
     </message>
     <message>
         <source>Only circle 1 feels e</source>
@@ -2224,7 +2220,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>e works the wrong way round: the factor is 2 − e, not 1 + e</source>
-        <translation>e agit à l&apos;envers : le facteur est 2 − e, pas 1 + e</translation>
+        <translation>e agit à l&apos;envers&#xa0;: le facteur est 2 − e, pas 1 + e</translation>
     </message>
     <message>
         <source>The push is multiplied by 2 e instead of 1 + e</source>
@@ -2248,7 +2244,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Only in the new velocity of circle %1: %2</source>
-        <translation>Seulement dans la nouvelle vitesse du cercle %1 : %2</translation>
+        <translation>Seulement dans la nouvelle vitesse du cercle %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>e does not act on the rebound as it should</source>
@@ -2276,7 +2272,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Nobody holds the other circle as a wall is held: look at what each circle gets of the other.</source>
-        <translation>Personne ne tient l&apos;autre cercle comme on tient une paroi : regardez ce que chaque cercle reçoit de l&apos;autre.</translation>
+        <translation>Personne ne tient l&apos;autre cercle comme on tient une paroi&#xa0;: regardez ce que chaque cercle reçoit de l&apos;autre.</translation>
     </message>
     <message>
         <source>A hit leaves circle 2 as it was</source>
@@ -2336,11 +2332,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
-        <translation>Un cercle lisse ne pousse que suivant la ligne des centres ; chacun garde sa propre composante perpendiculaire.</translation>
+        <translation>Un cercle lisse ne pousse que suivant la ligne des centres&#xa0;; chacun garde sa propre composante perpendiculaire.</translation>
     </message>
     <message>
         <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
-        <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc : regardez quelles lignes lisent une vitesse déjà modifiée.</translation>
+        <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc&#xa0;: regardez quelles lignes lisent une vitesse déjà modifiée.</translation>
     </message>
     <message>
         <source>The whole velocities change hands, not only the parts along the normal</source>
@@ -2371,12 +2367,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>La vitesse du cercle 1 est calculée à partir de ce qu&apos;est devenu le cercle 2</translation>
     </message>
     <message>
-        <source>After a hit both circles have the same velocity along the normal</source>
-        <translation>Après un choc, les deux cercles ont la même vitesse suivant la normale</translation>
-    </message>
-    <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
-        <translation>Ils continuent côte à côte sans se séparer : chacun ne reçoit que la moitié du changement que produit un choc élastique. Regardez le facteur devant.</translation>
+        <translation>Ils continuent côte à côte sans se séparer&#xa0;: chacun ne reçoit que la moitié du changement que produit un choc élastique. Regardez le facteur devant.</translation>
     </message>
     <message>
         <source>After a hit both circles have the same velocity</source>
@@ -2440,7 +2432,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
-        <translation>Une direction a la longueur 1 : divisez-la par sa propre longueur, sinon cette longueur entre dans la poussée, et deux fois.</translation>
+        <translation>Une direction a la longueur 1&#xa0;: divisez-la par sa propre longueur, sinon cette longueur entre dans la poussée, et deux fois.</translation>
     </message>
     <message>
         <source>The push acts along the line from centre to centre.</source>
@@ -2464,11 +2456,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Where an angle is used: `math.atan` takes y first, then x.</source>
-        <translation>Si vous utilisez un angle : `math.atan` prend d&apos;abord y, puis x.</translation>
+        <translation>Si vous utilisez un angle&#xa0;: `math.atan` prend d&apos;abord y, puis x.</translation>
     </message>
     <message>
         <source>The normal is mirrored: the sign of its y is wrong</source>
-        <translation>La normale est en miroir : le signe de son y est faux</translation>
+        <translation>La normale est en miroir&#xa0;: le signe de son y est faux</translation>
     </message>
     <message>
         <source>The push acts along the velocity of circle 1</source>
@@ -2496,7 +2488,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>They are still taken apart along the line of centres: put them together again.</source>
-        <translation>Elles sont encore décomposées suivant la ligne des centres : recomposez-les.</translation>
+        <translation>Elles sont encore décomposées suivant la ligne des centres&#xa0;: recomposez-les.</translation>
     </message>
     <message>
         <source>A hit does not stop both circles</source>
@@ -2516,7 +2508,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
-        <translation>À masse égale, ce que gagne un cercle, l&apos;autre le perd : sinon la quantité de mouvement totale change.</translation>
+        <translation>À masse égale, ce que gagne un cercle, l&apos;autre le perd&#xa0;: sinon la quantité de mouvement totale change.</translation>
     </message>
     <message>
         <source>The push does not act along the line of centres alone</source>
@@ -2540,7 +2532,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1 ; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. D&apos;autres scènes donnent le bon résultat. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur : regardez l&apos;ordre dans `on_load`.</translation>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. D&apos;autres scènes donnent le bon résultat. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
@@ -2560,7 +2552,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
-        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4, e = %5 : </translation>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4, e = %5&#xa0;: </translation>
     </message>
     <message>
         <source>%1 along, %2 across</source>
@@ -2568,7 +2560,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
-        <translation>Vitesses en m/s suivant la ligne des centres (de 1 vers 2) et en travers : le cercle 1 est arrivé avec %1, le cercle 2 avec %2 ; ils sont repartis avec %3 et avec %4 ; il faut %5 et %6.</translation>
+        <translation>Vitesses en m/s suivant la ligne des centres (de 1 vers 2) et en travers&#xa0;: le cercle 1 est arrivé avec %1, le cercle 2 avec %2&#xa0;; ils sont repartis avec %3 et avec %4&#xa0;; il faut %5 et %6.</translation>
     </message>
     <message>
         <source>Gravity is %1 m/s², not %2
@@ -2592,7 +2584,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
-        <translation>Les lois de votre programme sont justes ; avec le e demandé par l&apos;étape, votre propre scène réussirait.</translation>
+        <translation>Les lois de votre programme sont justes&#xa0;; avec le e demandé par l&apos;étape, votre propre scène réussirait.</translation>
     </message>
     <message>
         <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
@@ -2604,7 +2596,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
-        <translation>Le cercle %5 est arrivé contre %1 avec %2 m/s et en est reparti avec %3 m/s ; il faut %4 m/s.</translation>
+        <translation>Le cercle %5 est arrivé contre %1 avec %2 m/s et en est reparti avec %3 m/s&#xa0;; il faut %4 m/s.</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
@@ -2672,7 +2664,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Quelle que soit la vitesse d&apos;arrivée, le départ de la paroi se fait à %1 m/s : calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+        <translation>Quelle que soit la vitesse d&apos;arrivée, le départ de la paroi se fait à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
     </message>
     <message>
         <source>The walls do not turn %who round</source>
@@ -2680,7 +2672,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
-        <translation>La vitesse pointe toujours vers la paroi : regardez le signe.</translation>
+        <translation>La vitesse pointe toujours vers la paroi&#xa0;: regardez le signe.</translation>
     </message>
     <message>
         <source>The walls give %who %1 times the speed back</source>
@@ -2688,7 +2680,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Look at the sign: the velocity still points into the wall.</source>
-        <translation>Regardez le signe : la vitesse pointe toujours vers la paroi.</translation>
+        <translation>Regardez le signe&#xa0;: la vitesse pointe toujours vers la paroi.</translation>
     </message>
     <message>
         <source>The walls give %who all of the speed back</source>
@@ -2724,11 +2716,11 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>1 − e is what is lost; e is what is left.</source>
-        <translation>1 − e est ce qui est perdu ; e est ce qui reste.</translation>
+        <translation>1 − e est ce qui est perdu&#xa0;; e est ce qui reste.</translation>
     </message>
     <message>
         <source>The walls make %who faster: 1 + e stands where e belongs</source>
-        <translation>Les parois accélèrent %who : 1 + e est là où il faut e</translation>
+        <translation>Les parois accélèrent %who&#xa0;: 1 + e est là où il faut e</translation>
     </message>
     <message>
         <source>1 + e is the whole change of the velocity, e what comes back.</source>
@@ -2752,7 +2744,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
     </message>
     <message>
         <source>The walls turn %who round too late</source>
@@ -2760,7 +2752,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
     </message>
     <message>
         <source>At the walls a number stands for the radius of %who</source>
@@ -2776,7 +2768,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi : le double du rayon. Du centre au bord, c&apos;est une fois le rayon.</translation>
+        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: le double du rayon. Du centre au bord, c&apos;est une fois le rayon.</translation>
     </message>
     <message>
         <source>The walls turn %who round at the far side of the rim</source>
@@ -2784,15 +2776,11 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
-        <translation>Le demi-tour a lieu quand le centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première : regardez le signe devant le rayon.</translation>
-    </message>
-    <message>
-        <source>Something changes the velocity of %who before it is at a wall</source>
-        <translation>Quelque chose change la vitesse avant la paroi, pour %who</translation>
+        <translation>Le demi-tour a lieu quand le centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première&#xa0;: regardez le signe devant le rayon.</translation>
     </message>
     <message>
         <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
-        <translation>Lancé vers %1, le cercle a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi ; son rayon est de %5 m. Regardez les conditions : laquelle est vraie loin de toute paroi ?</translation>
+        <translation>Lancé vers %1, le cercle a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi&#xa0;; son rayon est de %5 m. Regardez les conditions&#xa0;: laquelle est vraie loin de toute paroi&#xa0;?</translation>
     </message>
     <message>
         <source>The walls turn %who round at the wrong place</source>
@@ -2821,23 +2809,19 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
-        <translation>Lancé vers chacune des quatre parois à %1 m/s, le cercle les traverse. Après chaque déplacement, il faut poser pour chaque cercle la question : son bord a-t-il passé une paroi ?</translation>
+        <translation>Lancé vers chacune des quatre parois à %1 m/s, le cercle les traverse. Après chaque déplacement, il faut poser pour chaque cercle la question&#xa0;: son bord a-t-il passé une paroi&#xa0;?</translation>
     </message>
     <message>
         <source>These walls do not turn %who round: %1</source>
-        <translation>Certaines parois ne renvoient pas %who : %1</translation>
+        <translation>Certaines parois ne renvoient pas %who&#xa0;: %1</translation>
     </message>
     <message>
         <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Lancé vers là, le cercle continue au-delà de la paroi. Un carré a quatre parois : regardez la condition de votre programme pour chacune.</translation>
+        <translation>Lancé vers là, le cercle continue au-delà de la paroi. Un carré a quatre parois&#xa0;: regardez la condition de votre programme pour chacune.</translation>
     </message>
     <message>
         <source>A hit at a wall puts %who somewhere else</source>
         <translation>Un choc contre une paroi déplace ailleurs %who</translation>
-    </message>
-    <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which old position it gets.</source>
-        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position : regardez quelle ancienne position il reçoit.</translation>
     </message>
     <message>
         <source>A hit puts %who further out (%1)</source>
@@ -2845,7 +2829,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Le centre serait arrivé à %1 m de la paroi et a été mis à %2 m d&apos;elle ; le rayon est de %3 m. Mettez le cercle là où son bord est à la paroi, ou remettez-le d&apos;où il venait.</translation>
+        <translation>Le centre serait arrivé à %1 m de la paroi et a été mis à %2 m d&apos;elle&#xa0;; le rayon est de %3 m. Mettez le cercle là où son bord est à la paroi, ou remettez-le d&apos;où il venait.</translation>
     </message>
     <message>
         <source>A hit of one circle at a wall also stops the other on its way</source>
@@ -2853,7 +2837,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>Pendant que %1 réagissait contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément : regardez les positions de qui votre paroi change.</translation>
+        <translation>Pendant que %1 réagissait contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément&#xa0;: regardez les positions de qui votre paroi change.</translation>
     </message>
     <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
@@ -2869,7 +2853,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
 After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
         <translation>Le sol ne soutient pas le cercle %1
 
-Après %2 s près du sol, son bord est %3 m plus bas que lui : la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche.</translation>
+Après %2 s près du sol, son bord est %3 m plus bas que lui&#xa0;: la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche.</translation>
     </message>
     <message>
         <source>Circle %1 is turned round again while it leaves the wall
@@ -2877,7 +2861,51 @@ Après %2 s près du sol, son bord est %3 m plus bas que lui : la vitesse s&apo
 Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
         <translation>Le cercle %1 est renvoyé encore une fois alors qu&apos;il quitte la paroi
 
-Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, et il a été renvoyé de nouveau dans la paroi : lors d&apos;une chute basse ou après un choc lent. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
+Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, et il a été renvoyé de nouveau dans la paroi&#xa0;: lors d&apos;une chute basse ou après un choc lent. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
+    </message>
+    <message>
+        <source>A hit soon after another is not answered</source>
+        <translation>Un choc peu après un autre reste sans réponse</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans réponse ; d&apos;une paroi plus éloignée il en reçoit une. Peu importe depuis combien de temps a eu lieu le dernier choc : ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
+    </message>
+    <message>
+        <source>A later hit is not answered</source>
+        <translation>Un choc ultérieur reste sans réponse</translation>
+    </message>
+    <message>
+        <source>Look for a factor ½, or for a second half that is missing.</source>
+        <translation>Cherchez un facteur ½, ou une seconde moitié qui manque.</translation>
+    </message>
+    <message>
+        <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
+        <translation>Dans votre propre scène, la pesanteur est %1 m/s² ; la vitesse change de %2 m/s au premier pas et de %3 m/s au deuxième. Voyez ce qui d&apos;autre change la vitesse, loin de tout choc.</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>Voyez les conditions devant les lignes qui changent la vitesse.</translation>
+    </message>
+    <message>
+        <source>After a hit the circles still run into each other</source>
+        <translation>Après un choc, les cercles continuent de se rapprocher l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>After a hit the circles part faster than they met</source>
+        <translation>Après un choc, les cercles se séparent plus vite qu&apos;ils ne se sont rencontrés</translation>
+    </message>
+    <message>
+        <source>After an elastic hit both circles have the same velocity along the normal</source>
+        <translation>Après un choc élastique, les deux cercles ont la même vitesse le long de la normale</translation>
+    </message>
+    <message>
+        <source>Something away from every wall changes the velocity of %who</source>
+        <translation>Loin de toute paroi, quelque chose change la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
+        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position : regardez quelle position il reçoit.</translation>
     </message>
 </context>
 <context>
@@ -3023,11 +3051,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The shader %1 does not compile: %2</source>
-        <translation>Le shader %1 ne se compile pas : %2</translation>
+        <translation>Le shader %1 ne se compile pas&#xa0;: %2</translation>
     </message>
     <message>
         <source>The shaders %1 do not link: %2</source>
-        <translation>Les shaders %1 ne se lient pas : %2</translation>
+        <translation>Les shaders %1 ne se lient pas&#xa0;: %2</translation>
     </message>
     <message>
         <source>OpenGL has no memory for the scene</source>
@@ -3050,11 +3078,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Canvas says: late</source>
-        <translation>Canvas indique : en retard</translation>
+        <translation>Canvas indique&#xa0;: en retard</translation>
     </message>
     <message>
         <source>several attempts; the last one counts</source>
-        <translation>plusieurs tentatives ; la dernière compte</translation>
+        <translation>plusieurs tentatives&#xa0;; la dernière compte</translation>
     </message>
     <message>
         <source>folder</source>
@@ -3074,7 +3102,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is the work of one student; the folder that holds those of all is right</source>
-        <translation>c&apos;est le travail d&apos;un seul étudiant ; il faut le dossier qui contient ceux de tous</translation>
+        <translation>c&apos;est le travail d&apos;un seul étudiant&#xa0;; il faut le dossier qui contient ceux de tous</translation>
     </message>
     <message>
         <source>%1 handed in no file</source>
@@ -3086,11 +3114,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the process that judged it gave no verdict: %1</source>
-        <translation>le processus d&apos;évaluation n&apos;a pas donné de verdict : %1</translation>
+        <translation>le processus d&apos;évaluation n&apos;a pas donné de verdict&#xa0;: %1</translation>
     </message>
     <message>
         <source>what judging found cannot be kept: %1</source>
-        <translation>ce que l&apos;évaluation a trouvé ne peut pas être conservé : %1</translation>
+        <translation>ce que l&apos;évaluation a trouvé ne peut pas être conservé&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is no manifest of results of format 1</source>
@@ -3106,11 +3134,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1: there are no results; its shard never began</source>
-        <translation>%1 : il n&apos;y a pas de résultats ; son lot n&apos;a jamais commencé</translation>
+        <translation>%1&#xa0;: il n&apos;y a pas de résultats&#xa0;; son lot n&apos;a jamais commencé</translation>
     </message>
     <message>
         <source>%1: shard %2 of %3 did not come to its end</source>
-        <translation>%1 : le lot %2 sur %3 n&apos;est pas allé à son terme</translation>
+        <translation>%1&#xa0;: le lot %2 sur %3 n&apos;est pas allé à son terme</translation>
     </message>
     <message>
         <source>none of these folders has results</source>
@@ -3118,19 +3146,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>judged more than once, with the same result: %1</source>
-        <translation>évalués plus d&apos;une fois, avec le même résultat : %1</translation>
+        <translation>évalués plus d&apos;une fois, avec le même résultat&#xa0;: %1</translation>
     </message>
     <message>
         <source>missing of %1 shards: %2</source>
-        <translation>manquent sur %1 lots : %2</translation>
+        <translation>manquent sur %1 lots&#xa0;: %2</translation>
     </message>
     <message>
         <source>without results: %1</source>
-        <translation>sans résultats : %1</translation>
+        <translation>sans résultats&#xa0;: %1</translation>
     </message>
     <message>
         <source>these results are of another version of the lab, of Cradle or of the secret than those before; they cannot be put together</source>
-        <translation>ces résultats sont d&apos;une autre version du TP, de Cradle ou du secret que les précédents ; on ne peut pas les réunir</translation>
+        <translation>ces résultats sont d&apos;une autre version du TP, de Cradle ou du secret que les précédents&#xa0;; on ne peut pas les réunir</translation>
     </message>
     <message>
         <source>these results are of another class, or of another number of shards, than those before</source>
@@ -3138,7 +3166,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1: other isolation: %2</source>
-        <translation>%1 : autre isolation : %2</translation>
+        <translation>%1&#xa0;: autre isolation&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 is not as its manifest says, and is left out</source>
@@ -3182,11 +3210,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1: the roster has %2, what was handed in has %3; judged with the values of %2.</source>
-        <translation>%1 : la liste a %2, ce qui a été rendu a %3 ; évalué avec les valeurs de %2.</translation>
+        <translation>%1&#xa0;: la liste a %2, ce qui a été rendu a %3&#xa0;; évalué avec les valeurs de %2.</translation>
     </message>
     <message>
         <source>%1 stands in what several handed in: %2.</source>
-        <translation>%1 figure dans ce que plusieurs ont rendu : %2.</translation>
+        <translation>%1 figure dans ce que plusieurs ont rendu&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Numbers that are not clear</source>
@@ -3194,7 +3222,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>This lab draws values by a student&apos;s number: that of the roster, where it has one, else that of what was handed in. A mistyped number is likelier than anything else.</source>
-        <translation>Ce TP tire ses valeurs selon le numéro de l&apos;étudiant : celui de la liste si elle en a un, sinon celui de ce qui a été rendu. Un numéro mal tapé est plus probable que tout le reste.</translation>
+        <translation>Ce TP tire ses valeurs selon le numéro de l&apos;étudiant&#xa0;: celui de la liste si elle en a un, sinon celui de ce qui a été rendu. Un numéro mal tapé est plus probable que tout le reste.</translation>
     </message>
     <message>
         <source>And %1 more.</source>
@@ -3214,15 +3242,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Programs were kept apart by: %1.</source>
-        <translation>Les programmes étaient isolés par : %1.</translation>
+        <translation>Les programmes étaient isolés par&#xa0;: %1.</translation>
     </message>
     <message>
         <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
-        <translation>Une étape vaut ce que dit le TP, sinon les points de ses vérifications ; une vérification réussie rapporte ses points même quand d&apos;autres échouent. Les points sont arrondis au centième, les moitiés vers le haut, une fois, après tout le reste.</translation>
+        <translation>Une étape vaut ce que dit le TP, sinon les points de ses vérifications&#xa0;; une vérification réussie rapporte ses points même quand d&apos;autres échouent. Les points sont arrondis au centième, les moitiés vers le haut, une fois, après tout le reste.</translation>
     </message>
     <message>
         <source>Each day late that has begun takes %1 % of the points, at most %2 %.</source>
-        <translation>Chaque jour de retard commencé retire %1 % des points, au plus %2 %.</translation>
+        <translation>Chaque jour de retard commencé retire %1&#xa0;% des points, au plus %2&#xa0;%.</translation>
     </message>
     <message>
         <source>Handing in late takes no points.</source>
@@ -3230,7 +3258,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>For the teacher alone: this page has names. What students read of themselves is in the folder students.</source>
-        <translation>Réservé à l&apos;enseignant : cette page contient des noms. Ce que les étudiants lisent sur eux-mêmes est dans le dossier students.</translation>
+        <translation>Réservé à l&apos;enseignant&#xa0;: cette page contient des noms. Ce que les étudiants lisent sur eux-mêmes est dans le dossier students.</translation>
     </message>
     <message>
         <source>How it starts</source>
@@ -3306,7 +3334,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>How many students have a finding of that sort in that step; the stronger the colour, the larger their part of those who were judged. The examples are of one student each, without names and comments.</source>
-        <translation>Combien d&apos;étudiants ont un constat de ce type à cette étape ; plus la couleur est forte, plus grande est leur part parmi les évalués. Les exemples viennent d&apos;un étudiant chacun, sans noms ni commentaires.</translation>
+        <translation>Combien d&apos;étudiants ont un constat de ce type à cette étape&#xa0;; plus la couleur est forte, plus grande est leur part parmi les évalués. Les exemples viennent d&apos;un étudiant chacun, sans noms ni commentaires.</translation>
     </message>
     <message>
         <source>Checks that tell nobody apart</source>
@@ -3314,7 +3342,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>In brackets: how many were judged by it.</source>
-        <translation>Entre parenthèses : combien ont été évalués par elle.</translation>
+        <translation>Entre parenthèses&#xa0;: combien ont été évalués par elle.</translation>
     </message>
     <message>
         <source>Nobody passes</source>
@@ -3330,7 +3358,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Of those who handed in a history, as it says itself. Minutes are those in which the program changed, without pauses of more than ten; who thinks on paper shows none. A history of commits alone tells no checks.</source>
-        <translation>De ceux qui ont rendu un historique, d&apos;après celui-ci. Les minutes sont celles où le programme a changé, sans les pauses de plus de dix ; qui réfléchit sur papier n&apos;en montre aucune. Un historique fait seulement de commits ne dit rien des vérifications.</translation>
+        <translation>De ceux qui ont rendu un historique, d&apos;après celui-ci. Les minutes sont celles où le programme a changé, sans les pauses de plus de dix&#xa0;; qui réfléchit sur papier n&apos;en montre aucune. Un historique fait seulement de commits ne dit rien des vérifications.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -3358,7 +3386,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
-        <translation>Comparés mot par mot, quels que soient leurs noms, commentaires et ordre (winnowing). Ce que donne le TP est exclu, ainsi que ce que partagent plus de %1 étudiants. Il y a bien des bonnes raisons pour que des programmes se ressemblent : un travail en commun là où il est permis, le même livre, la même idée. Une paire ci-dessous ne prouve rien ; lisez les deux, et demandez.</translation>
+        <translation>Comparés mot par mot, quels que soient leurs noms, commentaires et ordre (winnowing). Ce que donne le TP est exclu, ainsi que ce que partagent plus de %1 étudiants. Il y a bien des bonnes raisons pour que des programmes se ressemblent&#xa0;: un travail en commun là où il est permis, le même livre, la même idée. Une paire ci-dessous ne prouve rien&#xa0;; lisez les deux, et demandez.</translation>
     </message>
     <message>
         <source>There are none.</source>
@@ -3366,7 +3394,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>share %1 % of what the one with less has of their own</source>
-        <translation>partagent %1 % de ce que celui qui en a le moins a en propre</translation>
+        <translation>partagent %1&#xa0;% de ce que celui qui en a le moins a en propre</translation>
     </message>
     <message>
         <source>Who is where</source>
@@ -3374,7 +3402,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>✓ passes, ○ does not pass yet, · not handed in, ? not graded</source>
-        <translation>✓ réussie, ○ pas encore réussie, · non rendue, ? non notée</translation>
+        <translation>✓ réussie, ○ pas encore réussie, · non rendue,&#xa0;? non notée</translation>
     </message>
     <message>
         <source>Student</source>
@@ -3390,7 +3418,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is the result of &quot;%1&quot;, whose file has another name</source>
-        <translation>c&apos;est le résultat de « %1 », dont le fichier porte un autre nom</translation>
+        <translation>c&apos;est le résultat de «&#xa0;%1&#xa0;», dont le fichier porte un autre nom</translation>
     </message>
     <message>
         <source>the roster has %1 more than once</source>
@@ -3414,7 +3442,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no zip: %1</source>
-        <translation>ce n&apos;est pas un zip : %1</translation>
+        <translation>ce n&apos;est pas un zip&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 steps pass</source>
@@ -3442,7 +3470,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 is not looked into; unpack it in its place</source>
-        <translation>%1 n&apos;est pas examiné ; décompressez-le à sa place</translation>
+        <translation>%1 n&apos;est pas examiné&#xa0;; décompressez-le à sa place</translation>
     </message>
     <message>
         <source>the history is too large to be looked at</source>
@@ -3486,7 +3514,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>not judged: the program cannot be read</source>
-        <translation>non évalué : le programme ne peut pas être lu</translation>
+        <translation>non évalué&#xa0;: le programme ne peut pas être lu</translation>
     </message>
     <message>
         <source>the lab has no step %1</source>
@@ -3494,7 +3522,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the file that was handed in cannot be read: %1</source>
-        <translation>le fichier rendu ne peut pas être lu : %1</translation>
+        <translation>le fichier rendu ne peut pas être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>no %1</source>
@@ -3510,11 +3538,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>illisible : %1</translation>
+        <translation>illisible&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is a link that leads elsewhere; it is not followed</source>
-        <translation>c&apos;est un lien qui mène ailleurs ; il n&apos;est pas suivi</translation>
+        <translation>c&apos;est un lien qui mène ailleurs&#xa0;; il n&apos;est pas suivi</translation>
     </message>
     <message>
         <source>this is no plain file</source>
@@ -3522,15 +3550,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no roster: its first line has neither a column &quot;id&quot; nor a column &quot;folder&quot;</source>
-        <translation>ce n&apos;est pas une liste de classe : sa première ligne n&apos;a ni colonne « id » ni colonne « folder »</translation>
+        <translation>ce n&apos;est pas une liste de classe&#xa0;: sa première ligne n&apos;a ni colonne «&#xa0;id&#xa0;» ni colonne «&#xa0;folder&#xa0;»</translation>
     </message>
     <message>
         <source>row %1 names nobody: it has neither an id nor a folder</source>
-        <translation>la ligne %1 ne nomme personne : elle n&apos;a ni identifiant ni dossier</translation>
+        <translation>la ligne %1 ne nomme personne&#xa0;: elle n&apos;a ni identifiant ni dossier</translation>
     </message>
     <message>
         <source>row %1: late days are a number from 0</source>
-        <translation>ligne %1 : les jours de retard sont un nombre à partir de 0</translation>
+        <translation>ligne %1&#xa0;: les jours de retard sont un nombre à partir de 0</translation>
     </message>
     <message>
         <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
@@ -3542,15 +3570,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Steps that could not be graded: %1. There is no sum of points yet; that is not the fault of what was handed in.</source>
-        <translation>Étapes qui n&apos;ont pas pu être notées : %1. Il n&apos;y a pas encore de total des points ; ce n&apos;est pas la faute de ce qui a été rendu.</translation>
+        <translation>Étapes qui n&apos;ont pas pu être notées&#xa0;: %1. Il n&apos;y a pas encore de total des points&#xa0;; ce n&apos;est pas la faute de ce qui a été rendu.</translation>
     </message>
     <message>
         <source>Days late, a begun one counted whole: %1. That takes %2 % of the points; the sum above has them taken off already.</source>
-        <translation>Jours de retard, tout jour commencé comptant : %1. Cela retire %2 % des points ; le total ci-dessus en tient déjà compte.</translation>
+        <translation>Jours de retard, tout jour commencé comptant&#xa0;: %1. Cela retire %2&#xa0;% des points&#xa0;; le total ci-dessus en tient déjà compte.</translation>
     </message>
     <message>
         <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
-        <translation>Ce qui a été rendu porte le numéro %2, que la liste n&apos;a pas pour cet étudiant : l&apos;évaluation s&apos;est faite avec les valeurs tirées du numéro %1.</translation>
+        <translation>Ce qui a été rendu porte le numéro %2, que la liste n&apos;a pas pour cet étudiant&#xa0;: l&apos;évaluation s&apos;est faite avec les valeurs tirées du numéro %1.</translation>
     </message>
     <message>
         <source>The values of this lab were drawn by the number %1.</source>
@@ -3598,7 +3626,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>There is no verdict: this step counts neither as passed nor as failed.</source>
-        <translation>Il n&apos;y a pas de verdict : cette étape ne compte ni comme réussie ni comme échouée.</translation>
+        <translation>Il n&apos;y a pas de verdict&#xa0;: cette étape ne compte ni comme réussie ni comme échouée.</translation>
     </message>
     <message numerus="yes">
         <source>Checked %n time(s) while working on it.</source>
@@ -3617,11 +3645,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>There:</source>
-        <translation>Là :</translation>
+        <translation>Là&#xa0;:</translation>
     </message>
     <message>
         <source>Look at line %1 of your program.</source>
@@ -3633,15 +3661,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>“%1” first goes wrong here, at %2 s.</source>
-        <translation>« %1 » échoue d&apos;abord ici, à %2 s.</translation>
+        <translation>«&#xa0;%1&#xa0;» échoue d&apos;abord ici, à %2 s.</translation>
     </message>
     <message>
         <source>“%1” goes wrong from the start.</source>
-        <translation>« %1 » échoue dès le début.</translation>
+        <translation>«&#xa0;%1&#xa0;» échoue dès le début.</translation>
     </message>
     <message>
         <source>Scene: %1.</source>
-        <translation>Scène : %1.</translation>
+        <translation>Scène&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The checks of this step</source>
@@ -3677,7 +3705,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no result of a student: %1</source>
-        <translation>ce n&apos;est pas le résultat d&apos;un étudiant : %1</translation>
+        <translation>ce n&apos;est pas le résultat d&apos;un étudiant&#xa0;: %1</translation>
     </message>
     <message>
         <source>not a JSON object</source>
@@ -3685,11 +3713,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no secret: at least %1 letters are right</source>
-        <translation>ce n&apos;est pas un secret : il faut au moins %1 lettres</translation>
+        <translation>ce n&apos;est pas un secret&#xa0;: il faut au moins %1 lettres</translation>
     </message>
     <message>
         <source>no process to judge in can be started: %1</source>
-        <translation>aucun processus d&apos;évaluation ne peut être lancé : %1</translation>
+        <translation>aucun processus d&apos;évaluation ne peut être lancé&#xa0;: %1</translation>
     </message>
     <message>
         <source>it has sent too much</source>
@@ -3724,7 +3752,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no work that was handed in: there is no manifest.json of format 1 in it</source>
-        <translation>ce n&apos;est pas un travail rendu : il n&apos;y a pas dedans de manifest.json au format 1</translation>
+        <translation>ce n&apos;est pas un travail rendu&#xa0;: il n&apos;y a pas dedans de manifest.json au format 1</translation>
     </message>
     <message>
         <source>this file is not in the manifest</source>
@@ -3761,7 +3789,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Change velocity of %1</source>
-        <translation>Changer la vitesse : %1</translation>
+        <translation>Changer la vitesse&#xa0;: %1</translation>
     </message>
     <message>
         <source>changed by %1 m/s</source>
@@ -3797,7 +3825,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>%1 before %2, after %3, change %4 %5</source>
         <comment>who, three numbers, unit</comment>
-        <translation>%1 : avant %2, après %3, changement %4 %5</translation>
+        <translation>%1&#xa0;: avant %2, après %3, changement %4 %5</translation>
     </message>
     <message>
         <source>Hit %1 · %2 s</source>
@@ -3844,7 +3872,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the lab cannot be packed: %1</source>
-        <translation>le TP ne peut pas être archivé : %1</translation>
+        <translation>le TP ne peut pas être archivé&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is no lab.json</source>
@@ -3852,7 +3880,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>there are %1 files in it; at most %2 are right</source>
-        <translation>il contient %1 fichiers ; au plus %2 conviennent</translation>
+        <translation>il contient %1 fichiers&#xa0;; au plus %2 conviennent</translation>
     </message>
     <message>
         <source>the name is not in UTF-8, which would be right</source>
@@ -3860,15 +3888,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is a link or a special file; a plain file is right</source>
-        <translation>c&apos;est un lien ou un fichier spécial ; il faut un fichier ordinaire</translation>
+        <translation>c&apos;est un lien ou un fichier spécial&#xa0;; il faut un fichier ordinaire</translation>
     </message>
     <message>
         <source>this is encrypted; a file without a password is right</source>
-        <translation>c&apos;est chiffré ; il faut un fichier sans mot de passe</translation>
+        <translation>c&apos;est chiffré&#xa0;; il faut un fichier sans mot de passe</translation>
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+        <translation>le fichier est trop grand&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>this unpacks to more than %1 times its size, as no honest file does</source>
@@ -3876,11 +3904,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>all of it is too large; at most %1 are right</source>
-        <translation>le tout est trop grand ; au plus %1 conviennent</translation>
+        <translation>le tout est trop grand&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>the name is there twice (but for capital letters); a name of its own is right</source>
-        <translation>le nom y est deux fois (aux majuscules près) ; il faut un nom à lui</translation>
+        <translation>le nom y est deux fois (aux majuscules près)&#xa0;; il faut un nom à lui</translation>
     </message>
     <message>
         <source>this unpacks to another size than it says</source>
@@ -3896,14 +3924,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no archive: %1</source>
-        <translation>ce n&apos;est pas une archive : %1</translation>
+        <translation>ce n&apos;est pas une archive&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>LabEdits</name>
     <message>
         <source>&quot;%1&quot; cannot be the name of a step; letters, digits, dashes and underscores are right</source>
-        <translation>« %1 » ne peut pas être le nom d&apos;une étape ; lettres, chiffres, traits d&apos;union et tirets bas conviennent</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être le nom d&apos;une étape&#xa0;; lettres, chiffres, traits d&apos;union et tirets bas conviennent</translation>
     </message>
     <message>
         <source>the lab has a folder %1 already</source>
@@ -3915,11 +3943,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the lab has translations into this language; its own texts are in another</source>
-        <translation>le TP a des traductions dans cette langue ; ses propres textes sont dans une autre</translation>
+        <translation>le TP a des traductions dans cette langue&#xa0;; ses propres textes sont dans une autre</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be the name of a program; letters, digits, dots, dashes and underscores are right</source>
-        <translation>« %1 » ne peut pas être le nom d&apos;un programme ; lettres, chiffres, points, traits d&apos;union et tirets bas conviennent</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être le nom d&apos;un programme&#xa0;; lettres, chiffres, points, traits d&apos;union et tirets bas conviennent</translation>
     </message>
     <message>
         <source>the step has a program of this name already</source>
@@ -3931,22 +3959,22 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>illisible : ce fichier n&apos;existe pas</translation>
+        <translation>illisible&#xa0;: ce fichier n&apos;existe pas</translation>
     </message>
 </context>
 <context>
     <name>LabFiles</name>
     <message>
         <source>this is a link that leads to no file of the lab; a file of its own is right</source>
-        <translation>c&apos;est un lien qui ne mène à aucun fichier du TP ; il faut un fichier à lui</translation>
+        <translation>c&apos;est un lien qui ne mène à aucun fichier du TP&#xa0;; il faut un fichier à lui</translation>
     </message>
     <message>
         <source>this is a folder; a file is right</source>
-        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+        <translation>c&apos;est un dossier&#xa0;; il faut un fichier</translation>
     </message>
     <message>
         <source>folders are nested too deeply; at most %1 are right</source>
-        <translation>les dossiers sont trop imbriqués ; au plus %1 conviennent</translation>
+        <translation>les dossiers sont trop imbriqués&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>this is neither a file nor a folder</source>
@@ -3954,11 +3982,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+        <translation>le fichier est trop grand&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>the lab is too large from here on; at most %1 files and %2 are right</source>
-        <translation>le TP est trop grand à partir d&apos;ici ; au plus %1 fichiers et %2 conviennent</translation>
+        <translation>le TP est trop grand à partir d&apos;ici&#xa0;; au plus %1 fichiers et %2 conviennent</translation>
     </message>
     <message>
         <source>a path that stays in the lab is right, of names that do not begin with a dot</source>
@@ -3966,15 +3994,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the name is too long; at most %1 characters are right</source>
-        <translation>le nom est trop long ; au plus %1 caractères conviennent</translation>
+        <translation>le nom est trop long&#xa0;; au plus %1 caractères conviennent</translation>
     </message>
     <message>
         <source>a name without \ : * ? &quot; &lt; &gt; | and without control characters is right</source>
-        <translation>il faut un nom sans \ : * ? &quot; &lt; &gt; | et sans caractères de contrôle</translation>
+        <translation>il faut un nom sans \&#xa0;: *&#xa0;? &quot; &lt; &gt; | et sans caractères de contrôle</translation>
     </message>
     <message>
         <source>%1 names a device on some systems; another name is right</source>
-        <translation>%1 désigne un périphérique sur certains systèmes ; il faut un autre nom</translation>
+        <translation>%1 désigne un périphérique sur certains systèmes&#xa0;; il faut un autre nom</translation>
     </message>
     <message>
         <source>a name that ends with a letter or a digit is right</source>
@@ -3982,23 +4010,23 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>cannot be read: there is no such folder</source>
-        <translation>illisible : ce dossier n&apos;existe pas</translation>
+        <translation>illisible&#xa0;: ce dossier n&apos;existe pas</translation>
     </message>
     <message>
         <source>cannot be read: the folder may not be opened</source>
-        <translation>illisible : le dossier ne peut pas être ouvert</translation>
+        <translation>illisible&#xa0;: le dossier ne peut pas être ouvert</translation>
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>illisible : ce fichier n&apos;existe pas</translation>
+        <translation>illisible&#xa0;: ce fichier n&apos;existe pas</translation>
     </message>
     <message>
         <source>a link here leads out of the lab; a file or folder of its own is right</source>
-        <translation>un lien mène ici hors du TP ; il faut un fichier ou un dossier à lui</translation>
+        <translation>un lien mène ici hors du TP&#xa0;; il faut un fichier ou un dossier à lui</translation>
     </message>
     <message>
         <source>another file has this name but for capital letters; a name of its own is right</source>
-        <translation>un autre fichier a ce nom aux majuscules près ; il faut un nom à lui</translation>
+        <translation>un autre fichier a ce nom aux majuscules près&#xa0;; il faut un nom à lui</translation>
     </message>
     <message>
         <source>another program changed %1 since the lab was read</source>
@@ -4006,7 +4034,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the picture has %1 × %2 pixels; at most %3 million are right</source>
-        <translation>l&apos;image a %1 × %2 pixels ; au plus %3 millions conviennent</translation>
+        <translation>l&apos;image a %1 × %2 pixels&#xa0;; au plus %3 millions conviennent</translation>
     </message>
 </context>
 <context>
@@ -4020,43 +4048,43 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>LabReader</name>
     <message>
         <source>still the text of the template: %1</source>
-        <translation>encore le texte du modèle : %1</translation>
+        <translation>encore le texte du modèle&#xa0;: %1</translation>
     </message>
     <message>
         <source>not in this language yet: %1</source>
-        <translation>pas encore dans cette langue : %1</translation>
+        <translation>pas encore dans cette langue&#xa0;: %1</translation>
     </message>
     <message>
         <source>the program is there whole, too; one of the two files is right</source>
-        <translation>le programme est aussi là en entier ; il faut un seul des deux fichiers</translation>
+        <translation>le programme est aussi là en entier&#xa0;; il faut un seul des deux fichiers</translation>
     </message>
     <message>
         <source>the program begins without a comment; what the student should read of it stands there</source>
-        <translation>le programme commence sans commentaire ; c&apos;est là qu&apos;est ce que l&apos;étudiant doit en lire</translation>
+        <translation>le programme commence sans commentaire&#xa0;; c&apos;est là qu&apos;est ce que l&apos;étudiant doit en lire</translation>
     </message>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
-        <translation>une autre étape a déjà l&apos;id %1 ; il faut un id à elle</translation>
+        <translation>une autre étape a déjà l&apos;id %1&#xa0;; il faut un id à elle</translation>
     </message>
     <message>
         <source>the step %1 is listed already; each step once is right</source>
-        <translation>l&apos;étape %1 est déjà dans la liste ; il faut chaque étape une fois</translation>
+        <translation>l&apos;étape %1 est déjà dans la liste&#xa0;; il faut chaque étape une fois</translation>
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+        <translation>le fichier est trop grand&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>illisible : ce fichier n&apos;existe pas</translation>
+        <translation>illisible&#xa0;: ce fichier n&apos;existe pas</translation>
     </message>
     <message>
         <source>the text is not in UTF-8, which would be right; some letters are lost</source>
-        <translation>le texte n&apos;est pas en UTF-8, qu&apos;il faudrait ; quelques lettres sont perdues</translation>
+        <translation>le texte n&apos;est pas en UTF-8, qu&apos;il faudrait&#xa0;; quelques lettres sont perdues</translation>
     </message>
     <message>
         <source>the text has characters that are none (NUL); a text in UTF-8 is right</source>
-        <translation>le texte a des caractères qui n&apos;en sont pas (NUL) ; il faut un texte en UTF-8</translation>
+        <translation>le texte a des caractères qui n&apos;en sont pas (NUL)&#xa0;; il faut un texte en UTF-8</translation>
     </message>
     <message>
         <source>a number from 1 to %1, for there are so many answers, is right</source>
@@ -4064,7 +4092,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
-        <translation>il faut %1 réponses, autant qu&apos;en a task.json, pas %2 ; la question est montrée sans traduction</translation>
+        <translation>il faut %1 réponses, autant qu&apos;en a task.json, pas %2&#xa0;; la question est montrée sans traduction</translation>
     </message>
     <message>
         <source>a name of letters, digits and underscores that means nothing else is right</source>
@@ -4083,7 +4111,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Checks: %1</source>
-        <translation>Vérifications : %1</translation>
+        <translation>Vérifications&#xa0;: %1</translation>
     </message>
     <message>
         <source>You have written a physics engine</source>
@@ -4154,12 +4182,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Prédit et observé</translation>
     </message>
     <message>
-        <source>It comes true: %1</source>
-        <translation>C&apos;est ce qui arrive : %1</translation>
-    </message>
-    <message>
         <source>Expected: %1</source>
-        <translation>Prédit : %1</translation>
+        <translation>Prédit&#xa0;: %1</translation>
     </message>
     <message>
         <source>The run</source>
@@ -4171,7 +4195,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Nothing: it is the program of the step before.</source>
-        <translation>Rien : c&apos;est le programme de l&apos;étape précédente.</translation>
+        <translation>Rien&#xa0;: c&apos;est le programme de l&apos;étape précédente.</translation>
     </message>
     <message>
         <source>… and more, which no page holds.</source>
@@ -4183,7 +4207,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The energy of the runs above in one chart, each as a part of what it started with. A law that keeps energy draws a straight line at 1; what lies above was made by the program, what lies below was lost.</source>
-        <translation>L&apos;énergie des exécutions ci-dessus dans un seul graphique, chacune en part de son énergie de départ. Une loi qui conserve l&apos;énergie trace une droite à 1 ; ce qui est au-dessus a été créé par le programme, ce qui est au-dessous a été perdu.</translation>
+        <translation>L&apos;énergie des exécutions ci-dessus dans un seul graphique, chacune en part de son énergie de départ. Une loi qui conserve l&apos;énergie trace une droite à 1&#xa0;; ce qui est au-dessus a été créé par le programme, ce qui est au-dessous a été perdu.</translation>
     </message>
     <message>
         <source>Momentum of all circles, kg m/s</source>
@@ -4209,16 +4233,20 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>Energy as a part of that at the start</source>
         <translation>Énergie en part de celle du départ</translation>
     </message>
+    <message>
+        <source>What happens: %1</source>
+        <translation>Ce qui se passe : %1</translation>
+    </message>
 </context>
 <context>
     <name>LabVerifier</name>
     <message>
         <source>stops with an error at line %1: %2</source>
-        <translation>s&apos;arrête sur une erreur à la ligne %1 : %2</translation>
+        <translation>s&apos;arrête sur une erreur à la ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>passes; a starter should fail by a check</source>
-        <translation>réussit ; un programme de départ doit échouer à une vérification</translation>
+        <translation>réussit&#xa0;; un programme de départ doit échouer à une vérification</translation>
     </message>
     <message>
         <source>fails with seed %1 by %2</source>
@@ -4226,7 +4254,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>passes; a mistake should fail by a check</source>
-        <translation>réussit ; une erreur doit échouer à une vérification</translation>
+        <translation>réussit&#xa0;; une erreur doit échouer à une vérification</translation>
     </message>
     <message>
         <source>is not recognised</source>
@@ -4238,7 +4266,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>fails by %1; work that gets a remark passes</source>
-        <translation>échoue à %1 ; un travail qui reçoit une remarque réussit</translation>
+        <translation>échoue à %1&#xa0;; un travail qui reçoit une remarque réussit</translation>
     </message>
     <message>
         <source>the check %1 asks for the same as %2</source>
@@ -4246,11 +4274,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>no mistake fails by the check %1 alone: it repeats %2</source>
-        <translation>aucune erreur n&apos;échoue à la seule vérification %1 : elle répète %2</translation>
+        <translation>aucune erreur n&apos;échoue à la seule vérification %1&#xa0;: elle répète %2</translation>
     </message>
     <message>
         <source>%1 differs in more than its mistake: it has “%2” where the solution has “%3”</source>
-        <translation>%1 diffère par plus que son erreur : il y a « %2 » là où le corrigé a « %3 »</translation>
+        <translation>%1 diffère par plus que son erreur&#xa0;: il y a «&#xa0;%2&#xa0;» là où le corrigé a «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>there is no solution.lua</source>
@@ -4262,7 +4290,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the check %1 allows %2, and the solution itself is off by %3 (%4): other right programs may fail; at least %5 is right</source>
-        <translation>la vérification %1 admet %2, et le corrigé lui-même s&apos;écarte de %3 (%4) : d&apos;autres programmes justes peuvent échouer ; il faut au moins %5</translation>
+        <translation>la vérification %1 admet %2, et le corrigé lui-même s&apos;écarte de %3 (%4)&#xa0;: d&apos;autres programmes justes peuvent échouer&#xa0;; il faut au moins %5</translation>
     </message>
     <message>
         <source>fails what is turned, too fast, adrift by</source>
@@ -4274,7 +4302,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>with the values of the student %1: %2</source>
-        <translation>avec les valeurs de l&apos;étudiant %1 : %2</translation>
+        <translation>avec les valeurs de l&apos;étudiant %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4341,7 +4369,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Fixed in this step: %1</source>
-        <translation>Imposé à cette étape : %1</translation>
+        <translation>Imposé à cette étape&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4356,19 +4384,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>LuaApi</name>
     <message>
         <source>You write it: runs once, before the first step</source>
-        <translation>C&apos;est vous qui l&apos;écrivez : s&apos;exécute une fois, avant le premier pas</translation>
+        <translation>C&apos;est vous qui l&apos;écrivez&#xa0;: s&apos;exécute une fois, avant le premier pas</translation>
     </message>
     <message>
         <source>You write it: moves the circles by one step of timestep seconds</source>
-        <translation>C&apos;est vous qui l&apos;écrivez : déplace les cercles d&apos;un pas de timestep secondes</translation>
+        <translation>C&apos;est vous qui l&apos;écrivez&#xa0;: déplace les cercles d&apos;un pas de timestep secondes</translation>
     </message>
     <message>
         <source>A new vector; its unit is that of its numbers</source>
-        <translation>Un nouveau vecteur ; son unité est celle de ses nombres</translation>
+        <translation>Un nouveau vecteur&#xa0;; son unité est celle de ses nombres</translation>
     </message>
     <message>
         <source>The dot product of two vectors: a.x * b.x + a.y * b.y</source>
-        <translation>Le produit scalaire de deux vecteurs : a.x * b.x + a.y * b.y</translation>
+        <translation>Le produit scalaire de deux vecteurs&#xa0;: a.x * b.x + a.y * b.y</translation>
     </message>
     <message>
         <source>The first circle</source>
@@ -4380,15 +4408,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>All circles: circles[1] to circles[#circles]</source>
-        <translation>Tous les cercles : circles[1] à circles[#circles]</translation>
+        <translation>Tous les cercles&#xa0;: circles[1] à circles[#circles]</translation>
     </message>
     <message>
         <source>The acceleration of every circle, a vector in m/s²; may be set in on_load</source>
-        <translation>L&apos;accélération de chaque cercle, un vecteur en m/s² ; peut être fixée dans on_load</translation>
+        <translation>L&apos;accélération de chaque cercle, un vecteur en m/s²&#xa0;; peut être fixée dans on_load</translation>
     </message>
     <message>
         <source>From 0 (no rebound) to 1 (elastic); may be set in on_load</source>
-        <translation>De 0 (aucun rebond) à 1 (élastique) ; peut être fixé dans on_load</translation>
+        <translation>De 0 (aucun rebond) à 1 (élastique)&#xa0;; peut être fixé dans on_load</translation>
     </message>
     <message>
         <source>The box that the circles are in</source>
@@ -4428,19 +4456,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>For a loop over a list in order: for i, v in ipairs(list) do</source>
-        <translation>Pour une boucle sur une liste, dans l&apos;ordre : for i, v in ipairs(list) do</translation>
+        <translation>Pour une boucle sur une liste, dans l&apos;ordre&#xa0;: for i, v in ipairs(list) do</translation>
     </message>
     <message>
         <source>For a loop over all fields of a table: for k, v in pairs(t) do</source>
-        <translation>Pour une boucle sur tous les champs d&apos;une table : for k, v in pairs(t) do</translation>
+        <translation>Pour une boucle sur tous les champs d&apos;une table&#xa0;: for k, v in pairs(t) do</translation>
     </message>
     <message>
         <source>The arguments from number n on; with &apos;#&apos; how many there are</source>
-        <translation>Les arguments à partir du numéro n ; avec &apos;#&apos;, combien il y en a</translation>
+        <translation>Les arguments à partir du numéro n&#xa0;; avec &apos;#&apos;, combien il y en a</translation>
     </message>
     <message>
         <source>What a value is, as a text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</source>
-        <translation>Ce qu&apos;est une valeur, sous forme de texte : &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</translation>
+        <translation>Ce qu&apos;est une valeur, sous forme de texte&#xa0;: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</translation>
     </message>
     <message>
         <source>A value as a text</source>
@@ -4448,7 +4476,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The number that a text says, or nil; base is 10 unless given</source>
-        <translation>Le nombre que dit un texte, ou nil ; base vaut 10 par défaut</translation>
+        <translation>Le nombre que dit un texte, ou nil&#xa0;; base vaut 10 par défaut</translation>
     </message>
     <message>
         <source>Stops the run with the message if value is false or nil</source>
@@ -4460,7 +4488,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Calls f: true and its results, or false and the error</source>
-        <translation>Appelle f : true et ses résultats, ou false et l&apos;erreur</translation>
+        <translation>Appelle f&#xa0;: true et ses résultats, ou false et l&apos;erreur</translation>
     </message>
     <message>
         <source>The length of the vector</source>
@@ -4468,11 +4496,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The square of the length: v:dot(v)</source>
-        <translation>Le carré de la longueur : v:dot(v)</translation>
+        <translation>Le carré de la longueur&#xa0;: v:dot(v)</translation>
     </message>
     <message>
         <source>The vector of length 1 with the same direction; an error for (0, 0)</source>
-        <translation>Le vecteur de longueur 1 et de même direction ; une erreur pour (0, 0)</translation>
+        <translation>Le vecteur de longueur 1 et de même direction&#xa0;; une erreur pour (0, 0)</translation>
     </message>
     <message>
         <source>The dot product with another vector</source>
@@ -4480,15 +4508,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The vector turned left by 90°: (-y, x)</source>
-        <translation>Le vecteur tourné de 90° vers la gauche : (-y, x)</translation>
+        <translation>Le vecteur tourné de 90° vers la gauche&#xa0;: (-y, x)</translation>
     </message>
     <message>
         <source>The part to the right; to change it, build a new vector</source>
-        <translation>La composante vers la droite ; pour la changer, construisez un nouveau vecteur</translation>
+        <translation>La composante vers la droite&#xa0;; pour la changer, construisez un nouveau vecteur</translation>
     </message>
     <message>
         <source>The part upwards; to change it, build a new vector</source>
-        <translation>La composante vers le haut ; pour la changer, construisez un nouveau vecteur</translation>
+        <translation>La composante vers le haut&#xa0;; pour la changer, construisez un nouveau vecteur</translation>
     </message>
     <message>
         <source>The centre, a vector in m</source>
@@ -4504,11 +4532,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>In 1000 kg/m³, above 0: steel has 7.8</source>
-        <translation>En 1000 kg/m³, supérieure à 0 : l&apos;acier a 7.8</translation>
+        <translation>En 1000 kg/m³, supérieure à 0&#xa0;: l&apos;acier a 7.8</translation>
     </message>
     <message>
         <source>The number of the circle, from 1; cannot be set</source>
-        <translation>Le numéro du cercle, à partir de 1 ; ne peut pas être changé</translation>
+        <translation>Le numéro du cercle, à partir de 1&#xa0;; ne peut pas être changé</translation>
     </message>
     <message>
         <source>Half the side of the box, in m</source>
@@ -4532,15 +4560,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>An arrow that begins at from; colour and label may be left out</source>
-        <translation>Une flèche qui commence en from ; la couleur et l&apos;étiquette sont facultatives</translation>
+        <translation>Une flèche qui commence en from&#xa0;; la couleur et l&apos;étiquette sont facultatives</translation>
     </message>
     <message>
         <source>A line between two points; the colour may be left out</source>
-        <translation>Un segment entre deux points ; la couleur est facultative</translation>
+        <translation>Un segment entre deux points&#xa0;; la couleur est facultative</translation>
     </message>
     <message>
         <source>A dot; the colour may be left out</source>
-        <translation>Un point ; la couleur est facultative</translation>
+        <translation>Un point&#xa0;; la couleur est facultative</translation>
     </message>
     <message>
         <source>A text at a point</source>
@@ -4560,7 +4588,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The angle of the direction (x, y), in radians; x is 1 unless given</source>
-        <translation>L&apos;angle de la direction (x, y), en radians ; x vaut 1 par défaut</translation>
+        <translation>L&apos;angle de la direction (x, y), en radians&#xa0;; x vaut 1 par défaut</translation>
     </message>
     <message>
         <source>The next whole number that is not below x</source>
@@ -4588,11 +4616,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Infinity: more than any number</source>
-        <translation>L&apos;infini : plus que tout nombre</translation>
+        <translation>L&apos;infini&#xa0;: plus que tout nombre</translation>
     </message>
     <message>
         <source>The logarithm of x; base is e unless given</source>
-        <translation>Le logarithme de x ; base vaut e par défaut</translation>
+        <translation>Le logarithme de x&#xa0;; base vaut e par défaut</translation>
     </message>
     <message>
         <source>The largest of the numbers</source>
@@ -4624,7 +4652,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>From 0 up to 1, or a whole number from m to n; the same in every run</source>
-        <translation>De 0 à 1 exclu, ou un entier de m à n ; les mêmes à chaque exécution</translation>
+        <translation>De 0 à 1 exclu, ou un entier de m à n&#xa0;; les mêmes à chaque exécution</translation>
     </message>
     <message>
         <source>Begins another row of random numbers</source>
@@ -4656,7 +4684,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Values in a text: string.format(&quot;%.3f&quot;, x)</source>
-        <translation>Des valeurs dans un texte : string.format(&quot;%.3f&quot;, x)</translation>
+        <translation>Des valeurs dans un texte&#xa0;: string.format(&quot;%.3f&quot;, x)</translation>
     </message>
     <message>
         <source>The number of bytes of a text</source>
@@ -4668,7 +4696,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Part of a text; -1 is its last byte</source>
-        <translation>Une partie d&apos;un texte ; -1 est son dernier octet</translation>
+        <translation>Une partie d&apos;un texte&#xa0;; -1 est son dernier octet</translation>
     </message>
     <message>
         <source>A text in capital letters</source>
@@ -4688,7 +4716,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Sorts a list; before(a, b) says whether a comes first</source>
-        <translation>Trie une liste ; before(a, b) dit si a vient en premier</translation>
+        <translation>Trie une liste&#xa0;; before(a, b) dit si a vient en premier</translation>
     </message>
     <message>
         <source>The elements of a list as so many values</source>
@@ -4711,7 +4739,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>of texts, %: 100 to 200</source>
-        <translation>des textes, en % : 100 à 200</translation>
+        <translation>des textes, en %&#xa0;: 100 à 200</translation>
     </message>
     <message>
         <source>open this scene of Lab → Example scenes</source>
@@ -4719,7 +4747,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>work on steps by this: explore or code</source>
-        <translation>travailler aux étapes ainsi : explore ou code</translation>
+        <translation>travailler aux étapes ainsi&#xa0;: explore ou code</translation>
     </message>
     <message>
         <source>take this program as your own of the step</source>
@@ -4731,7 +4759,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>of that window: scene, text, checks, programs or proof</source>
-        <translation>de cette fenêtre : scene, text, checks, programs ou proof</translation>
+        <translation>de cette fenêtre&#xa0;: scene, text, checks, programs ou proof</translation>
     </message>
     <message>
         <source>draw the window into this file and quit</source>
@@ -4751,31 +4779,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the lab or the scene to open; without it Lab 4.2</source>
-        <translation>le TP ou la scène à ouvrir ; par défaut le TP 4.2</translation>
+        <translation>le TP ou la scène à ouvrir&#xa0;; par défaut le TP 4.2</translation>
     </message>
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
-        <translation>cradle : argument inattendu : %1 ; il faut un seul TP ou une seule scène</translation>
+        <translation>cradle&#xa0;: argument inattendu&#xa0;: %1&#xa0;; il faut un seul TP ou une seule scène</translation>
     </message>
     <message>
         <source>cradle: --language %1: one of %2 is right</source>
-        <translation>cradle : --language %1 : il faut une valeur parmi %2</translation>
+        <translation>cradle&#xa0;: --language %1&#xa0;: il faut une valeur parmi %2</translation>
     </message>
     <message>
         <source>cradle: --theme %1: system, light, dark or high-contrast is right</source>
-        <translation>cradle : --theme %1 : il faut system, light, dark ou high-contrast</translation>
+        <translation>cradle&#xa0;: --theme %1&#xa0;: il faut system, light, dark ou high-contrast</translation>
     </message>
     <message>
         <source>cradle: --mode %1: explore or code is right</source>
-        <translation>cradle : --mode %1 : il faut explore ou code</translation>
+        <translation>cradle&#xa0;: --mode %1&#xa0;: il faut explore ou code</translation>
     </message>
     <message>
         <source>cradle: --text-size %1: a number from 100 to 200 is right</source>
-        <translation>cradle : --text-size %1 : il faut un nombre de 100 à 200</translation>
+        <translation>cradle&#xa0;: --text-size %1&#xa0;: il faut un nombre de 100 à 200</translation>
     </message>
     <message>
         <source>there is no step %1; there are %2</source>
-        <translation>il n&apos;y a pas d&apos;étape %1 ; il y a %2</translation>
+        <translation>il n&apos;y a pas d&apos;étape %1&#xa0;; il y a %2</translation>
     </message>
     <message>
         <source>there is no step %1 in this lab</source>
@@ -4783,23 +4811,23 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>there is no example %1; there are %2</source>
-        <translation>il n&apos;y a pas d&apos;exemple %1 ; il y a %2</translation>
+        <translation>il n&apos;y a pas d&apos;exemple %1&#xa0;; il y a %2</translation>
     </message>
     <message>
         <source>--tab %1: scene, text, checks, programs or proof is right</source>
-        <translation>--tab %1 : il faut scene, text, checks, programs ou proof</translation>
+        <translation>--tab %1&#xa0;: il faut scene, text, checks, programs ou proof</translation>
     </message>
     <message>
         <source>--at %1: a number of seconds from 0 to %2 is right</source>
-        <translation>--at %1 : il faut un nombre de secondes de 0 à %2</translation>
+        <translation>--at %1&#xa0;: il faut un nombre de secondes de 0 à %2</translation>
     </message>
     <message>
         <source>--size %1: a size like 1280x800 is right</source>
-        <translation>--size %1 : il faut une taille comme 1280x800</translation>
+        <translation>--size %1&#xa0;: il faut une taille comme 1280x800</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>impossible d&apos;écrire %1 : %2</translation>
+        <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4906,7 +4934,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The moment shown becomes the start of the scene; the run so far stays in the charts</source>
-        <translation>L&apos;instant affiché devient le départ de la scène ; l&apos;exécution jusque-là reste dans les graphiques</translation>
+        <translation>L&apos;instant affiché devient le départ de la scène&#xa0;; l&apos;exécution jusque-là reste dans les graphiques</translation>
     </message>
     <message>
         <source>&amp;Simulation</source>
@@ -4918,7 +4946,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A run stops at the step of every collision; Run goes on</source>
-        <translation>L&apos;exécution s&apos;arrête au pas de chaque collision ; Lancer la poursuit</translation>
+        <translation>L&apos;exécution s&apos;arrête au pas de chaque collision&#xa0;; Lancer la poursuit</translation>
     </message>
     <message>
         <source>Slow &amp;motion around hits</source>
@@ -4926,7 +4954,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A run goes at 1/8× after every hit, and before those that are recorded already; its steps stay as they are</source>
-        <translation>L&apos;exécution va à 1/8× après chaque choc, et avant ceux qui sont déjà enregistrés ; ses pas restent ce qu&apos;ils sont</translation>
+        <translation>L&apos;exécution va à 1/8× après chaque choc, et avant ceux qui sont déjà enregistrés&#xa0;; ses pas restent ce qu&apos;ils sont</translation>
     </message>
     <message>
         <source>Steps as long as the &amp;frames took</source>
@@ -4934,7 +4962,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>As the original lab did: see why stable timesteps matter</source>
-        <translation>Comme le faisait le TP d&apos;origine : voyez pourquoi des pas de temps réguliers importent</translation>
+        <translation>Comme le faisait le TP d&apos;origine&#xa0;: voyez pourquoi des pas de temps réguliers importent</translation>
     </message>
     <message>
         <source>&amp;Scene shows</source>
@@ -4990,7 +5018,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
-        <translation>La vue se déplace avec lui : dans son référentiel, la somme des quantités de mouvement de tous les cercles est nulle</translation>
+        <translation>La vue se déplace avec lui&#xa0;: dans son référentiel, la somme des quantités de mouvement de tous les cercles est nulle</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
@@ -5034,7 +5062,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Large texts and high contrast; Page Up and Page Down go from hit to hit, B makes it black, Esc ends it</source>
-        <translation>Grands textes et fort contraste ; Page préc. et Page suiv. vont de choc en choc, B met l&apos;écran en noir, Échap y met fin</translation>
+        <translation>Grands textes et fort contraste&#xa0;; Page préc. et Page suiv. vont de choc en choc, B met l&apos;écran en noir, Échap y met fin</translation>
     </message>
     <message>
         <source>Scene in a &amp;window of its own</source>
@@ -5046,7 +5074,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
-        <translation>Ils annoncent chaque choc affiché ; d&apos;une exécution en cours, un de temps en temps</translation>
+        <translation>Ils annoncent chaque choc affiché&#xa0;; d&apos;une exécution en cours, un de temps en temps</translation>
     </message>
     <message>
         <source>Ne&amp;xt pane</source>
@@ -5098,7 +5126,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -5148,6 +5176,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>About &amp;Qt</source>
         <translation>À propos de &amp;Qt</translation>
     </message>
+    <message>
+        <source>S&amp;ounds of hits</source>
+        <translation>S&amp;ons des chocs</translation>
+    </message>
+    <message>
+        <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
+        <translation>Plus un cercle est lourd, plus son ton est grave ; plus l&apos;impulsion est grande, plus il est fort</translation>
+    </message>
 </context>
 <context>
     <name>MessageText</name>
@@ -5175,7 +5211,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Which way should this term act? Try it with a circle that moves to the right.</source>
-        <translation>Dans quel sens ce terme doit-il agir ? Essayez avec un cercle qui va vers la droite.</translation>
+        <translation>Dans quel sens ce terme doit-il agir&#xa0;? Essayez avec un cercle qui va vers la droite.</translation>
     </message>
     <message>
         <source>The factor `%1` is missing</source>
@@ -5183,7 +5219,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Do both sides have the same unit? What changes if this factor is twice as large?</source>
-        <translation>Les deux côtés ont-ils la même unité ? Qu&apos;est-ce qui change si ce facteur est deux fois plus grand ?</translation>
+        <translation>Les deux côtés ont-ils la même unité&#xa0;? Qu&apos;est-ce qui change si ce facteur est deux fois plus grand&#xa0;?</translation>
     </message>
     <message>
         <source>Something stands in the wrong place</source>
@@ -5191,7 +5227,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A product comes before a sum: what belongs together here?</source>
-        <translation>Un produit passe avant une somme : qu&apos;est-ce qui va ensemble ici ?</translation>
+        <translation>Un produit passe avant une somme&#xa0;: qu&apos;est-ce qui va ensemble ici&#xa0;?</translation>
     </message>
     <message>
         <source>The normal does not have the length 1</source>
@@ -5199,7 +5235,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>How long is this vector? A part along it is right only if its length is 1.</source>
-        <translation>Quelle est la longueur de ce vecteur ? Une composante suivant lui n&apos;est juste que si elle vaut 1.</translation>
+        <translation>Quelle est la longueur de ce vecteur&#xa0;? Une composante suivant lui n&apos;est juste que si elle vaut 1.</translation>
     </message>
     <message>
         <source>A comparison is the wrong way round</source>
@@ -5207,7 +5243,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>When should this happen: above or below?</source>
-        <translation>Quand cela doit-il se produire : au-dessus ou au-dessous ?</translation>
+        <translation>Quand cela doit-il se produire&#xa0;: au-dessus ou au-dessous&#xa0;?</translation>
     </message>
     <message>
         <source>A part of a condition is missing</source>
@@ -5215,7 +5251,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>When should this happen, and when not? Think of circles that already move apart, and of every wall.</source>
-        <translation>Quand cela doit-il se produire, et quand non ? Pensez aux cercles qui s&apos;éloignent déjà, et à chaque paroi.</translation>
+        <translation>Quand cela doit-il se produire, et quand non&#xa0;? Pensez aux cercles qui s&apos;éloignent déjà, et à chaque paroi.</translation>
     </message>
     <message>
         <source>One case is missing</source>
@@ -5223,7 +5259,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Go through the cases one by one: which of them does nothing?</source>
-        <translation>Passez les cas un par un : lequel ne fait rien ?</translation>
+        <translation>Passez les cas un par un&#xa0;: lequel ne fait rien&#xa0;?</translation>
     </message>
     <message>
         <source>It happens always</source>
@@ -5231,7 +5267,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>When should this happen, and when not?</source>
-        <translation>Quand cela doit-il se produire, et quand non ?</translation>
+        <translation>Quand cela doit-il se produire, et quand non&#xa0;?</translation>
     </message>
     <message>
         <source>`%1` stands where `%2` belongs</source>
@@ -5239,7 +5275,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Which circle, and which coordinate, is meant here?</source>
-        <translation>De quel cercle, et de quelle coordonnée, s&apos;agit-il ici ?</translation>
+        <translation>De quel cercle, et de quelle coordonnée, s&apos;agit-il ici&#xa0;?</translation>
     </message>
     <message>
         <source>The hit takes nothing</source>
@@ -5247,7 +5283,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Which part of the velocity should become e times what it was?</source>
-        <translation>Quelle composante de la vitesse doit devenir e fois ce qu&apos;elle était ?</translation>
+        <translation>Quelle composante de la vitesse doit devenir e fois ce qu&apos;elle était&#xa0;?</translation>
     </message>
     <message>
         <source>e counts twice</source>
@@ -5255,7 +5291,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>How fast does it leave, compared with how fast it came?</source>
-        <translation>À quelle vitesse repart-il, comparée à celle de l&apos;arrivée ?</translation>
+        <translation>À quelle vitesse repart-il, comparée à celle de l&apos;arrivée&#xa0;?</translation>
     </message>
     <message>
         <source>Something is left out</source>
@@ -5271,7 +5307,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>How often does this run in one step?</source>
-        <translation>Combien de fois cela s&apos;exécute-t-il en un pas ?</translation>
+        <translation>Combien de fois cela s&apos;exécute-t-il en un pas&#xa0;?</translation>
     </message>
     <message>
         <source>Two lines stand in the other order</source>
@@ -5279,7 +5315,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Which value does the second line need: the one from before or the one from after the first?</source>
-        <translation>Quelle valeur faut-il à la seconde ligne : celle d&apos;avant ou celle d&apos;après la première ?</translation>
+        <translation>Quelle valeur faut-il à la seconde ligne&#xa0;: celle d&apos;avant ou celle d&apos;après la première&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -5298,27 +5334,27 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1: a whole number, %2, is right</source>
-        <translation>%1 : il faut un nombre entier, %2</translation>
+        <translation>%1&#xa0;: il faut un nombre entier, %2</translation>
     </message>
     <message>
         <source>%1: two numbers as “2, 0”, %2, are right</source>
-        <translation>%1 : il faut deux nombres comme « 2, 0 », %2</translation>
+        <translation>%1&#xa0;: il faut deux nombres comme «&#xa0;2, 0&#xa0;», %2</translation>
     </message>
     <message>
         <source>%1: the least and the most as “0.5, 2”, %2, are right</source>
-        <translation>%1 : il faut le minimum et le maximum comme « 0.5, 2 », %2</translation>
+        <translation>%1&#xa0;: il faut le minimum et le maximum comme «&#xa0;0.5, 2&#xa0;», %2</translation>
     </message>
     <message>
         <source>%1: pairs of numbers as “2, 0; 0, 0”, %2, are right</source>
-        <translation>%1 : il faut des paires de nombres comme « 2, 0; 0, 0 », %2</translation>
+        <translation>%1&#xa0;: il faut des paires de nombres comme «&#xa0;2, 0; 0, 0&#xa0;», %2</translation>
     </message>
     <message>
         <source>%1: numbers as “0.5, 1”, %2, are right</source>
-        <translation>%1 : il faut des nombres comme « 0.5, 1 », %2</translation>
+        <translation>%1&#xa0;: il faut des nombres comme «&#xa0;0.5, 1&#xa0;», %2</translation>
     </message>
     <message>
         <source>%1: a number, %2, is right</source>
-        <translation>%1 : il faut un nombre, %2</translation>
+        <translation>%1&#xa0;: il faut un nombre, %2</translation>
     </message>
     <message>
         <source>yes</source>
@@ -5448,19 +5484,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>Preset</name>
     <message>
         <source>%1 circles of radius %2 m do not fit into the square; at most %3 are right</source>
-        <translation>%1 cercles de rayon %2 m ne tiennent pas dans le carré ; au plus %3 conviennent</translation>
+        <translation>%1 cercles de rayon %2 m ne tiennent pas dans le carré&#xa0;; au plus %3 conviennent</translation>
     </message>
     <message>
         <source>%1 is out of range; a number from %2 to %3 is right</source>
-        <translation>%1 est hors limites ; il faut un nombre de %2 à %3</translation>
+        <translation>%1 est hors limites&#xa0;; il faut un nombre de %2 à %3</translation>
     </message>
     <message>
         <source>the name is too long; at most %1 characters are right</source>
-        <translation>le nom est trop long ; au plus %1 caractères conviennent</translation>
+        <translation>le nom est trop long&#xa0;; au plus %1 caractères conviennent</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; one like #1e90ff is right</source>
-        <translation>« %1 » n&apos;est pas une couleur ; il en faut une comme #1e90ff</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une couleur&#xa0;; il en faut une comme #1e90ff</translation>
     </message>
     <message>
         <source>it is wider than the square</source>
@@ -5472,11 +5508,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>circle %1 at (%2, %3) m is not inside the square, whose walls reflect; %4</source>
-        <translation>le cercle %1 en (%2, %3) m n&apos;est pas à l&apos;intérieur du carré, dont les parois renvoient ; %4</translation>
+        <translation>le cercle %1 en (%2, %3) m n&apos;est pas à l&apos;intérieur du carré, dont les parois renvoient&#xa0;; %4</translation>
     </message>
     <message>
         <source>circles %1 and %2 overlap: their centres are %3 m apart; at least r₁ + r₂ = %4 m is right</source>
-        <translation>les cercles %1 et %2 se chevauchent : leurs centres sont à %3 m l&apos;un de l&apos;autre ; il faut au moins r₁ + r₂ = %4 m</translation>
+        <translation>les cercles %1 et %2 se chevauchent&#xa0;: leurs centres sont à %3 m l&apos;un de l&apos;autre&#xa0;; il faut au moins r₁ + r₂ = %4 m</translation>
     </message>
     <message>
         <source>at most %1 circles are right</source>
@@ -5487,30 +5523,30 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>Progress</name>
     <message>
         <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
-        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1 ; Cradle recommence à neuf</translation>
+        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1&#xa0;; Cradle recommence à neuf</translation>
     </message>
     <message>
         <source>your progress could not be saved: %1</source>
-        <translation>votre progression n&apos;a pas pu être enregistrée : %1</translation>
+        <translation>votre progression n&apos;a pas pu être enregistrée&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>Questions</name>
     <message>
         <source>“%1” is no number; one like 0.75 is asked for</source>
-        <translation>« %1 » n&apos;est pas un nombre ; il en faut un comme 0.75</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre&#xa0;; il en faut un comme 0.75</translation>
     </message>
     <message>
         <source>“%1” is no number with a unit; one like 3.2 kg is asked for</source>
-        <translation>« %1 » n&apos;est pas un nombre avec une unité ; il en faut un comme 3.2 kg</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre avec une unité&#xa0;; il en faut un comme 3.2 kg</translation>
     </message>
     <message>
         <source>“%1” is no unit that is known</source>
-        <translation>« %1 » n&apos;est pas une unité connue</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une unité connue</translation>
     </message>
     <message>
         <source>the number is right; its unit is missing</source>
-        <translation>le nombre est juste ; son unité manque</translation>
+        <translation>le nombre est juste&#xa0;; son unité manque</translation>
     </message>
     <message>
         <source>%1 is not right, and its unit is missing</source>
@@ -5518,11 +5554,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the number is right, but not its unit: what is asked for is not measured in %1</source>
-        <translation>le nombre est juste, mais pas son unité : ce qui est demandé ne se mesure pas en %1</translation>
+        <translation>le nombre est juste, mais pas son unité&#xa0;: ce qui est demandé ne se mesure pas en %1</translation>
     </message>
     <message>
         <source>%1 is not right: what is asked for is not measured in %2</source>
-        <translation>%1 n&apos;est pas juste : ce qui est demandé ne se mesure pas en %2</translation>
+        <translation>%1 n&apos;est pas juste&#xa0;: ce qui est demandé ne se mesure pas en %2</translation>
     </message>
     <message>
         <source>the number is right, but not in %1</source>
@@ -5566,7 +5602,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>for the teacher to read, who may give up to %1 points: %2</source>
-        <translation>à lire par l&apos;enseignant, qui peut donner jusqu&apos;à %1 points : %2</translation>
+        <translation>à lire par l&apos;enseignant, qui peut donner jusqu&apos;à %1 points&#xa0;: %2</translation>
     </message>
     <message>
         <source>a list of two to eight answers is right</source>
@@ -5582,15 +5618,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>one right answer; for more of them the kind is several</source>
-        <translation>il faut une seule bonne réponse ; pour plusieurs, le type est several</translation>
+        <translation>il faut une seule bonne réponse&#xa0;; pour plusieurs, le type est several</translation>
     </message>
     <message>
         <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
-        <translation>%1 n&apos;est pas une unité ; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
+        <translation>%1 n&apos;est pas une unité&#xa0;; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
     </message>
     <message>
         <source>another check or question has the id %1 already; an id of its own is right</source>
-        <translation>une autre vérification ou question a déjà l&apos;id %1 ; il faut un id à elle</translation>
+        <translation>une autre vérification ou question a déjà l&apos;id %1&#xa0;; il faut un id à elle</translation>
     </message>
     <message>
         <source>the right number is missing</source>
@@ -5621,11 +5657,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Commit message: %1</source>
-        <translation>Message de commit : %1</translation>
+        <translation>Message de commit&#xa0;: %1</translation>
     </message>
     <message>
         <source>in the scene: %1</source>
-        <translation>dans la scène : %1</translation>
+        <translation>dans la scène&#xa0;: %1</translation>
     </message>
     <message>
         <source>moved there by %1:%2</source>
@@ -5637,19 +5673,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 did not pass: the program stopped</source>
-        <translation>%1 non réussie : le programme s&apos;est arrêté</translation>
+        <translation>%1 non réussie&#xa0;: le programme s&apos;est arrêté</translation>
     </message>
     <message>
         <source>%1 did not pass: the program does not load</source>
-        <translation>%1 non réussie : le programme ne se charge pas</translation>
+        <translation>%1 non réussie&#xa0;: le programme ne se charge pas</translation>
     </message>
     <message>
         <source>%1 did not pass: %2 of %3 checks and answers failed</source>
-        <translation>%1 non réussie : %2 vérifications et réponses sur %3 ont échoué</translation>
+        <translation>%1 non réussie&#xa0;: %2 vérifications et réponses sur %3 ont échoué</translation>
     </message>
     <message>
         <source>%1 did not pass: %2 of %3 checks failed</source>
-        <translation>%1 non réussie : %2 vérifications sur %3 ont échoué</translation>
+        <translation>%1 non réussie&#xa0;: %2 vérifications sur %3 ont échoué</translation>
     </message>
     <message>
         <source>%1 (%2 of %3 points)</source>
@@ -5818,35 +5854,35 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>unknown key &quot;%1&quot;; the keys here are %2</source>
-        <translation>clé inconnue « %1 » ; les clés sont ici %2</translation>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»&#xa0;; les clés sont ici %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>%1 is not right here; right would be %2</source>
-        <translation>%1 ne convient pas ici ; il faudrait %2</translation>
+        <translation>%1 ne convient pas ici&#xa0;; il faudrait %2</translation>
     </message>
     <message>
         <source>needs a newer Cradle: format %1, this one reads %2</source>
-        <translation>il faut un Cradle plus récent : format %1, celui-ci lit %2</translation>
+        <translation>il faut un Cradle plus récent&#xa0;: format %1, celui-ci lit %2</translation>
     </message>
     <message>
         <source>this is not JSON: %1</source>
-        <translation>ce n&apos;est pas du JSON : %1</translation>
+        <translation>ce n&apos;est pas du JSON&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is a folder; a file is right</source>
-        <translation>c&apos;est un dossier ; il faut un fichier</translation>
+        <translation>c&apos;est un dossier&#xa0;; il faut un fichier</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>illisible : %1</translation>
+        <translation>illisible&#xa0;: %1</translation>
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>le fichier est trop grand ; au plus %1 conviennent</translation>
+        <translation>le fichier est trop grand&#xa0;; au plus %1 conviennent</translation>
     </message>
     <message>
         <source>a list of questions</source>
@@ -5870,7 +5906,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a text of at most 200 characters; another draws other values</source>
-        <translation>un texte d&apos;au plus 200 caractères ; un autre tire d&apos;autres valeurs</translation>
+        <translation>un texte d&apos;au plus 200 caractères&#xa0;; un autre tire d&apos;autres valeurs</translation>
     </message>
     <message>
         <source>a unit like m/s of at most 40 characters</source>
@@ -6018,7 +6054,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>an object that says which scenes the check runs: kind, count, duration, timesteps and what they vary</source>
-        <translation>un objet qui dit quelles scènes fait tourner la vérification : kind, count, duration, timesteps et ce qu&apos;elles font varier</translation>
+        <translation>un objet qui dit quelles scènes fait tourner la vérification&#xa0;: kind, count, duration, timesteps et ce qu&apos;elles font varier</translation>
     </message>
     <message>
         <source>an object with count and radius, and if wanted rms_speed, density, seed</source>
@@ -6126,7 +6162,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the name of a folder beside lab.json: letters, digits, dashes and underscores</source>
-        <translation>le nom d&apos;un dossier à côté de lab.json : lettres, chiffres, traits d&apos;union et tirets bas</translation>
+        <translation>le nom d&apos;un dossier à côté de lab.json&#xa0;: lettres, chiffres, traits d&apos;union et tirets bas</translation>
     </message>
     <message>
         <source>the name of a kind of check</source>
@@ -6181,31 +6217,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>check(run) returned %1; true, or false and a message, is right</source>
-        <translation>check(run) a renvoyé %1 ; il faut true, ou false et un message</translation>
+        <translation>check(run) a renvoyé %1&#xa0;; il faut true, ou false et un message</translation>
     </message>
     <message>
         <source>check(run) returned false without a message for the student; return false, &quot;what is wrong&quot; is right</source>
-        <translation>check(run) a renvoyé false sans message pour l&apos;étudiant ; il faut return false, &quot;ce qui ne va pas&quot;</translation>
+        <translation>check(run) a renvoyé false sans message pour l&apos;étudiant&#xa0;; il faut return false, &quot;ce qui ne va pas&quot;</translation>
     </message>
     <message>
         <source>%1 has no field %2; a field has a name</source>
-        <translation>%1 n&apos;a pas de champ %2 ; un champ a un nom</translation>
+        <translation>%1 n&apos;a pas de champ %2&#xa0;; un champ a un nom</translation>
     </message>
     <message>
         <source>%1 has no field `%2`: did you mean `%3`?</source>
-        <translation>%1 n&apos;a pas de champ `%2` : vouliez-vous dire `%3` ?</translation>
+        <translation>%1 n&apos;a pas de champ `%2`&#xa0;: vouliez-vous dire `%3`&#xa0;?</translation>
     </message>
     <message>
         <source>%1 has no field `%2`; it has %3. A field of your own must be set before it is read: %1.%2 = …</source>
-        <translation>%1 n&apos;a pas de champ `%2` ; il y a %3. Un champ à vous doit être fixé avant d&apos;être lu : %1.%2 = …</translation>
+        <translation>%1 n&apos;a pas de champ `%2`&#xa0;; il y a %3. Un champ à vous doit être fixé avant d&apos;être lu&#xa0;: %1.%2 = …</translation>
     </message>
     <message>
         <source>%1 must be a vector, not %2; write vec(x, y)</source>
-        <translation>%1 doit être un vecteur, pas %2 ; écrivez vec(x, y)</translation>
+        <translation>%1 doit être un vecteur, pas %2&#xa0;; écrivez vec(x, y)</translation>
     </message>
     <message>
         <source>%1 would be %2; every number of a circle must be finite. Look for a division by zero, or for a value that grows in every step</source>
-        <translation>%1 serait %2 ; chaque nombre d&apos;un cercle doit être fini. Cherchez une division par zéro, ou une valeur qui croît à chaque pas</translation>
+        <translation>%1 serait %2&#xa0;; chaque nombre d&apos;un cercle doit être fini. Cherchez une division par zéro, ou une valeur qui croît à chaque pas</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2</source>
@@ -6213,7 +6249,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 would be %2; it must be finite and above 0</source>
-        <translation>%1 serait %2 ; il doit être fini et supérieur à 0</translation>
+        <translation>%1 serait %2&#xa0;; il doit être fini et supérieur à 0</translation>
     </message>
     <message>
         <source>%1.index is given and cannot be changed</source>
@@ -6229,11 +6265,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>circles cannot be added or removed by a program; set the position and velocity of those that are there</source>
-        <translation>un programme ne peut ni ajouter ni retirer de cercles ; fixez la position et la vitesse de ceux qui sont là</translation>
+        <translation>un programme ne peut ni ajouter ni retirer de cercles&#xa0;; fixez la position et la vitesse de ceux qui sont là</translation>
     </message>
     <message>
         <source>the program needs more than %1 MiB of memory; is there a table or a text that grows without end?</source>
-        <translation>le programme demande plus de %1 Mio de mémoire ; y a-t-il une table ou un texte qui croît sans fin ?</translation>
+        <translation>le programme demande plus de %1 Mio de mémoire&#xa0;; y a-t-il une table ou un texte qui croît sans fin&#xa0;?</translation>
     </message>
     <message>
         <source>the program called error with %1</source>
@@ -6245,19 +6281,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the author of this step has fixed this: %1. It stays as the scene has it; take this line out</source>
-        <translation>l&apos;auteur de cette étape a imposé ceci : %1. Cela reste comme dans la scène ; supprimez cette ligne</translation>
+        <translation>l&apos;auteur de cette étape a imposé ceci&#xa0;: %1. Cela reste comme dans la scène&#xa0;; supprimez cette ligne</translation>
     </message>
     <message>
         <source>`%1.%2` is not part of the lab&apos;s Lua; %1 has %3</source>
-        <translation>`%1.%2` ne fait pas partie du Lua du TP ; %1 a %3</translation>
+        <translation>`%1.%2` ne fait pas partie du Lua du TP&#xa0;; %1 a %3</translation>
     </message>
     <message>
         <source>%1 has no `%2`; it has %3</source>
-        <translation>%1 n&apos;a pas de `%2` ; il y a %3</translation>
+        <translation>%1 n&apos;a pas de `%2`&#xa0;; il y a %3</translation>
     </message>
     <message>
         <source>%1 has no `%2`: did you mean `%1.%3`?</source>
-        <translation>%1 n&apos;a pas de `%2` : vouliez-vous dire `%1.%3` ?</translation>
+        <translation>%1 n&apos;a pas de `%2`&#xa0;: vouliez-vous dire `%1.%3`&#xa0;?</translation>
     </message>
     <message>
         <source>&apos;%1&apos; expected (to close &apos;%2&apos; at line %3) near %4</source>
@@ -6333,15 +6369,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (%3 expected, got %4)</source>
-        <translation>argument n° %1 de &apos;%2&apos; incorrect (%3 attendu, %4 reçu)</translation>
+        <translation>argument n°&#xa0;%1 de &apos;%2&apos; incorrect (%3 attendu, %4 reçu)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
-        <translation>argument n° %1 de &apos;%2&apos; incorrect (le nombre n&apos;est pas représentable comme entier)</translation>
+        <translation>argument n°&#xa0;%1 de &apos;%2&apos; incorrect (le nombre n&apos;est pas représentable comme entier)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
-        <translation>argument n° %1 de &apos;%2&apos; incorrect (hors limites)</translation>
+        <translation>argument n°&#xa0;%1 de &apos;%2&apos; incorrect (hors limites)</translation>
     </message>
     <message>
         <source>number has no integer representation</source>
@@ -6365,7 +6401,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>assertion failed!</source>
-        <translation>l&apos;assertion a échoué !</translation>
+        <translation>l&apos;assertion a échoué&#xa0;!</translation>
     </message>
     <message>
         <source>&lt;eof&gt;</source>
@@ -6402,7 +6438,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1; only numbers compare with numbers (the length of a vector is v:length())</source>
-        <translation>%1 ; seuls des nombres se comparent à des nombres (la longueur d&apos;un vecteur est v:length())</translation>
+        <translation>%1&#xa0;; seuls des nombres se comparent à des nombres (la longueur d&apos;un vecteur est v:length())</translation>
     </message>
     <message>
         <source>a function calls itself without end (stack overflow)</source>
@@ -6410,7 +6446,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>. There is no circles[%1]: circles are counted from 1 to %2</source>
-        <translation>. Il n&apos;y a pas de circles[%1] : les cercles sont numérotés de 1 à %2</translation>
+        <translation>. Il n&apos;y a pas de circles[%1]&#xa0;: les cercles sont numérotés de 1 à %2</translation>
     </message>
     <message>
         <source>. The length of a list is #%1</source>
@@ -6422,7 +6458,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>. A function is called with its parentheses, and that of a vector with a colon: v:length()</source>
-        <translation>. Une fonction s&apos;appelle avec ses parenthèses, et celle d&apos;un vecteur avec un deux-points : v:length()</translation>
+        <translation>. Une fonction s&apos;appelle avec ses parenthèses, et celle d&apos;un vecteur avec un deux-points&#xa0;: v:length()</translation>
     </message>
     <message>
         <source>`%1.%2` is %3 in Lua</source>
@@ -6430,39 +6466,39 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua has no null; nothing is written nil</source>
-        <translation>Lua n&apos;a pas de null ; rien s&apos;écrit nil</translation>
+        <translation>Lua n&apos;a pas de null&#xa0;; rien s&apos;écrit nil</translation>
     </message>
     <message>
         <source>there is no `%1` here; the circles are circle1, circle2 …, and what is your own has its plain name</source>
-        <translation>il n&apos;y a pas de `%1` ici ; les cercles sont circle1, circle2 …, et ce qui est à vous porte son simple nom</translation>
+        <translation>il n&apos;y a pas de `%1` ici&#xa0;; les cercles sont circle1, circle2 …, et ce qui est à vous porte son simple nom</translation>
     </message>
     <message>
         <source>Lua has no `new`; a vector is made by vec(x, y), a table by {}</source>
-        <translation>Lua n&apos;a pas de `new` ; un vecteur se fait par vec(x, y), une table par {}</translation>
+        <translation>Lua n&apos;a pas de `new`&#xa0;; un vecteur se fait par vec(x, y), une table par {}</translation>
     </message>
     <message>
         <source>`%1` is not known; a vector is made by vec(x, y)</source>
-        <translation>`%1` n&apos;est pas connu ; un vecteur se fait par vec(x, y)</translation>
+        <translation>`%1` n&apos;est pas connu&#xa0;; un vecteur se fait par vec(x, y)</translation>
     </message>
     <message>
         <source>`%1` is not known; print(…) writes to the console</source>
-        <translation>`%1` n&apos;est pas connu ; print(…) écrit dans la console</translation>
+        <translation>`%1` n&apos;est pas connu&#xa0;; print(…) écrit dans la console</translation>
     </message>
     <message>
         <source>`%1` is not known; // divides, a comment begins with -- in Lua</source>
-        <translation>`%1` n&apos;est pas connu ; // divise, un commentaire commence par -- en Lua</translation>
+        <translation>`%1` n&apos;est pas connu&#xa0;; // divise, un commentaire commence par -- en Lua</translation>
     </message>
     <message>
         <source>`%1` is not known yet: it is local and stands below, in line %2; move it up, or leave out `local`</source>
-        <translation>`%1` n&apos;est pas encore connu : il est local et se trouve plus bas, à la ligne %2 ; déplacez-le plus haut, ou supprimez `local`</translation>
+        <translation>`%1` n&apos;est pas encore connu&#xa0;: il est local et se trouve plus bas, à la ligne %2&#xa0;; déplacez-le plus haut, ou supprimez `local`</translation>
     </message>
     <message>
         <source>`%1` is not known here: it is local to the block of line %2; declare it before that block</source>
-        <translation>`%1` n&apos;est pas connu ici : il est local au bloc de la ligne %2 ; déclarez-le avant ce bloc</translation>
+        <translation>`%1` n&apos;est pas connu ici&#xa0;: il est local au bloc de la ligne %2&#xa0;; déclarez-le avant ce bloc</translation>
     </message>
     <message>
         <source>pairs needs keys that have an order: numbers, texts, circles. Of tables, functions and equal vectors there may be one; keep them in a list and go through it with ipairs</source>
-        <translation>pairs a besoin de clés qui ont un ordre : nombres, textes, cercles. De tables, de fonctions et de vecteurs égaux, il ne peut y en avoir qu&apos;un ; gardez-les dans une liste et parcourez-la avec ipairs</translation>
+        <translation>pairs a besoin de clés qui ont un ordre&#xa0;: nombres, textes, cercles. De tables, de fonctions et de vecteurs égaux, il ne peut y en avoir qu&apos;un&#xa0;; gardez-les dans une liste et parcourez-la avec ipairs</translation>
     </message>
     <message>
         <source>pairs goes through a table or circles, not %1</source>
@@ -6470,31 +6506,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua has no foreach; write: for _, %1 in ipairs(%2) do … end</source>
-        <translation>Lua n&apos;a pas de foreach ; écrivez : for _, %1 in ipairs(%2) do … end</translation>
+        <translation>Lua n&apos;a pas de foreach&#xa0;; écrivez&#xa0;: for _, %1 in ipairs(%2) do … end</translation>
     </message>
     <message>
         <source>a loop that counts is written: for %1 = first, last do … end, both included</source>
-        <translation>une boucle qui compte s&apos;écrit : for %1 = début, fin do … end, bornes comprises</translation>
+        <translation>une boucle qui compte s&apos;écrit&#xa0;: for %1 = début, fin do … end, bornes comprises</translation>
     </message>
     <message>
         <source>Lua has no =&gt;; a function is function(x) return … end, and &quot;greater or equal&quot; is &gt;=</source>
-        <translation>Lua n&apos;a pas de =&gt; ; une fonction est function(x) return … end, et « supérieur ou égal » est &gt;=</translation>
+        <translation>Lua n&apos;a pas de =&gt;&#xa0;; une fonction est function(x) return … end, et «&#xa0;supérieur ou égal&#xa0;» est &gt;=</translation>
     </message>
     <message>
         <source>Lua has no ? : to choose; write: if … then … else … end, or: condition and a or b</source>
-        <translation>Lua n&apos;a pas de ? : pour choisir ; écrivez : if … then … else … end, ou : condition and a or b</translation>
+        <translation>Lua n&apos;a pas de&#xa0;?&#xa0;: pour choisir&#xa0;; écrivez&#xa0;: if … then … else … end, ou&#xa0;: condition and a or b</translation>
     </message>
     <message>
         <source>Lua has no %2=; write %1 = %1 %2 %3</source>
-        <translation>Lua n&apos;a pas de %2= ; écrivez %1 = %1 %2 %3</translation>
+        <translation>Lua n&apos;a pas de %2=&#xa0;; écrivez %1 = %1 %2 %3</translation>
     </message>
     <message>
         <source>&quot;not equal&quot; is ~= in Lua, not !=</source>
-        <translation>« différent » s&apos;écrit ~= en Lua, pas !=</translation>
+        <translation>«&#xa0;différent&#xa0;» s&apos;écrit ~= en Lua, pas&#xa0;!=</translation>
     </message>
     <message>
         <source>Lua has no ++; write %1 = %1 + 1</source>
-        <translation>Lua n&apos;a pas de ++ ; écrivez %1 = %1 + 1</translation>
+        <translation>Lua n&apos;a pas de ++&#xa0;; écrivez %1 = %1 + 1</translation>
     </message>
     <message>
         <source>Lua writes `and`, `or`, `not` in words</source>
@@ -6502,19 +6538,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua writes `not` in words, not !</source>
-        <translation>Lua écrit `not` en toutes lettres, pas !</translation>
+        <translation>Lua écrit `not` en toutes lettres, pas&#xa0;!</translation>
     </message>
     <message>
         <source>Lua names no types; a function is written: function %1(…) … end</source>
-        <translation>Lua ne nomme pas les types ; une fonction s&apos;écrit : function %1(…) … end</translation>
+        <translation>Lua ne nomme pas les types&#xa0;; une fonction s&apos;écrit&#xa0;: function %1(…) … end</translation>
     </message>
     <message>
         <source>Lua names no types; write: local %1 = …</source>
-        <translation>Lua ne nomme pas les types ; écrivez : local %1 = …</translation>
+        <translation>Lua ne nomme pas les types&#xa0;; écrivez&#xa0;: local %1 = …</translation>
     </message>
     <message>
         <source>Lua names no types; of a parameter write only the name: %1</source>
-        <translation>Lua ne nomme pas les types ; d&apos;un paramètre, n&apos;écrivez que le nom : %1</translation>
+        <translation>Lua ne nomme pas les types&#xa0;; d&apos;un paramètre, n&apos;écrivez que le nom&#xa0;: %1</translation>
     </message>
     <message>
         <source>Lua has no `%1`</source>
@@ -6522,7 +6558,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua has no `continue`; put what it leaves out into an if</source>
-        <translation>Lua n&apos;a pas de `continue` ; mettez ce qu&apos;il saute dans un if</translation>
+        <translation>Lua n&apos;a pas de `continue`&#xa0;; mettez ce qu&apos;il saute dans un if</translation>
     </message>
     <message>
         <source>a comment begins with -- in Lua</source>
@@ -6530,31 +6566,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua has no braces around blocks; write: if … then … else … end</source>
-        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : if … then … else … end</translation>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs&#xa0;; écrivez&#xa0;: if … then … else … end</translation>
     </message>
     <message>
         <source>Lua has no braces around blocks; write: while … do … end</source>
-        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : while … do … end</translation>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs&#xa0;; écrivez&#xa0;: while … do … end</translation>
     </message>
     <message>
         <source>Lua has no braces around blocks; write: for … do … end</source>
-        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : for … do … end</translation>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs&#xa0;; écrivez&#xa0;: for … do … end</translation>
     </message>
     <message>
         <source>Lua has no braces around blocks; write: function name(…) … end</source>
-        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; écrivez : function nom(…) … end</translation>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs&#xa0;; écrivez&#xa0;: function nom(…) … end</translation>
     </message>
     <message>
         <source>Lua has no braces around blocks; a block ends with `end`</source>
-        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs ; un bloc finit par `end`</translation>
+        <translation>Lua n&apos;a pas d&apos;accolades autour des blocs&#xa0;; un bloc finit par `end`</translation>
     </message>
     <message>
         <source>= assigns; to compare write ==</source>
-        <translation>= affecte ; pour comparer, écrivez ==</translation>
+        <translation>= affecte&#xa0;; pour comparer, écrivez ==</translation>
     </message>
     <message>
         <source>== compares; to assign write =</source>
-        <translation>== compare ; pour affecter, écrivez =</translation>
+        <translation>== compare&#xa0;; pour affecter, écrivez =</translation>
     </message>
     <message>
         <source>names have the letters a to z, digits and _ only</source>
@@ -6562,11 +6598,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Lua has no --, which begins a comment; write %1 = %1 - 1</source>
-        <translation>Lua n&apos;a pas de --, qui commence un commentaire ; écrivez %1 = %1 - 1</translation>
+        <translation>Lua n&apos;a pas de --, qui commence un commentaire&#xa0;; écrivez %1 = %1 - 1</translation>
     </message>
     <message>
         <source>return ends its block: nothing may follow it there but end, else or elseif</source>
-        <translation>return termine son bloc : rien ne peut le suivre là, sauf end, else ou elseif</translation>
+        <translation>return termine son bloc&#xa0;: rien ne peut le suivre là, sauf end, else ou elseif</translation>
     </message>
     <message>
         <source>here `%1` is missing</source>
@@ -6574,7 +6610,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>an `end` is missing: `else if` begins a second if, which needs an `end` of its own; the one word elseif does not</source>
-        <translation>il manque un `end` : `else if` commence un second if, auquel il faut son propre `end` ; elseif, en un seul mot, n&apos;en a pas besoin</translation>
+        <translation>il manque un `end`&#xa0;: `else if` commence un second if, auquel il faut son propre `end`&#xa0;; elseif, en un seul mot, n&apos;en a pas besoin</translation>
     </message>
     <message>
         <source>write %1, with a colon</source>
@@ -6590,15 +6626,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this step does as much work as %1 million instructions (what is done to long texts and lists counts by their length); is there a loop that does not end?</source>
-        <translation>ce pas fait autant de travail que %1 millions d&apos;instructions (ce qui est fait de longs textes et de longues listes compte selon leur longueur) ; y a-t-il une boucle qui ne finit pas ?</translation>
+        <translation>ce pas fait autant de travail que %1 millions d&apos;instructions (ce qui est fait de longs textes et de longues listes compte selon leur longueur)&#xa0;; y a-t-il une boucle qui ne finit pas&#xa0;?</translation>
     </message>
     <message>
         <source>this step takes more than %1 million instructions; is there a loop that does not end?</source>
-        <translation>ce pas demande plus de %1 millions d&apos;instructions ; y a-t-il une boucle qui ne finit pas ?</translation>
+        <translation>ce pas demande plus de %1 millions d&apos;instructions&#xa0;; y a-t-il une boucle qui ne finit pas&#xa0;?</translation>
     </message>
     <message>
         <source>this step has run for more than %1 s; is there a loop that does not end?</source>
-        <translation>ce pas dure depuis plus de %1 s ; y a-t-il une boucle qui ne finit pas ?</translation>
+        <translation>ce pas dure depuis plus de %1 s&#xa0;; y a-t-il une boucle qui ne finit pas&#xa0;?</translation>
     </message>
     <message>
         <source>the run was stopped</source>
@@ -6606,11 +6642,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>functions call each other %1 deep; does one call itself without end?</source>
-        <translation>des fonctions s&apos;appellent sur une profondeur de %1 ; l&apos;une d&apos;elles s&apos;appelle-t-elle elle-même sans fin ?</translation>
+        <translation>des fonctions s&apos;appellent sur une profondeur de %1&#xa0;; l&apos;une d&apos;elles s&apos;appelle-t-elle elle-même sans fin&#xa0;?</translation>
     </message>
     <message>
         <source>the program has %1 letters; at most %2 are right</source>
-        <translation>le programme a %1 lettres ; au plus %2 conviennent</translation>
+        <translation>le programme a %1 lettres&#xa0;; au plus %2 conviennent</translation>
     </message>
     <message>
         <source>there is no memory to run a program</source>
@@ -6618,7 +6654,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>`%1` is local here, so nobody can call it; write function %1(…) without local</source>
-        <translation>`%1` est local ici, personne ne peut donc l&apos;appeler ; écrivez function %1(…) sans local</translation>
+        <translation>`%1` est local ici, personne ne peut donc l&apos;appeler&#xa0;; écrivez function %1(…) sans local</translation>
     </message>
     <message>
         <source>the program shows more than %1 KiB in one step</source>
@@ -6642,11 +6678,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>plot(&quot;%1&quot;, …) would be %2; a finite number is right</source>
-        <translation>plot(&quot;%1&quot;, …) vaudrait %2 ; il faut un nombre fini</translation>
+        <translation>plot(&quot;%1&quot;, …) vaudrait %2&#xa0;; il faut un nombre fini</translation>
     </message>
     <message>
         <source>%1 would draw at %2; finite numbers are right</source>
-        <translation>%1 dessinerait en %2 ; il faut des nombres finis</translation>
+        <translation>%1 dessinerait en %2&#xa0;; il faut des nombres finis</translation>
     </message>
     <message>
         <source>%1 would end beyond all numbers</source>
@@ -6666,19 +6702,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>draw has no `%1`; it has %2</source>
-        <translation>draw n&apos;a pas de `%1` ; il a %2</translation>
+        <translation>draw n&apos;a pas de `%1`&#xa0;; il a %2</translation>
     </message>
     <message>
         <source>draw has no `%1`: did you mean `%2`?</source>
-        <translation>draw n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+        <translation>draw n&apos;a pas de `%1`&#xa0;: vouliez-vous dire `%2`&#xa0;?</translation>
     </message>
     <message>
         <source>square has no `%1`; it has %2</source>
-        <translation>square n&apos;a pas de `%1` ; il a %2</translation>
+        <translation>square n&apos;a pas de `%1`&#xa0;; il a %2</translation>
     </message>
     <message>
         <source>square has no `%1`: did you mean `%2`?</source>
-        <translation>square n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+        <translation>square n&apos;a pas de `%1`&#xa0;: vouliez-vous dire `%2`&#xa0;?</translation>
     </message>
     <message>
         <source>the square can only be read</source>
@@ -6686,23 +6722,23 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>there is no field `%1` here; there are %2</source>
-        <translation>il n&apos;y a pas de champ `%1` ici ; il y a %2</translation>
+        <translation>il n&apos;y a pas de champ `%1` ici&#xa0;; il y a %2</translation>
     </message>
     <message>
         <source>there is no field `%1` here: did you mean `%2`?</source>
-        <translation>il n&apos;y a pas de champ `%1` ici : vouliez-vous dire `%2` ?</translation>
+        <translation>il n&apos;y a pas de champ `%1` ici&#xa0;: vouliez-vous dire `%2`&#xa0;?</translation>
     </message>
     <message>
         <source>after on_load the scene cannot be run: %1</source>
-        <translation>après on_load, la scène ne peut pas tourner : %1</translation>
+        <translation>après on_load, la scène ne peut pas tourner&#xa0;: %1</translation>
     </message>
     <message>
         <source>`on_update` is no function any more; it is given once: function on_update(timestep) … end</source>
-        <translation>`on_update` n&apos;est plus une fonction ; elle se donne une fois : function on_update(timestep) … end</translation>
+        <translation>`on_update` n&apos;est plus une fonction&#xa0;; elle se donne une fois&#xa0;: function on_update(timestep) … end</translation>
     </message>
     <message>
         <source>%p of string.format is not part of the lab&apos;s Lua: an address is another in every run</source>
-        <translation>%p de string.format ne fait pas partie du Lua du TP : une adresse est différente à chaque exécution</translation>
+        <translation>%p de string.format ne fait pas partie du Lua du TP&#xa0;: une adresse est différente à chaque exécution</translation>
     </message>
     <message>
         <source>the vector %1</source>
@@ -6730,7 +6766,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 %2 %3 has no meaning: %4</source>
-        <translation>%1 %2 %3 n&apos;a pas de sens : %4</translation>
+        <translation>%1 %2 %3 n&apos;a pas de sens&#xa0;: %4</translation>
     </message>
     <message>
         <source>a vector is added to a vector</source>
@@ -6742,7 +6778,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a vector is multiplied by a number; for the dot product write a:dot(b)</source>
-        <translation>un vecteur se multiplie par un nombre ; pour le produit scalaire, écrivez a:dot(b)</translation>
+        <translation>un vecteur se multiplie par un nombre&#xa0;; pour le produit scalaire, écrivez a:dot(b)</translation>
     </message>
     <message>
         <source>a vector is divided by a number</source>
@@ -6750,19 +6786,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a vector has no `%1`; it has %2</source>
-        <translation>un vecteur n&apos;a pas de `%1` ; il a %2</translation>
+        <translation>un vecteur n&apos;a pas de `%1`&#xa0;; il a %2</translation>
     </message>
     <message>
         <source>a vector has no `%1`: did you mean `%2`?</source>
-        <translation>un vecteur n&apos;a pas de `%1` : vouliez-vous dire `%2` ?</translation>
+        <translation>un vecteur n&apos;a pas de `%1`&#xa0;: vouliez-vous dire `%2`&#xa0;?</translation>
     </message>
     <message>
         <source>a vector cannot be changed; build a new one: %1 = %2</source>
-        <translation>un vecteur ne peut pas être changé ; construisez-en un nouveau : %1 = %2</translation>
+        <translation>un vecteur ne peut pas être changé&#xa0;; construisez-en un nouveau&#xa0;: %1 = %2</translation>
     </message>
     <message>
         <source>`%1` belongs to a vector; write v:%1(), with a colon</source>
-        <translation>`%1` appartient à un vecteur ; écrivez v:%1(), avec un deux-points</translation>
+        <translation>`%1` appartient à un vecteur&#xa0;; écrivez v:%1(), avec un deux-points</translation>
     </message>
     <message>
         <source>the vector (0, 0) has no direction, so it cannot be normalized</source>
@@ -6770,7 +6806,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>vec(x, y) takes two numbers; %1 is %2</source>
-        <translation>vec(x, y) prend deux nombres ; %1 est %2</translation>
+        <translation>vec(x, y) prend deux nombres&#xa0;; %1 est %2</translation>
     </message>
     <message>
         <source>vec(x, y) takes two numbers, not %1</source>
@@ -6782,31 +6818,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>`%1` is not known: nothing of that name was given a value before</source>
-        <translation>`%1` n&apos;est pas connu : rien de ce nom n&apos;a reçu de valeur auparavant</translation>
+        <translation>`%1` n&apos;est pas connu&#xa0;: rien de ce nom n&apos;a reçu de valeur auparavant</translation>
     </message>
     <message>
         <source>there is no %1: the scene has 1 circle</source>
-        <translation>il n&apos;y a pas de %1 : la scène a 1 cercle</translation>
+        <translation>il n&apos;y a pas de %1&#xa0;: la scène a 1 cercle</translation>
     </message>
     <message>
         <source>there is no %1: the scene has %2 circles</source>
-        <translation>il n&apos;y a pas de %1 : la scène a %2 cercles</translation>
+        <translation>il n&apos;y a pas de %1&#xa0;: la scène a %2 cercles</translation>
     </message>
     <message>
         <source>`%1` is not known: did you mean `%2`?</source>
-        <translation>`%1` n&apos;est pas connu : vouliez-vous dire `%2` ?</translation>
+        <translation>`%1` n&apos;est pas connu&#xa0;: vouliez-vous dire `%2`&#xa0;?</translation>
     </message>
     <message>
         <source>`%1` is set once, in on_load; in on_update it can only be read</source>
-        <translation>`%1` se fixe une fois, dans on_load ; dans on_update, on peut seulement le lire</translation>
+        <translation>`%1` se fixe une fois, dans on_load&#xa0;; dans on_update, on peut seulement le lire</translation>
     </message>
     <message>
         <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
-        <translation>gravity doit être un vecteur en m/s², pas %1 ; écrivez gravity = vec(0, -9.81)</translation>
+        <translation>gravity doit être un vecteur en m/s², pas %1&#xa0;; écrivez gravity = vec(0, -9.81)</translation>
     </message>
     <message>
         <source>gravity would be %1 m/s²; at most %2 is right</source>
-        <translation>gravity vaudrait %1 m/s² ; au plus %2 convient</translation>
+        <translation>gravity vaudrait %1 m/s²&#xa0;; au plus %2 convient</translation>
     </message>
     <message>
         <source>restitution must be a number from 0 to 1, not %1</source>
@@ -6814,11 +6850,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>`%1` can only be read; choose another name for a variable of your own</source>
-        <translation>`%1` peut seulement être lu ; choisissez un autre nom pour une variable à vous</translation>
+        <translation>`%1` peut seulement être lu&#xa0;; choisissez un autre nom pour une variable à vous</translation>
     </message>
     <message>
         <source>`%1` is given by the lab and cannot be replaced; choose another name for a variable of your own</source>
-        <translation>`%1` est donné par le TP et ne peut pas être remplacé ; choisissez un autre nom pour une variable à vous</translation>
+        <translation>`%1` est donné par le TP et ne peut pas être remplacé&#xa0;; choisissez un autre nom pour une variable à vous</translation>
     </message>
     <message>
         <source>`%1` must be a function, not %2</source>
@@ -6836,7 +6872,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>UnifiedDiff</name>
     <message>
         <source>this is no line of a difference; “@@ -4,3 +4,2 @@” or a line after blank, minus or plus is right</source>
-        <translation>ce n&apos;est pas une ligne d&apos;une différence ; il faut « @@ -4,3 +4,2 @@ » ou une ligne après une espace, un moins ou un plus</translation>
+        <translation>ce n&apos;est pas une ligne d&apos;une différence&#xa0;; il faut «&#xa0;@@ -4,3 +4,2 @@&#xa0;» ou une ligne après une espace, un moins ou un plus</translation>
     </message>
     <message>
         <source>the lines that this changes are not there any more</source>
@@ -6873,6 +6909,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>parting at %1°</source>
         <translation>séparation sous %1°</translation>
     </message>
+    <message>
+        <source>contact %1, in front of a wall</source>
+        <translation>contact %1, devant une paroi</translation>
+    </message>
 </context>
 <context>
     <name>VersionsPane</name>
@@ -6902,11 +6942,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>without: %1</source>
-        <translation>sans : %1</translation>
+        <translation>sans&#xa0;: %1</translation>
     </message>
     <message>
         <source>the same program</source>
@@ -6917,7 +6957,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>Workspace</name>
     <message>
         <source>the history of your work cannot be kept: %1</source>
-        <translation>l&apos;historique de votre travail ne peut pas être conservé : %1</translation>
+        <translation>l&apos;historique de votre travail ne peut pas être conservé&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is no git repository at this address</source>
@@ -6925,7 +6965,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>there is other work at this address, which yours does not go on from; give another address</source>
-        <translation>il y a un autre travail à cette adresse, que le vôtre ne prolonge pas ; donnez une autre adresse</translation>
+        <translation>il y a un autre travail à cette adresse, que le vôtre ne prolonge pas&#xa0;; donnez une autre adresse</translation>
     </message>
     <message>
         <source>this is no address of a git repository</source>
@@ -6937,19 +6977,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>your work could not be sent: %1</source>
-        <translation>votre travail n&apos;a pas pu être envoyé : %1</translation>
+        <translation>votre travail n&apos;a pas pu être envoyé&#xa0;: %1</translation>
     </message>
     <message>
         <source>the other side did not take your work: %1</source>
-        <translation>l&apos;autre côté n&apos;a pas accepté votre travail : %1</translation>
+        <translation>l&apos;autre côté n&apos;a pas accepté votre travail&#xa0;: %1</translation>
     </message>
     <message>
         <source>your program cannot be saved here: %1</source>
-        <translation>votre programme ne peut pas être enregistré ici : %1</translation>
+        <translation>votre programme ne peut pas être enregistré ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>another window works on this lab now; this one saves nothing more, and what was typed last here is among the versions of the step</source>
-        <translation>une autre fenêtre travaille maintenant à ce TP ; celle-ci n&apos;enregistre plus rien, et ce qui a été tapé ici en dernier est parmi les versions de l&apos;étape</translation>
+        <translation>une autre fenêtre travaille maintenant à ce TP&#xa0;; celle-ci n&apos;enregistre plus rien, et ce qui a été tapé ici en dernier est parmi les versions de l&apos;étape</translation>
     </message>
     <message>
         <source>the file cannot be moved aside</source>
@@ -6957,7 +6997,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>your work cannot be saved here: %1</source>
-        <translation>votre travail ne peut pas être enregistré ici : %1</translation>
+        <translation>votre travail ne peut pas être enregistré ici&#xa0;: %1</translation>
     </message>
     <message>
         <source>this does not say whose work it is, as cradle.json of format 1 does</source>
@@ -6965,29 +7005,29 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>another window works on this lab now; this one saves nothing more</source>
-        <translation>une autre fenêtre travaille maintenant à ce TP ; celle-ci n&apos;enregistre plus rien</translation>
+        <translation>une autre fenêtre travaille maintenant à ce TP&#xa0;; celle-ci n&apos;enregistre plus rien</translation>
     </message>
     <message>
         <source>another program has changed this note; yours stays, and the other is kept in git as refs/cradle/notes/%1</source>
-        <translation>un autre programme a modifié cette remarque ; la vôtre reste, et l&apos;autre est gardée dans git sous refs/cradle/notes/%1</translation>
+        <translation>un autre programme a modifié cette remarque&#xa0;; la vôtre reste, et l&apos;autre est gardée dans git sous refs/cradle/notes/%1</translation>
     </message>
     <message>
         <source>this file is no note; it is kept as %1</source>
-        <translation>ce fichier n&apos;est pas une remarque ; il est gardé sous %1</translation>
+        <translation>ce fichier n&apos;est pas une remarque&#xa0;; il est gardé sous %1</translation>
     </message>
 </context>
 <context>
     <name>WorldText</name>
     <message>
         <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
-        <translation>`%1` ne fait pas partie du Lua du TP ; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
+        <translation>`%1` ne fait pas partie du Lua du TP&#xa0;; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
     </message>
 </context>
 <context>
     <name>cradle::Announcer</name>
     <message>
         <source>Hit at %1 s: %2 and %3, impulse %4 N s</source>
-        <translation>Choc à %1 s : %2 et %3, impulsion %4 N s</translation>
+        <translation>Choc à %1 s&#xa0;: %2 et %3, impulsion %4 N s</translation>
     </message>
 </context>
 <context>
@@ -7003,7 +7043,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Search (Return: next place in the text)</source>
-        <translation>Rechercher (Entrée : occurrence suivante)</translation>
+        <translation>Rechercher (Entrée&#xa0;: occurrence suivante)</translation>
     </message>
     <message>
         <source>Search the API reference</source>
@@ -7015,14 +7055,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Not found in the reference: %1</source>
-        <translation>Introuvable dans la référence : %1</translation>
+        <translation>Introuvable dans la référence&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>cradle::AuthorDocument</name>
     <message>
         <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
-        <translation>Ce TP est fourni avec Cradle et reste comme il est ; faites-en une copie pour y changer quelque chose</translation>
+        <translation>Ce TP est fourni avec Cradle et reste comme il est&#xa0;; faites-en une copie pour y changer quelque chose</translation>
     </message>
     <message>
         <source>New lab</source>
@@ -7034,7 +7074,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the folder is not empty; a new or an empty one is right</source>
-        <translation>le dossier n&apos;est pas vide ; il en faut un nouveau ou un vide</translation>
+        <translation>le dossier n&apos;est pas vide&#xa0;; il en faut un nouveau ou un vide</translation>
     </message>
     <message>
         <source>Reload from the folder</source>
@@ -7049,7 +7089,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Title of the lab:</source>
-        <translation>Titre du TP :</translation>
+        <translation>Titre du TP&#xa0;:</translation>
     </message>
     <message>
         <source>My lab</source>
@@ -7080,16 +7120,12 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Vous avez des changements non enregistrés. Si vous prenez les fichiers du dossier à la place, Annuler fait revenir les vôtres.</translation>
     </message>
     <message>
-        <source>Saved, but for fields of checks that hold no value yet: %1</source>
-        <translation>Enregistré, sauf des champs de vérifications qui n&apos;ont pas encore de valeur : %1</translation>
-    </message>
-    <message>
         <source>A new or empty folder for the lab</source>
         <translation>Un dossier nouveau ou vide pour le TP</translation>
     </message>
     <message>
         <source>Folder:</source>
-        <translation>Dossier :</translation>
+        <translation>Dossier&#xa0;:</translation>
     </message>
     <message>
         <source>Not all of it can be read</source>
@@ -7097,7 +7133,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Students will not find what cannot be read:</source>
-        <translation>Les étudiants ne trouveront pas ce qui est illisible :</translation>
+        <translation>Les étudiants ne trouveront pas ce qui est illisible&#xa0;:</translation>
     </message>
     <message>
         <source>Export anyway</source>
@@ -7109,7 +7145,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Exported: %1</source>
-        <translation>Exporté : %1</translation>
+        <translation>Exporté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Insert a figure</source>
@@ -7121,7 +7157,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements de %1 sont revenus ; ils ne sont pas encore enregistrés.</translation>
+        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements de %1 sont revenus&#xa0;; ils ne sont pas encore enregistrés.</translation>
     </message>
     <message>
         <source>Discard them</source>
@@ -7137,7 +7173,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Save the lab?</source>
-        <translation>Enregistrer le TP ?</translation>
+        <translation>Enregistrer le TP&#xa0;?</translation>
     </message>
     <message>
         <source>The lab has changes that are not saved.</source>
@@ -7253,7 +7289,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A scene of the proof, at the moment where it went wrong: %1</source>
-        <translation>Une scène de la preuve, à l&apos;instant où cela a échoué : %1</translation>
+        <translation>Une scène de la preuve, à l&apos;instant où cela a échoué&#xa0;: %1</translation>
     </message>
     <message>
         <source>not saved yet</source>
@@ -7273,7 +7309,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Changed by another program: %1</source>
-        <translation>Modifié par un autre programme : %1</translation>
+        <translation>Modifié par un autre programme&#xa0;: %1</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -7303,6 +7339,18 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>Parts of the step</source>
         <translation>Parties de l&apos;étape</translation>
     </message>
+    <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>Enregistré, sauf les champs qui ne contiennent pas encore de valeur : %1</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>Rec&amp;hercher et remplacer dans le TP…</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>&amp;Valeurs du TP et de l&apos;étape</translation>
+    </message>
 </context>
 <context>
     <name>cradle::BrokenFile</name>
@@ -7312,7 +7360,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Until it can be read, nothing else of this step can be edited. Mend it here; the tabs come back by themselves.</source>
-        <translation>Tant que ce fichier n&apos;est pas lisible, rien d&apos;autre de cette étape ne peut être modifié. Réparez-le ici ; les onglets reviennent d&apos;eux-mêmes.</translation>
+        <translation>Tant que ce fichier n&apos;est pas lisible, rien d&apos;autre de cette étape ne peut être modifié. Réparez-le ici&#xa0;; les onglets reviennent d&apos;eux-mêmes.</translation>
     </message>
     <message>
         <source>Text of the file that cannot be read</source>
@@ -7388,7 +7436,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>%1: %2</source>
         <comment>kept run: curve</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -7407,7 +7455,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Points : il faut un nombre de 0 à 1000</translation>
+        <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
     </message>
     <message>
         <source>What is checked</source>
@@ -7447,7 +7495,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Letters, digits, dots and dashes; reports name the check by it</source>
-        <translation>Lettres, chiffres, points et traits d&apos;union ; les rapports nomment ainsi la vérification</translation>
+        <translation>Lettres, chiffres, points et traits d&apos;union&#xa0;; les rapports nomment ainsi la vérification</translation>
     </message>
     <message>
         <source>What passing this check is worth in reports</source>
@@ -7470,11 +7518,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Passed: %1</source>
-        <translation>Réussi : %1</translation>
+        <translation>Réussi&#xa0;: %1</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation>Échoué : %1</translation>
+        <translation>Échoué&#xa0;: %1</translation>
     </message>
     <message>
         <source>Show what was observed</source>
@@ -7482,7 +7530,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Show what was observed: %1</source>
-        <translation>Montrer ce qui a été observé : %1</translation>
+        <translation>Montrer ce qui a été observé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7500,6 +7548,49 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Program of the check</source>
         <translation>Programme de la vérification</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::CheckTrial</name>
+    <message>
+        <source>It cannot be tried before what is wrong in this step is mended.</source>
+        <translation>Elle ne peut être essayée avant que ce qui est faux dans cette étape soit corrigé.</translation>
+    </message>
+    <message>
+        <source>Running…</source>
+        <translation>En cours…</translation>
+    </message>
+    <message>
+        <source>%1 stops in line %2: %3</source>
+        <translation>%1 s&apos;arrête à la ligne %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1 stops: %2</source>
+        <translation>%1 s&apos;arrête : %2</translation>
+    </message>
+    <message>
+        <source>%1 passes.</source>
+        <translation>%1 réussit.</translation>
+    </message>
+    <message>
+        <source>%1 fails: %2</source>
+        <translation>%1 échoue : %2</translation>
+    </message>
+    <message>
+        <source>Try this check</source>
+        <translation>Essayer cette vérification</translation>
+    </message>
+    <message>
+        <source>On that program, with the first seed</source>
+        <translation>Sur ce programme, avec la première graine</translation>
+    </message>
+    <message>
+        <source>Program to try the check on</source>
+        <translation>Programme sur lequel essayer la vérification</translation>
+    </message>
+    <message>
+        <source>How the check went</source>
+        <translation>Résultat de la vérification</translation>
     </message>
 </context>
 <context>
@@ -7601,7 +7692,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Density in 1000 kg/m³; steel has 7.8</source>
-        <translation>Masse volumique en 1000 kg/m³ ; l&apos;acier a 7.8</translation>
+        <translation>Masse volumique en 1000 kg/m³&#xa0;; l&apos;acier a 7.8</translation>
     </message>
     <message>
         <source>Density</source>
@@ -7645,31 +7736,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Change colour of %1</source>
-        <translation>Changer la couleur : %1</translation>
+        <translation>Changer la couleur&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation>Renommer : %1</translation>
+        <translation>Renommer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change position of %1</source>
-        <translation>Changer la position : %1</translation>
+        <translation>Changer la position&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change velocity of %1</source>
-        <translation>Changer la vitesse : %1</translation>
+        <translation>Changer la vitesse&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change radius of %1</source>
-        <translation>Changer le rayon : %1</translation>
+        <translation>Changer le rayon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change density of %1</source>
-        <translation>Changer la masse volumique : %1</translation>
+        <translation>Changer la masse volumique&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change integrator of %1</source>
-        <translation>Changer l&apos;intégrateur : %1</translation>
+        <translation>Changer l&apos;intégrateur&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7708,7 +7799,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Bring back the scene that the step came with; Undo takes it back</source>
-        <translation>Rétablit la scène fournie avec l&apos;étape ; Annuler défait cela</translation>
+        <translation>Rétablit la scène fournie avec l&apos;étape&#xa0;; Annuler défait cela</translation>
     </message>
     <message>
         <source>Duplicate circle</source>
@@ -7723,7 +7814,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::CirclesLine</name>
     <message>
         <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
-        <translation>Cercles : il faut des nombres de 1 à 100 comme « 1, 2 »</translation>
+        <translation>Cercles&#xa0;: il faut des nombres de 1 à 100 comme «&#xa0;1, 2&#xa0;»</translation>
     </message>
     <message>
         <source>Circles that it looks at</source>
@@ -7731,7 +7822,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Numbers of the circles, as “1, 2”</source>
-        <translation>Numéros des cercles, comme « 1, 2 »</translation>
+        <translation>Numéros des cercles, comme «&#xa0;1, 2&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -7856,7 +7947,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Your program goes back to what this step started from. What you have written in this step stays among its versions. Go back?</source>
-        <translation>Votre programme revient à ce par quoi cette étape a commencé. Ce que vous avez écrit dans cette étape reste parmi ses versions. Revenir en arrière ?</translation>
+        <translation>Votre programme revient à ce par quoi cette étape a commencé. Ce que vous avez écrit dans cette étape reste parmi ses versions. Revenir en arrière&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -7895,7 +7986,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Error in line %1: %2</source>
-        <translation>Erreur à la ligne %1 : %2</translation>
+        <translation>Erreur à la ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Line %1 made the first failing step</source>
@@ -7907,7 +7998,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Tab indents; Ctrl+Tab, or Escape and then Tab, leaves the editor</source>
-        <translation>Tab met en retrait ; Ctrl+Tab, ou Échap puis Tab, quitte l&apos;éditeur</translation>
+        <translation>Tab met en retrait&#xa0;; Ctrl+Tab, ou Échap puis Tab, quitte l&apos;éditeur</translation>
     </message>
     <message>
         <source>Program</source>
@@ -7949,11 +8040,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>cannot be read: the last good version runs</source>
-        <translation>illisible : la dernière bonne version tourne</translation>
+        <translation>illisible&#xa0;: la dernière bonne version tourne</translation>
     </message>
     <message>
         <source>cannot be read: nothing runs</source>
-        <translation>illisible : rien ne tourne</translation>
+        <translation>illisible&#xa0;: rien ne tourne</translation>
     </message>
     <message>
         <source>Program</source>
@@ -7979,7 +8070,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::ConsoleModel</name>
     <message>
         <source>step %1: %2</source>
-        <translation>pas %1 : %2</translation>
+        <translation>pas %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Printed in step %1</source>
@@ -7991,7 +8082,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Printed in step %1, at %2 s; a double click shows it</source>
-        <translation>Affiché au pas %1, à %2 s ; un double-clic le montre</translation>
+        <translation>Affiché au pas %1, à %2 s&#xa0;; un double-clic le montre</translation>
     </message>
 </context>
 <context>
@@ -8045,7 +8136,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>From mine (−) to theirs (+):</source>
-        <translation>Du mien (−) au leur (+) :</translation>
+        <translation>Du mien (−) au leur (+)&#xa0;:</translation>
     </message>
     <message>
         <source>Difference of the two versions</source>
@@ -8060,7 +8151,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Energy made by the program besides the hits, or lost if negative: total + dissipated in hits − total at the start.</source>
-        <translation>Énergie créée par le programme hors des chocs, ou perdue si négative : totale + dissipée par les chocs − totale au départ.</translation>
+        <translation>Énergie créée par le programme hors des chocs, ou perdue si négative&#xa0;: totale + dissipée par les chocs − totale au départ.</translation>
     </message>
     <message>
         <source>By the &amp;integrator</source>
@@ -8068,7 +8159,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Energy made by the integrator, or lost if negative: total + dissipated in hits − total at the start. So start = total + dissipated − made by the integrator.</source>
-        <translation>Énergie créée par l&apos;intégrateur, ou perdue si négative : totale + dissipée par les chocs − totale au départ. Donc départ = totale + dissipée − créée par l&apos;intégrateur.</translation>
+        <translation>Énergie créée par l&apos;intégrateur, ou perdue si négative&#xa0;: totale + dissipée par les chocs − totale au départ. Donc départ = totale + dissipée − créée par l&apos;intégrateur.</translation>
     </message>
     <message>
         <source>Energy</source>
@@ -8116,7 +8207,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Energy that circles lose in steps with a hit, and while they rest on something; negative if hits made energy, as going back to a higher place does</source>
-        <translation>Énergie que les cercles perdent dans les pas avec un choc, et pendant qu&apos;ils reposent sur quelque chose ; négative si des chocs ont créé de l&apos;énergie, comme le fait le retour à un endroit plus haut</translation>
+        <translation>Énergie que les cercles perdent dans les pas avec un choc, et pendant qu&apos;ils reposent sur quelque chose&#xa0;; négative si des chocs ont créé de l&apos;énergie, comme le fait le retour à un endroit plus haut</translation>
     </message>
     <message>
         <source>More than the e&amp;xact motion</source>
@@ -8124,7 +8215,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Total energy of the run minus that of the exact motion beside it: the error of integrator and timestep</source>
-        <translation>Énergie totale de l&apos;exécution moins celle du mouvement exact à côté : l&apos;erreur de l&apos;intégrateur et du pas de temps</translation>
+        <translation>Énergie totale de l&apos;exécution moins celle du mouvement exact à côté&#xa0;: l&apos;erreur de l&apos;intégrateur et du pas de temps</translation>
     </message>
     <message>
         <source>&amp;Stacked areas</source>
@@ -8192,19 +8283,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::ErrorLine</name>
     <message>
         <source>line %1, step %2: %3</source>
-        <translation>ligne %1, pas %2 : %3</translation>
+        <translation>ligne %1, pas %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>step %1: %2</source>
-        <translation>pas %1 : %2</translation>
+        <translation>pas %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>The program stopped: %1</source>
-        <translation>Le programme s&apos;est arrêté : %1</translation>
+        <translation>Le programme s&apos;est arrêté&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -8281,6 +8372,94 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::FindPanel</name>
+    <message>
+        <source>Found nowhere</source>
+        <translation>Introuvable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n endroit</numerusform>
+            <numerusform>%n endroits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n file(s)</source>
+        <translation>
+            <numerusform>dans %n fichier</numerusform>
+            <numerusform>dans %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>Remplacer « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced; Undo brings them back</source>
+        <translation>
+            <numerusform>%n endroit remplacé ; Annuler le rétablit</numerusform>
+            <numerusform>%n endroits remplacés ; Annuler les rétablit</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Text to find in the lab</source>
+        <translation>Texte à rechercher dans le TP</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Remplacer par</translation>
+    </message>
+    <message>
+        <source>Text to put there</source>
+        <translation>Texte à mettre à la place</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>Tout remplacer</translation>
+    </message>
+    <message>
+        <source>In all places of the list, as one edit</source>
+        <translation>À tous les endroits de la liste, en une seule modification</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Mots entiers</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>Dans tout le TP</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>Dans cette étape</translation>
+    </message>
+    <message>
+        <source>Where to look</source>
+        <translation>Où chercher</translation>
+    </message>
+    <message>
+        <source>Close the search</source>
+        <translation>Fermer la recherche</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Places that were found</source>
+        <translation>Endroits trouvés</translation>
+    </message>
+</context>
+<context>
     <name>cradle::FindingCard</name>
     <message>
         <source>Show what was measured</source>
@@ -8288,7 +8467,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Show what was measured: %1</source>
-        <translation>Montrer ce qui a été mesuré : %1</translation>
+        <translation>Montrer ce qui a été mesuré&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -8314,22 +8493,22 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>MathJax does not run: %1</source>
-        <translation>MathJax ne marche pas : %1</translation>
+        <translation>MathJax ne marche pas&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>cradle::GradeDialog</name>
     <message>
         <source>Grade a class: %1</source>
-        <translation>Noter une classe : %1</translation>
+        <translation>Noter une classe&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Handed in:</source>
-        <translation>Re&amp;ndus :</translation>
+        <translation>Re&amp;ndus&#xa0;:</translation>
     </message>
     <message>
         <source>A folder with a folder, or a .cradle-work file, for each student; or a download of Moodle, Canvas, Blackboard or GitHub Classroom. Nothing in it is changed.</source>
-        <translation>Un dossier avec, pour chaque étudiant, un dossier ou un fichier .cradle-work ; ou un téléchargement de Moodle, Canvas, Blackboard ou GitHub Classroom. Rien n&apos;y est modifié.</translation>
+        <translation>Un dossier avec, pour chaque étudiant, un dossier ou un fichier .cradle-work&#xa0;; ou un téléchargement de Moodle, Canvas, Blackboard ou GitHub Classroom. Rien n&apos;y est modifié.</translation>
     </message>
     <message>
         <source>Choose what was handed in</source>
@@ -8337,11 +8516,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Results:</source>
-        <translation>&amp;Résultats :</translation>
+        <translation>&amp;Résultats&#xa0;:</translation>
     </message>
     <message>
         <source>A folder for the results: an empty one, or one with the results of the same class, which then go on where they were.</source>
-        <translation>Un dossier pour les résultats : un dossier vide, ou un dossier avec les résultats de la même classe, qui reprennent alors où ils en étaient.</translation>
+        <translation>Un dossier pour les résultats&#xa0;: un dossier vide, ou un dossier avec les résultats de la même classe, qui reprennent alors où ils en étaient.</translation>
     </message>
     <message>
         <source>Choose a folder for the results</source>
@@ -8349,11 +8528,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>R&amp;oster:</source>
-        <translation>&amp;Liste :</translation>
+        <translation>&amp;Liste&#xa0;:</translation>
     </message>
     <message>
         <source>A table (CSV) of who is in the class: id, folder, name, number, email, late days. It may be left out.</source>
-        <translation>Un tableau (CSV) de qui est dans la classe : id, folder, name, number, email, late days. Facultatif.</translation>
+        <translation>Un tableau (CSV) de qui est dans la classe&#xa0;: id, folder, name, number, email, late days. Facultatif.</translation>
     </message>
     <message>
         <source>Choose a roster</source>
@@ -8373,7 +8552,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Late:</source>
-        <translation>Re&amp;tard :</translation>
+        <translation>Re&amp;tard&#xa0;:</translation>
     </message>
     <message>
         <source>How the grading goes</source>
@@ -8401,7 +8580,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Choose: %1</source>
-        <translation>Choisir : %1</translation>
+        <translation>Choisir&#xa0;: %1</translation>
     </message>
     <message>
         <source>What was handed in is read…</source>
@@ -8409,7 +8588,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 students: %3 steps pass, %4 do not, %5 could not be graded.</source>
-        <translation>%1 étudiants sur %2 : %3 étapes réussies, %4 non, %5 n&apos;ont pas pu être notées.</translation>
+        <translation>%1 étudiants sur %2&#xa0;: %3 étapes réussies, %4 non, %5 n&apos;ont pas pu être notées.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the students as they were before.</source>
@@ -8420,7 +8599,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Stopped. What is judged stays; grading again goes on from here.</source>
-        <translation>Arrêté. Ce qui est évalué reste ; une nouvelle notation reprend ici.</translation>
+        <translation>Arrêté. Ce qui est évalué reste&#xa0;; une nouvelle notation reprend ici.</translation>
     </message>
     <message>
         <source>No program opened the page. It is %1</source>
@@ -8431,7 +8610,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::GradeRun</name>
     <message>
         <source>%1 cannot be started: %2</source>
-        <translation>%1 ne peut pas être lancé : %2</translation>
+        <translation>%1 ne peut pas être lancé&#xa0;: %2</translation>
     </message>
     <message>
         <source>cradle-cli broke down</source>
@@ -8474,15 +8653,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Name:</source>
-        <translation>&amp;Nom :</translation>
+        <translation>&amp;Nom&#xa0;:</translation>
     </message>
     <message>
         <source>N&amp;umber:</source>
-        <translation>N&amp;uméro :</translation>
+        <translation>N&amp;uméro&#xa0;:</translation>
     </message>
     <message>
         <source>Note to the &amp;teacher:</source>
-        <translation>Mot pour l&apos;ensei&amp;gnant :</translation>
+        <translation>Mot pour l&apos;ensei&amp;gnant&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Save the file…</source>
@@ -8602,19 +8781,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Hit %1 at %2 s: momentum before %3, after %4, change %5 kg m/s.</source>
-        <translation>Choc %1 à %2 s : quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
+        <translation>Choc %1 à %2 s&#xa0;: quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
     </message>
     <message>
         <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5 kg m/s.</source>
-        <translation>Choc %1 à %2 s, cercle %6 (%7) : quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
+        <translation>Choc %1 à %2 s, cercle %6 (%7)&#xa0;: quantité de mouvement avant %3, après %4, changement %5 kg m/s.</translation>
     </message>
     <message>
         <source>Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.</source>
-        <translation>Choc %1 : cercle %2 (%3), en contact de %4 s à %5 s.</translation>
+        <translation>Choc %1&#xa0;: cercle %2 (%3), en contact de %4 s à %5 s.</translation>
     </message>
     <message>
         <source>Hit %1: circles %2 and %3, in contact from %4 s to %5 s.</source>
-        <translation>Choc %1 : cercles %2 et %3, en contact de %4 s à %5 s.</translation>
+        <translation>Choc %1&#xa0;: cercles %2 et %3, en contact de %4 s à %5 s.</translation>
     </message>
     <message>
         <source>s</source>
@@ -8630,7 +8809,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
-        <translation>Quantité de mouvement (p_x, p_y) des cercles du choc ; p_x seul quand il n&apos;y a pas de p_y</translation>
+        <translation>Quantité de mouvement (p_x, p_y) des cercles du choc&#xa0;; p_x seul quand il n&apos;y a pas de p_y</translation>
     </message>
     <message>
         <source>time</source>
@@ -8669,11 +8848,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Not possible: %1.</source>
-        <translation>Impossible : %1.</translation>
+        <translation>Impossible&#xa0;: %1.</translation>
     </message>
     <message>
         <source>“%1” is not a number; 0.5, 1e-3 or 1/240 would be right.</source>
-        <translation>« %1 » n&apos;est pas un nombre ; 0.5, 1e-3 ou 1/240 conviendraient.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre&#xa0;; 0.5, 1e-3 ou 1/240 conviendraient.</translation>
     </message>
 </context>
 <context>
@@ -8711,11 +8890,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The copy is a lab of its own, so it has an id of its own: who has passed a step of the original has not passed that of the copy.</source>
-        <translation>La copie est un TP à part, elle a donc un id à elle : qui a réussi une étape de l&apos;original n&apos;a pas réussi celle de la copie.</translation>
+        <translation>La copie est un TP à part, elle a donc un id à elle&#xa0;: qui a réussi une étape de l&apos;original n&apos;a pas réussi celle de la copie.</translation>
     </message>
     <message>
         <source>The progress of students is kept by the id. A corrected lab keeps its id and gets a higher version; a new lab gets a new id.</source>
-        <translation>La progression des étudiants est conservée par l&apos;id. Un TP corrigé garde son id et reçoit une version plus élevée ; un nouveau TP reçoit un nouvel id.</translation>
+        <translation>La progression des étudiants est conservée par l&apos;id. Un TP corrigé garde son id et reçoit une version plus élevée&#xa0;; un nouveau TP reçoit un nouvel id.</translation>
     </message>
     <message>
         <source>Title, %1</source>
@@ -8727,7 +8906,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The language of task.json and instructions.md; texts in others have files of their own</source>
-        <translation>La langue de task.json et instructions.md ; les textes dans d&apos;autres langues ont leurs propres fichiers</translation>
+        <translation>La langue de task.json et instructions.md&#xa0;; les textes dans d&apos;autres langues ont leurs propres fichiers</translation>
     </message>
     <message>
         <source>Version</source>
@@ -8774,11 +8953,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>“%1” is there already with %2. The file has %3.</source>
-        <translation>« %1 » est déjà là, %2. Dans le fichier : %3.</translation>
+        <translation>«&#xa0;%1&#xa0;» est déjà là, %2. Dans le fichier&#xa0;: %3.</translation>
     </message>
     <message>
         <source>Both have one id, so what was passed in one counts as passed in the other.</source>
-        <translation>Les deux ont le même id ; ce qui a été réussi dans l&apos;un compte donc comme réussi dans l&apos;autre.</translation>
+        <translation>Les deux ont le même id&#xa0;; ce qui a été réussi dans l&apos;un compte donc comme réussi dans l&apos;autre.</translation>
     </message>
     <message>
         <source>Replace it</source>
@@ -8836,7 +9015,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Law: %1</source>
-        <translation>Loi : %1</translation>
+        <translation>Loi&#xa0;: %1</translation>
     </message>
     <message>
         <source>None</source>
@@ -8886,7 +9065,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
-        <translation>Seules les composantes des vitesses suivant la ligne des centres sont échangées ; les composantes perpendiculaires restent.</translation>
+        <translation>Seules les composantes des vitesses suivant la ligne des centres sont échangées&#xa0;; les composantes perpendiculaires restent.</translation>
     </message>
     <message>
         <source>Impulse</source>
@@ -8902,7 +9081,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
-        <translation>Après chaque pas, on cherche les chevauchements ; lors d&apos;un choc, les cercles retournent à leurs anciennes positions et réagissent.</translation>
+        <translation>Après chaque pas, on cherche les chevauchements&#xa0;; lors d&apos;un choc, les cercles retournent à leurs anciennes positions et réagissent.</translation>
     </message>
     <message>
         <source>Continuous</source>
@@ -8918,7 +9097,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The motion is solved from hit to hit; the timestep only says when to look.</source>
-        <translation>Le mouvement est résolu de choc en choc ; le pas de temps dit seulement quand regarder.</translation>
+        <translation>Le mouvement est résolu de choc en choc&#xa0;; le pas de temps dit seulement quand regarder.</translation>
     </message>
 </context>
 <context>
@@ -9004,15 +9183,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
-        <translation>Un autre programme a modifié votre programme. Son texte est affiché maintenant ; le vôtre est parmi les versions de cette étape.</translation>
+        <translation>Un autre programme a modifié votre programme. Son texte est affiché maintenant&#xa0;; le vôtre est parmi les versions de cette étape.</translation>
     </message>
     <message>
         <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
-        <translation>Un autre programme a modifié votre programme pendant que vous tapiez. Le vôtre reste ; l&apos;autre est parmi les versions de cette étape.</translation>
+        <translation>Un autre programme a modifié votre programme pendant que vous tapiez. Le vôtre reste&#xa0;; l&apos;autre est parmi les versions de cette étape.</translation>
     </message>
     <message>
         <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
-        <translation>Un autre programme a fait de %1 un fichier qui n&apos;est pas un programme. Il est gardé sous %2 ; ce qu&apos;on peut en lire est parmi les versions de cette étape.</translation>
+        <translation>Un autre programme a fait de %1 un fichier qui n&apos;est pas un programme. Il est gardé sous %2&#xa0;; ce qu&apos;on peut en lire est parmi les versions de cette étape.</translation>
     </message>
     <message>
         <source>Your number</source>
@@ -9022,15 +9201,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>This lab draws its values for each student by the number that you hand in with.
 Your number:</source>
         <translation>Ce TP tire ses valeurs pour chaque étudiant selon le numéro avec lequel vous rendez.
-Votre numéro :</translation>
+Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
-        <translation>Les valeurs de ce TP ne sont celles de personne tant que vous ne donnez pas votre numéro : pour cela, rouvrez le TP.</translation>
+        <translation>Les valeurs de ce TP ne sont celles de personne tant que vous ne donnez pas votre numéro&#xa0;: pour cela, rouvrez le TP.</translation>
     </message>
     <message>
         <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
-        <translation>Travail rendu par %1. Lancez-le, vérifiez-le, lisez ses versions et ses remarques : rien n&apos;y est modifié, et rien de ce qu&apos;il dit de lui-même n&apos;est cru.</translation>
+        <translation>Travail rendu par %1. Lancez-le, vérifiez-le, lisez ses versions et ses remarques&#xa0;: rien n&apos;y est modifié, et rien de ce qu&apos;il dit de lui-même n&apos;est cru.</translation>
     </message>
     <message>
         <source>somebody</source>
@@ -9038,7 +9217,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>They write: “%1”</source>
-        <translation>Le message joint : « %1 »</translation>
+        <translation>Le message joint&#xa0;: «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Make a program of it</source>
@@ -9062,7 +9241,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>Begin with the solution of “%1”</source>
-        <translation>Commencer avec le corrigé de « %1 »</translation>
+        <translation>Commencer avec le corrigé de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
@@ -9090,7 +9269,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>Ce que vous réussissez est conservé dans votre historique, signé « Student ». Il peut être signé de votre nom.</translation>
+        <translation>Ce que vous réussissez est conservé dans votre historique, signé «&#xa0;Student&#xa0;». Il peut être signé de votre nom.</translation>
     </message>
     <message>
         <source>Give your name…</source>
@@ -9102,7 +9281,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>Your name:</source>
-        <translation>Votre nom :</translation>
+        <translation>Votre nom&#xa0;:</translation>
     </message>
     <message>
         <source>Nothing of this work is kept on a disk.</source>
@@ -9134,7 +9313,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>drag; Ctrl+arrows, finer with Shift</source>
-        <translation>glisser ; Ctrl+flèches, plus fin avec Maj</translation>
+        <translation>glisser&#xa0;; Ctrl+flèches, plus fin avec Maj</translation>
     </message>
     <message>
         <source>Drag free of the grid</source>
@@ -9231,17 +9410,17 @@ Votre numéro :</translation>
     <message numerus="yes">
         <source>%n runs are pinned; remove one of them first.</source>
         <translation>
-            <numerusform>%n exécution est épinglée ; retirez-la d&apos;abord.</numerusform>
-            <numerusform>%n exécutions sont épinglées ; retirez-en d&apos;abord une.</numerusform>
+            <numerusform>%n exécution est épinglée&#xa0;; retirez-la d&apos;abord.</numerusform>
+            <numerusform>%n exécutions sont épinglées&#xa0;; retirez-en d&apos;abord une.</numerusform>
         </translation>
     </message>
     <message>
         <source>There is no run yet: press Run, then pin it.</source>
-        <translation>Il n&apos;y a pas encore d&apos;exécution : appuyez sur Lancer, puis épinglez-la.</translation>
+        <translation>Il n&apos;y a pas encore d&apos;exécution&#xa0;: appuyez sur Lancer, puis épinglez-la.</translation>
     </message>
     <message>
         <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
-        <translation>Votre programme fixe des valeurs de cercles à son chargement : la nouvelle exécution démarre avec celles-là.</translation>
+        <translation>Votre programme fixe des valeurs de cercles à son chargement&#xa0;: la nouvelle exécution démarre avec celles-là.</translation>
     </message>
     <message>
         <source>Save the data of the run</source>
@@ -9257,7 +9436,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP ; des aides attendent sous le texte.</translation>
+        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP&#xa0;; des aides attendent sous le texte.</translation>
     </message>
     <message>
         <source>Your program</source>
@@ -9269,11 +9448,11 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
-        <translation>Vous gardez un seul programme à travers toutes les étapes. Il est enregistré et tourne pendant que vous tapez ; F1 explique le mot sous le curseur.</translation>
+        <translation>Vous gardez un seul programme à travers toutes les étapes. Il est enregistré et tourne pendant que vous tapez&#xa0;; F1 explique le mot sous le curseur.</translation>
     </message>
     <message>
         <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
-        <translation>Monde, lois et cercles : ce que vous changez ici ou en glissant dans la scène relance l&apos;exécution depuis le début.</translation>
+        <translation>Monde, lois et cercles&#xa0;: ce que vous changez ici ou en glissant dans la scène relance l&apos;exécution depuis le début.</translation>
     </message>
     <message>
         <source>The scene</source>
@@ -9289,7 +9468,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
-        <translation>Quantité de mouvement et énergie de la même exécution. Pointez une courbe pour ses nombres ; chaque choc est marqué.</translation>
+        <translation>Quantité de mouvement et énergie de la même exécution. Pointez une courbe pour ses nombres&#xa0;; chaque choc est marqué.</translation>
     </message>
     <message>
         <source>Any moment again</source>
@@ -9305,7 +9484,7 @@ Votre numéro :</translation>
     </message>
     <message>
         <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
-        <translation>Lancez pour observer ; vérifiez quand vous avez fini : vous saurez ce qui est juste, ce qui ne l&apos;est pas, et pourquoi.</translation>
+        <translation>Lancez pour observer&#xa0;; vérifiez quand vous avez fini&#xa0;: vous saurez ce qui est juste, ce qui ne l&apos;est pas, et pourquoi.</translation>
     </message>
     <message>
         <source>:/help/lua-for-csharp.md</source>
@@ -9330,7 +9509,7 @@ Votre numéro :</translation>
 This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
         <translation># %1
 
-Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une étape ci-dessus pour revenir au TP.</translation>
+Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez une étape ci-dessus pour revenir au TP.</translation>
     </message>
     <message>
         <source>A scene of your own</source>
@@ -9358,7 +9537,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Not yet: %1</source>
-        <translation>Pas encore : %1</translation>
+        <translation>Pas encore&#xa0;: %1</translation>
     </message>
     <message>
         <source>This is a scene of the check, at the moment where it went wrong.</source>
@@ -9371,6 +9550,18 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <message>
         <source>Back to my scene</source>
         <translation>Revenir à ma scène</translation>
+    </message>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>Il n&apos;y a pas de son ici : aucun serveur de son (PulseAudio ou PipeWire) n&apos;a pu être joint. Tout le reste continue.</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>Écouter cette courbe de gauche à droite</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -9423,7 +9614,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>What you noted about this step: it becomes part of your report. Markdown, and formulas as $v = a t$.</source>
-        <translation>Ce que vous avez noté sur cette étape : cela entre dans votre rapport. Markdown, et formules comme $v = a t$.</translation>
+        <translation>Ce que vous avez noté sur cette étape&#xa0;: cela entre dans votre rapport. Markdown, et formules comme $v = a t$.</translation>
     </message>
     <message>
         <source>Notes about this step</source>
@@ -9460,15 +9651,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <name>cradle::PhaseChart</name>
     <message>
         <source>Vertical axis: %1</source>
-        <translation>Axe vertical : %1</translation>
+        <translation>Axe vertical&#xa0;: %1</translation>
     </message>
     <message>
         <source>Horizontal axis: %1</source>
-        <translation>Axe horizontal : %1</translation>
+        <translation>Axe horizontal&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 against %2</source>
-        <translation>%1 en fonction de : %2</translation>
+        <translation>%1 en fonction de&#xa0;: %2</translation>
     </message>
     <message>
         <source>Press Run to see one quantity against another</source>
@@ -9476,7 +9667,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>There is nothing to draw: choose other quantities</source>
-        <translation>Il n&apos;y a rien à tracer : choisissez d&apos;autres grandeurs</translation>
+        <translation>Il n&apos;y a rien à tracer&#xa0;: choisissez d&apos;autres grandeurs</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -9545,7 +9736,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>the picture is too large; at most %1 × %1 pixels are right</source>
-        <translation>l&apos;image est trop grande ; au plus %1 × %1 pixels conviennent</translation>
+        <translation>l&apos;image est trop grande&#xa0;; au plus %1 × %1 pixels conviennent</translation>
     </message>
 </context>
 <context>
@@ -9558,11 +9749,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <message>
         <source>%1: how it went on after %2 s</source>
         <comment>kept run, moment</comment>
-        <translation>%1 : comment cela continuait après %2 s</translation>
+        <translation>%1&#xa0;: comment cela continuait après %2 s</translation>
     </message>
     <message>
         <source>%1: the same scene and program</source>
-        <translation>%1 : même scène et même programme</translation>
+        <translation>%1&#xa0;: même scène et même programme</translation>
     </message>
     <message numerus="yes">
         <source>%1 and %n more</source>
@@ -9591,7 +9782,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>The scene has run already. What did you expect?</source>
-        <translation>La scène a déjà tourné. À quoi vous attendiez-vous ?</translation>
+        <translation>La scène a déjà tourné. À quoi vous attendiez-vous&#xa0;?</translation>
     </message>
     <message>
         <source>Choose before you run the scene. The check does not count it.</source>
@@ -9599,7 +9790,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Kept. Did it come so?</source>
-        <translation>Noté. Est-ce arrivé ainsi ?</translation>
+        <translation>Noté. Est-ce arrivé ainsi&#xa0;?</translation>
     </message>
     <message>
         <source>Kept. Now run the scene and watch.</source>
@@ -9611,7 +9802,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>You predicted: %1</source>
-        <translation>Vous avez prédit : %1</translation>
+        <translation>Vous avez prédit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Predict</source>
@@ -9623,7 +9814,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>What happens: %1.</source>
-        <translation>Ce qui se passe : %1.</translation>
+        <translation>Ce qui se passe&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Question</source>
@@ -9646,7 +9837,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <name>cradle::PredictionEditor</name>
     <message>
         <source>What will happen?</source>
-        <translation>Que va-t-il se passer ?</translation>
+        <translation>Que va-t-il se passer&#xa0;?</translation>
     </message>
     <message>
         <source>The first answer</source>
@@ -9690,7 +9881,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Answers: two to four that students truly believe; mark the one that comes true</source>
-        <translation>Réponses : deux à quatre que des étudiants croient vraiment ; marquez celle qui se réalise</translation>
+        <translation>Réponses&#xa0;: deux à quatre que des étudiants croient vraiment&#xa0;; marquez celle qui se réalise</translation>
     </message>
     <message>
         <source>Answer %1 comes true</source>
@@ -9710,7 +9901,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>What happens, and why; told after the step was passed</source>
-        <translation>Ce qui se passe, et pourquoi ; dit une fois l&apos;étape réussie</translation>
+        <translation>Ce qui se passe, et pourquoi&#xa0;; dit une fois l&apos;étape réussie</translation>
     </message>
     <message>
         <source>What happens, and why</source>
@@ -9737,7 +9928,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>This is a scene of the check; go back to your own scene to change it</source>
-        <translation>C&apos;est une scène de la vérification ; revenez à votre propre scène pour la changer</translation>
+        <translation>C&apos;est une scène de la vérification&#xa0;; revenez à votre propre scène pour la changer</translation>
     </message>
     <message>
         <source>Reset to the step&apos;s own scene</source>
@@ -9756,11 +9947,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
-        <translation>Aucun à elle : les étudiants continuent à partir du corrigé de l&apos;étape précédente. Écrivez ici pour partir d&apos;autre chose.</translation>
+        <translation>Aucun à elle&#xa0;: les étudiants continuent à partir du corrigé de l&apos;étape précédente. Écrivez ici pour partir d&apos;autre chose.</translation>
     </message>
     <message>
         <source>The reference: it should pass every check, with every seed.</source>
-        <translation>La référence : elle doit réussir chaque vérification, avec chaque graine.</translation>
+        <translation>La référence&#xa0;: elle doit réussir chaque vérification, avec chaque graine.</translation>
     </message>
     <message>
         <source>The solution was changed where this difference changes it. Mend the lines after @@ so that they say what stands in the solution now, and what stands here instead.</source>
@@ -9768,7 +9959,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
-        <translation>Un programme entier avec une seule erreur : il échoue à une vérification, et qui a écrit la même lit le commentaire par lequel il commence.</translation>
+        <translation>Un programme entier avec une seule erreur&#xa0;: il échoue à une vérification, et qui a écrit la même lit le commentaire par lequel il commence.</translation>
     </message>
     <message>
         <source>A whole program that passes and deserves a word.</source>
@@ -9914,11 +10105,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>%1: turned by %2, too fast by %3, adrift by %4</source>
-        <translation>%1 : tournée de %2, trop rapide de %3, décalée de %4</translation>
+        <translation>%1&#xa0;: tournée de %2, trop rapide de %3, décalée de %4</translation>
     </message>
     <message>
         <source>%1: not measured</source>
-        <translation>%1 : non mesuré</translation>
+        <translation>%1&#xa0;: non mesuré</translation>
     </message>
     <message>
         <source>passes</source>
@@ -9926,7 +10117,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>not recognised</source>
@@ -9941,23 +10132,23 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
-        <translation>Appuyez sur Vérifier cette étape : le programme de départ doit échouer à une vérification, le corrigé réussir avec chaque graine, et chaque erreur échouer et être reconnue.</translation>
+        <translation>Appuyez sur Vérifier cette étape&#xa0;: le programme de départ doit échouer à une vérification, le corrigé réussir avec chaque graine, et chaque erreur échouer et être reconnue.</translation>
     </message>
     <message>
         <source>Not as it should be: %1</source>
-        <translation>Pas comme il faut : %1</translation>
+        <translation>Pas comme il faut&#xa0;: %1</translation>
     </message>
     <message>
         <source>The solution passes, and every mistake fails and is recognised; but a check is missing: changes of the solution that pass every check: %1</source>
-        <translation>Le corrigé réussit, et chaque erreur échoue et est reconnue ; mais il manque une vérification : modifications du corrigé qui réussissent toutes les vérifications : %1</translation>
+        <translation>Le corrigé réussit, et chaque erreur échoue et est reconnue&#xa0;; mais il manque une vérification&#xa0;: modifications du corrigé qui réussissent toutes les vérifications&#xa0;: %1</translation>
     </message>
     <message>
         <source>All is as it should be: the solution passes, every mistake fails and is recognised, every check is needed.</source>
-        <translation>Tout est comme il faut : le corrigé réussit, chaque erreur échoue et est reconnue, chaque vérification est nécessaire.</translation>
+        <translation>Tout est comme il faut&#xa0;: le corrigé réussit, chaque erreur échoue et est reconnue, chaque vérification est nécessaire.</translation>
     </message>
     <message>
         <source>All is as it should be: the solution passes, every mistake fails and is recognised.</source>
-        <translation>Tout est comme il faut : le corrigé réussit, chaque erreur échoue et est reconnue.</translation>
+        <translation>Tout est comme il faut&#xa0;: le corrigé réussit, chaque erreur échoue et est reconnue.</translation>
     </message>
     <message>
         <source>So it is in every step of the lab.</source>
@@ -9965,7 +10156,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Not as it should be in other steps: %1</source>
-        <translation>Pas comme il faut dans d&apos;autres étapes : %1</translation>
+        <translation>Pas comme il faut dans d&apos;autres étapes&#xa0;: %1</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -9985,7 +10176,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>None was found: each change of the solution is caught and explained.</source>
-        <translation>Aucune trouvée : chaque modification du corrigé est détectée et expliquée.</translation>
+        <translation>Aucune trouvée&#xa0;: chaque modification du corrigé est détectée et expliquée.</translation>
     </message>
     <message>
         <source>Show the run</source>
@@ -10013,15 +10204,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Passes every check, so one is missing: %1 (%2)</source>
-        <translation>Réussit toutes les vérifications, il en manque donc une : %1 (%2)</translation>
+        <translation>Réussit toutes les vérifications, il en manque donc une&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>Fails by “%1” without a word on why: %2 (%3)</source>
-        <translation>Échoue à « %1 » sans un mot sur le pourquoi : %2 (%3)</translation>
+        <translation>Échoue à «&#xa0;%1&#xa0;» sans un mot sur le pourquoi&#xa0;: %2 (%3)</translation>
     </message>
     <message>
         <source>Add as a mistake</source>
@@ -10118,15 +10309,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Answers in the right order; students find them in another</source>
-        <translation>Réponses dans le bon ordre ; les étudiants les trouvent dans un autre</translation>
+        <translation>Réponses dans le bon ordre&#xa0;; les étudiants les trouvent dans un autre</translation>
     </message>
     <message>
         <source>Answers; mark the right one</source>
-        <translation>Réponses ; marquez la bonne</translation>
+        <translation>Réponses&#xa0;; marquez la bonne</translation>
     </message>
     <message>
         <source>Answers; mark all that are right</source>
-        <translation>Réponses ; marquez toutes les bonnes</translation>
+        <translation>Réponses&#xa0;; marquez toutes les bonnes</translation>
     </message>
     <message>
         <source>A new question</source>
@@ -10134,7 +10325,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>What is asked?</source>
-        <translation>Que demande-t-on ?</translation>
+        <translation>Que demande-t-on&#xa0;?</translation>
     </message>
     <message>
         <source>The first answer</source>
@@ -10158,15 +10349,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Points : il faut un nombre de 0 à 1000</translation>
+        <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
     </message>
     <message>
         <source>Tolerance: a number from 0 is right</source>
-        <translation>Tolérance : il faut un nombre à partir de 0</translation>
+        <translation>Tolérance&#xa0;: il faut un nombre à partir de 0</translation>
     </message>
     <message>
         <source>%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right</source>
-        <translation>%1 n&apos;est pas une unité ; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
+        <translation>%1 n&apos;est pas une unité&#xa0;; il en faut une comme m/s, kg m/s, N s, J, ° ou %</translation>
     </message>
     <message>
         <source>Another answer</source>
@@ -10206,7 +10397,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
-        <translation>Cette étape ne pose aucune question qui compte. Ajoutez-en une avec le plus : un nombre avec son unité, un choix, un ordre, ou un texte que vous lisez vous-même.</translation>
+        <translation>Cette étape ne pose aucune question qui compte. Ajoutez-en une avec le plus&#xa0;: un nombre avec son unité, un choix, un ordre, ou un texte que vous lisez vous-même.</translation>
     </message>
     <message>
         <source>A number</source>
@@ -10266,7 +10457,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>What a right answer is worth; of a text, what you may give</source>
-        <translation>Ce que vaut une bonne réponse ; pour un texte, ce que vous pouvez donner</translation>
+        <translation>Ce que vaut une bonne réponse&#xa0;; pour un texte, ce que vous pouvez donner</translation>
     </message>
     <message>
         <source>A number, or an expression like 2*9.81*5</source>
@@ -10278,7 +10469,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Such as m/s, kg m/s, N s, J, ° or %; answers in other units of the same kind are converted</source>
-        <translation>Par exemple m/s, kg m/s, N s, J, ° ou % ; les réponses dans d&apos;autres unités du même type sont converties</translation>
+        <translation>Par exemple m/s, kg m/s, N s, J, ° ou %&#xa0;; les réponses dans d&apos;autres unités du même type sont converties</translation>
     </message>
     <message>
         <source>What is asked</source>
@@ -10329,22 +10520,22 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Velocities: they differ at a hit</source>
-        <translation>Vitesses : elles diffèrent lors d&apos;un choc</translation>
+        <translation>Vitesses&#xa0;: elles diffèrent lors d&apos;un choc</translation>
     </message>
     <message>
         <source>Positions: they differ in many steps</source>
-        <translation>Positions : elles diffèrent dans beaucoup de pas</translation>
+        <translation>Positions&#xa0;: elles diffèrent dans beaucoup de pas</translation>
     </message>
     <message>
         <source>Fields: numbers that the program keeps with the circles, as mass</source>
-        <translation>Champs : des nombres que le programme garde avec les cercles, comme mass</translation>
+        <translation>Champs&#xa0;: des nombres que le programme garde avec les cercles, comme mass</translation>
     </message>
 </context>
 <context>
     <name>cradle::ReportDialog</name>
     <message>
         <source>Looking back at %1</source>
-        <translation>Rétrospective : %1</translation>
+        <translation>Rétrospective&#xa0;: %1</translation>
     </message>
     <message>
         <source>The steps of the lab, and what was hard</source>
@@ -10372,7 +10563,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Enregistré : %1</translation>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -10391,7 +10582,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Nothing to check: this scene belongs to no step.</source>
-        <translation>Rien à vérifier : cette scène n&apos;appartient à aucune étape.</translation>
+        <translation>Rien à vérifier&#xa0;: cette scène n&apos;appartient à aucune étape.</translation>
     </message>
     <message>
         <source>Press Check (Ctrl+Return) when you are done.</source>
@@ -10403,7 +10594,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Not yet: %1</source>
-        <translation>Pas encore : %1</translation>
+        <translation>Pas encore&#xa0;: %1</translation>
     </message>
     <message>
         <source>Line %1 ▸</source>
@@ -10415,15 +10606,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>✓ Passed: all %1 checks and answers</source>
-        <translation>✓ Réussi : les %1 vérifications et réponses</translation>
+        <translation>✓ Réussi&#xa0;: les %1 vérifications et réponses</translation>
     </message>
     <message>
         <source>✓ Passed: the check</source>
-        <translation>✓ Réussi : la vérification</translation>
+        <translation>✓ Réussi&#xa0;: la vérification</translation>
     </message>
     <message>
         <source>✓ Passed: all %1 checks</source>
-        <translation>✓ Réussi : les %1 vérifications</translation>
+        <translation>✓ Réussi&#xa0;: les %1 vérifications</translation>
     </message>
     <message>
         <source>The step counts as passed as soon as the run of this work was shown.</source>
@@ -10443,7 +10634,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Still open: %1</source>
-        <translation>Encore à faire : %1</translation>
+        <translation>Encore à faire&#xa0;: %1</translation>
     </message>
     <message>
         <source>Next step ▸</source>
@@ -10513,7 +10704,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <name>cradle::SceneEditor</name>
     <message>
         <source>Your program sets this circle in on_load; change it there</source>
-        <translation>Votre programme fixe ce cercle dans on_load ; changez-le là</translation>
+        <translation>Votre programme fixe ce cercle dans on_load&#xa0;; changez-le là</translation>
     </message>
     <message numerus="yes">
         <source>%n circles</source>
@@ -10524,19 +10715,19 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Add %1</source>
-        <translation>Ajouter : %1</translation>
+        <translation>Ajouter&#xa0;: %1</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation>Dupliquer : %1</translation>
+        <translation>Dupliquer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation>Supprimer : %1</translation>
+        <translation>Supprimer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Set velocity of %1 to zero</source>
-        <translation>Mettre à zéro la vitesse : %1</translation>
+        <translation>Mettre à zéro la vitesse&#xa0;: %1</translation>
     </message>
     <message>
         <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
@@ -10544,7 +10735,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Move %1</source>
-        <translation>Déplacer : %1</translation>
+        <translation>Déplacer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Paste a circle</source>
@@ -10585,7 +10776,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Scenes to begin with; the one that is here is replaced</source>
-        <translation>Des scènes pour commencer ; celle qui est là est remplacée</translation>
+        <translation>Des scènes pour commencer&#xa0;; celle qui est là est remplacée</translation>
     </message>
     <message>
         <source>Start from this moment</source>
@@ -10609,7 +10800,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Students may also pass without a program, by setting the scene and its laws. This step has no scene yet that passes its checks so; with one, the proof looks after it, too.</source>
-        <translation>Les étudiants peuvent aussi réussir sans programme, en réglant la scène et ses lois. Cette étape n&apos;a pas encore de scène qui réussisse ainsi ses vérifications ; avec une telle scène, la preuve s&apos;en occupe aussi.</translation>
+        <translation>Les étudiants peuvent aussi réussir sans programme, en réglant la scène et ses lois. Cette étape n&apos;a pas encore de scène qui réussisse ainsi ses vérifications&#xa0;; avec une telle scène, la preuve s&apos;en occupe aussi.</translation>
     </message>
     <message>
         <source>Make it from what the student finds</source>
@@ -10649,7 +10840,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Locked: %1</source>
-        <translation>Verrouillé : %1</translation>
+        <translation>Verrouillé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Lock a field</source>
@@ -10668,7 +10859,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>No hit at this moment: N goes on to the next one</source>
-        <translation>Aucun choc à cet instant : N passe au suivant</translation>
+        <translation>Aucun choc à cet instant&#xa0;: N passe au suivant</translation>
     </message>
     <message>
         <source>Add circle here</source>
@@ -10684,7 +10875,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>ghost: %1 · %2 m apart</source>
-        <translation>fantôme : %1 · à %2 m</translation>
+        <translation>fantôme&#xa0;: %1 · à %2 m</translation>
     </message>
     <message>
         <source>No exact motion beside more than %1 circles</source>
@@ -10692,11 +10883,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>No exact motion: the circles overlap or lie outside at the start</source>
-        <translation>Pas de mouvement exact : au départ, les cercles se chevauchent ou sont dehors</translation>
+        <translation>Pas de mouvement exact&#xa0;: au départ, les cercles se chevauchent ou sont dehors</translation>
     </message>
     <message>
         <source>Exact motion; the run is %1 m off</source>
-        <translation>Mouvement exact ; l&apos;exécution s&apos;en écarte de %1 m</translation>
+        <translation>Mouvement exact&#xa0;; l&apos;exécution s&apos;en écarte de %1 m</translation>
     </message>
     <message>
         <source>contacts merged from %1 s on</source>
@@ -10712,7 +10903,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Add a circle: Edit → Add circle (Ctrl+Shift+N)</source>
-        <translation>Ajoutez un cercle : Édition → Ajouter un cercle (Ctrl+Maj+N)</translation>
+        <translation>Ajoutez un cercle&#xa0;: Édition → Ajouter un cercle (Ctrl+Maj+N)</translation>
     </message>
     <message>
         <source>%1 at %2 m with %3 m/s, radius %4 m</source>
@@ -10734,7 +10925,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>selected: %1</source>
-        <translation>sélection : %1</translation>
+        <translation>sélection&#xa0;: %1</translation>
     </message>
     <message>
         <source>No circles</source>
@@ -10749,15 +10940,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Your work is a git repository in %1. Its commits and versions can be sent to one of yours elsewhere; who may read that, reads all of them.</source>
-        <translation>Votre travail est un dépôt git dans %1. Ses commits et ses versions peuvent être envoyés à l&apos;un des vôtres ailleurs ; qui peut le lire les lit tous.</translation>
+        <translation>Votre travail est un dépôt git dans %1. Ses commits et ses versions peuvent être envoyés à l&apos;un des vôtres ailleurs&#xa0;; qui peut le lire les lit tous.</translation>
     </message>
     <message>
         <source>&amp;Address:</source>
-        <translation>&amp;Adresse :</translation>
+        <translation>&amp;Adresse&#xa0;:</translation>
     </message>
     <message>
         <source>Sent so far:</source>
-        <translation>Envoyé jusqu&apos;ici :</translation>
+        <translation>Envoyé jusqu&apos;ici&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Send</source>
@@ -10803,11 +10994,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>A distribution of speeds takes %1 circles or more: Lab → Example scenes → Gas has 1000</source>
-        <translation>Une distribution des vitesses demande au moins %1 cercles : TP → Scènes d&apos;exemple → Gaz en a 1000</translation>
+        <translation>Une distribution des vitesses demande au moins %1 cercles&#xa0;: TP → Scènes d&apos;exemple → Gaz en a 1000</translation>
     </message>
     <message>
         <source>Nothing moves yet: press Run</source>
-        <translation>Rien ne bouge encore : appuyez sur Lancer</translation>
+        <translation>Rien ne bouge encore&#xa0;: appuyez sur Lancer</translation>
     </message>
     <message>
         <source>%1 · v √(m/m̄) · kT = %2 J</source>
@@ -10827,11 +11018,11 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>In equilibrium: distance from the curve %1, chance allows %2.</source>
-        <translation>À l&apos;équilibre : distance à la courbe %1, le hasard admet %2.</translation>
+        <translation>À l&apos;équilibre&#xa0;: distance à la courbe %1, le hasard admet %2.</translation>
     </message>
     <message>
         <source>Not in equilibrium: distance from the curve %1, chance allows %2.</source>
-        <translation>Pas à l&apos;équilibre : distance à la courbe %1, le hasard admet %2.</translation>
+        <translation>Pas à l&apos;équilibre&#xa0;: distance à la courbe %1, le hasard admet %2.</translation>
     </message>
     <message>
         <source>Histogram of the speeds, m/s</source>
@@ -10843,7 +11034,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>The distance of Kolmogorov and Smirnov, at the moment shown: the greatest difference between the share of circles slower than a speed and what the curve says. Of a hundred gases in equilibrium one is further away by chance.</source>
-        <translation>La distance de Kolmogorov et Smirnov, à l&apos;instant affiché : la plus grande différence entre la part des cercles plus lents qu&apos;une vitesse et ce que dit la courbe. De cent gaz à l&apos;équilibre, un seul en est plus loin par hasard.</translation>
+        <translation>La distance de Kolmogorov et Smirnov, à l&apos;instant affiché&#xa0;: la plus grande différence entre la part des cercles plus lents qu&apos;une vitesse et ce que dit la courbe. De cent gaz à l&apos;équilibre, un seul en est plus loin par hasard.</translation>
     </message>
 </context>
 <context>
@@ -10851,7 +11042,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <message>
         <source>%1 %</source>
         <comment>share</comment>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>m/s</source>
@@ -10859,7 +11050,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>%1 % faster</source>
-        <translation>%1 % plus rapides</translation>
+        <translation>%1&#xa0;% plus rapides</translation>
     </message>
 </context>
 <context>
@@ -10901,7 +11092,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Letters, digits, dots and dashes; also the name of the folder</source>
-        <translation>Lettres, chiffres, points et traits d&apos;union ; c&apos;est aussi le nom du dossier</translation>
+        <translation>Lettres, chiffres, points et traits d&apos;union&#xa0;; c&apos;est aussi le nom du dossier</translation>
     </message>
     <message>
         <source>Title</source>
@@ -10913,7 +11104,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>In the language that is open; also in the list of steps (F2)</source>
-        <translation>Dans la langue ouverte ; aussi dans la liste des étapes (F2)</translation>
+        <translation>Dans la langue ouverte&#xa0;; aussi dans la liste des étapes (F2)</translation>
     </message>
     <message>
         <source>Commit message</source>
@@ -11043,7 +11234,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Files that the step did not use stay: %1</source>
-        <translation>Des fichiers que l&apos;étape n&apos;utilisait pas restent : %1</translation>
+        <translation>Des fichiers que l&apos;étape n&apos;utilisait pas restent&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rename the step</source>
@@ -11058,15 +11249,15 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <name>cradle::TextTab</name>
     <message>
         <source>No text in this language yet: students read it in the lab&apos;s own.</source>
-        <translation>Pas encore de texte dans cette langue : les étudiants le lisent dans celle du TP.</translation>
+        <translation>Pas encore de texte dans cette langue&#xa0;: les étudiants le lisent dans celle du TP.</translation>
     </message>
     <message>
         <source>No hint yet: add one with the plus above.</source>
-        <translation>Pas encore d&apos;aide : ajoutez-en une avec le plus ci-dessus.</translation>
+        <translation>Pas encore d&apos;aide&#xa0;: ajoutez-en une avec le plus ci-dessus.</translation>
     </message>
     <message>
         <source>Line %1: nothing here is called “%2”</source>
-        <translation>Ligne %1 : rien ne s&apos;appelle ici « %2 »</translation>
+        <translation>Ligne %1&#xa0;: rien ne s&apos;appelle ici «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1, and %2 more</source>
@@ -11147,6 +11338,10 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <message>
         <source>Edit the questions</source>
         <translation>Modifier les questions</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
     </message>
 </context>
 <context>
@@ -11321,7 +11516,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>How fast it goes now: slower around a hit, if that is chosen</source>
-        <translation>À quelle allure cela va maintenant : plus lentement autour d&apos;un choc, si c&apos;est choisi</translation>
+        <translation>À quelle allure cela va maintenant&#xa0;: plus lentement autour d&apos;un choc, si c&apos;est choisi</translation>
     </message>
     <message>
         <source>Simulated time per real time ([ slower, ] faster)</source>
@@ -11357,6 +11552,176 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ValuesEditor</name>
+    <message>
+        <source>Values · %1</source>
+        <translation>Valeurs · %1</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3, drawn</source>
+        <translation>%1 : de %2 à %3, tirée</translation>
+    </message>
+    <message>
+        <source>%1 (whole lab)</source>
+        <translation>%1 (tout le TP)</translation>
+    </message>
+    <message>
+        <source>Write {{%1}} in texts, programs and checks; in scenes and other values %1 alone.</source>
+        <translation>Écrivez {{%1}} dans les textes, programmes et vérifications ; dans les scènes et d&apos;autres valeurs, %1 seul.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each student gets one of %n number(s): %1. You, and who gives no number, have the first.</source>
+        <translation>
+            <numerusform>Chaque étudiant reçoit %n nombre : %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
+            <numerusform>Chaque étudiant reçoit l&apos;un de %n nombres : %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing uses it yet.</source>
+        <translation>Rien ne l&apos;utilise encore.</translation>
+    </message>
+    <message>
+        <source>Used in %1.</source>
+        <translation>Utilisée dans %1.</translation>
+    </message>
+    <message>
+        <source>Student %1 has %2 = %3</source>
+        <translation>L&apos;étudiant %1 a %2 = %3</translation>
+    </message>
+    <message>
+        <source>Edit a value</source>
+        <translation>Modifier une valeur</translation>
+    </message>
+    <message>
+        <source>A name of letters, digits and underscores that means nothing else, as sin does, is right</source>
+        <translation>Il faut un nom de lettres, chiffres et tirets bas qui ne signifie rien d&apos;autre, comme le fait sin</translation>
+    </message>
+    <message>
+        <source>Another value has this name already</source>
+        <translation>Une autre valeur porte déjà ce nom</translation>
+    </message>
+    <message>
+        <source>There is a value %1 already</source>
+        <translation>Il y a déjà une valeur %1</translation>
+    </message>
+    <message>
+        <source>Edit the draw</source>
+        <translation>Modifier le tirage</translation>
+    </message>
+    <message>
+        <source>Add a value</source>
+        <translation>Ajouter une valeur</translation>
+    </message>
+    <message>
+        <source>Remove a value</source>
+        <translation>Supprimer une valeur</translation>
+    </message>
+    <message>
+        <source>Values of the lab and of the step</source>
+        <translation>Valeurs du TP et de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Remove the value</source>
+        <translation>Supprimer la valeur</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>
+        <translation>Aucun nombre n&apos;a encore de nom. Ajoutez-en un avec le plus, et écrivez-le entre accolades, comme {{e}}, là où textes, programmes et vérifications en ont besoin : il se trouve alors à un seul endroit, et peut être différent pour chaque étudiant.</translation>
+    </message>
+    <message>
+        <source>The same for all</source>
+        <translation>La même pour tous</translation>
+    </message>
+    <message>
+        <source>Drawn for each student</source>
+        <translation>Tirée pour chaque étudiant</translation>
+    </message>
+    <message>
+        <source>In the whole lab</source>
+        <translation>Dans tout le TP</translation>
+    </message>
+    <message>
+        <source>In this step</source>
+        <translation>Dans cette étape</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Whether the value is drawn</source>
+        <translation>Si la valeur est tirée</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Connue</translation>
+    </message>
+    <message>
+        <source>Where the value is known</source>
+        <translation>Où la valeur est connue</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Letters, digits and underscores</source>
+        <translation>Lettres, chiffres et tirets bas</translation>
+    </message>
+    <message>
+        <source>A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses want</source>
+        <translation>Un nombre, ou une expression comme 2*k ou sqrt(2*9.81*5), dans l&apos;unité que demandent ses usages</translation>
+    </message>
+    <message>
+        <source>From one number to the next</source>
+        <translation>D&apos;un nombre au suivant</translation>
+    </message>
+    <message>
+        <source>Student number</source>
+        <translation>Numéro d&apos;étudiant</translation>
+    </message>
+    <message>
+        <source>Student number to try the draw with</source>
+        <translation>Numéro d&apos;étudiant pour essayer le tirage</translation>
+    </message>
+    <message>
+        <source>To see what that student gets; it is kept nowhere</source>
+        <translation>Pour voir ce que reçoit cet étudiant ; il n&apos;est conservé nulle part</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Tirage</translation>
+    </message>
+    <message>
+        <source>Draw of the lab</source>
+        <translation>Tirage du TP</translation>
+    </message>
+    <message>
+        <source>Another text draws other values: change it every year</source>
+        <translation>Un autre texte tire d&apos;autres valeurs : changez-le chaque année</translation>
     </message>
 </context>
 <context>
@@ -11481,7 +11846,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Hits; Enter shows the moment</source>
-        <translation>Chocs ; Entrée montre l&apos;instant</translation>
+        <translation>Chocs&#xa0;; Entrée montre l&apos;instant</translation>
     </message>
     <message>
         <source>Last hit</source>
@@ -11493,7 +11858,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>No hits yet: press Run or Next hit</source>
-        <translation>Pas encore de chocs : appuyez sur Lancer ou sur Choc suivant</translation>
+        <translation>Pas encore de chocs&#xa0;: appuyez sur Lancer ou sur Choc suivant</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -11559,14 +11924,14 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     <name>cradle::WorkJob</name>
     <message>
         <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
-        <translation>Ce que vous avez tapé en dernier n&apos;a pas pu être enregistré ; sur le disque, votre travail est plus ancien. Enregistrez-le d&apos;abord : la fenêtre dit ce qui l&apos;empêche.</translation>
+        <translation>Ce que vous avez tapé en dernier n&apos;a pas pu être enregistré&#xa0;; sur le disque, votre travail est plus ancien. Enregistrez-le d&apos;abord&#xa0;: la fenêtre dit ce qui l&apos;empêche.</translation>
     </message>
 </context>
 <context>
     <name>cradle::Workbench</name>
     <message>
         <source>this is work in the lab %1, which is not here; open that lab once, and then the work</source>
-        <translation>c&apos;est un travail du TP %1, qui n&apos;est pas ici ; ouvrez ce TP une fois, puis le travail</translation>
+        <translation>c&apos;est un travail du TP %1, qui n&apos;est pas ici&#xa0;; ouvrez ce TP une fois, puis le travail</translation>
     </message>
     <message>
         <source>Open a scene</source>
@@ -11605,7 +11970,7 @@ Cette scène n&apos;appartient à aucune étape : jouez avec. Choisissez une é
     </message>
     <message>
         <source>Up doubles it, Down halves it; 1/240 can be typed</source>
-        <translation>Haut le double, Bas le divise par deux ; on peut taper 1/240</translation>
+        <translation>Haut le double, Bas le divise par deux&#xa0;; on peut taper 1/240</translation>
     </message>
     <message>
         <source>From the middle of the square to a wall</source>
