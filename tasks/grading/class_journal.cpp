@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QDirIterator>
 #include <QFile>
 #include <QJsonArray>
 
@@ -198,7 +199,10 @@ Result<ClassJournal> ClassJournal::open(const QString &folder)
     if (::flock(journal.m_lock.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         return fault(JournalText::tr("another process is writing results there"));
     removeUnfinished(folder);
-    removeUnfinished(folder + QStringLiteral("/students"));
+    QDirIterator below(folder, QDir::Dirs | QDir::NoDotAndDotDot | QDir::NoSymLinks,
+                       QDirIterator::Subdirectories);
+    while (below.hasNext())
+        removeUnfinished(below.next());
     return journal;
 }
 
