@@ -35,7 +35,7 @@ HandInDialog::HandInDialog(Workbench &workbench, QWidget *parent)
     const WorkspaceInfo &info = workbench.code().workspace().info();
     m_name->setText(info.student);
     m_number->setText(info.studentId);
-    if (workbench.lab().drawnFrom && !info.studentId.isEmpty()) {
+    if (workbench.lab().drawsValues && !info.studentId.isEmpty()) {
         m_number->setReadOnly(true);
         m_number->setToolTip(tr("The values of this lab were drawn by this number"));
     }

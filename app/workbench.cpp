@@ -142,7 +142,7 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
 
 bool Workbench::wantsNumber() const
 {
-    return m_lab.drawnFrom && m_code.workspace().info().studentId.isEmpty() && mayWrite()
+    return m_lab.drawsValues && m_code.workspace().info().studentId.isEmpty() && mayWrite()
            && !m_code.workspace().isLookedAt();
 }
 

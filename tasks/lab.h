@@ -91,11 +91,10 @@ struct Lab {
     QString folder;
     QString hash; ///< sha256 of its files
     std::vector<Task> tasks{};
-    std::vector<Error> findings{}; ///< what could not be read; the rest is there
-    std::vector<Error> gaps{};     ///< texts that are begun and not finished, see text_gaps.h
-    /// What it was read from, if it draws values for each student; else null. See forStudent().
-    std::shared_ptr<const LabFiles> drawnFrom{};
-    QString readIn{}; ///< the language in which that was read
+    std::vector<Error> findings{};           ///< what could not be read; the rest is there
+    std::shared_ptr<const LabFiles> files{}; ///< what it was read from; null if it was not read
+    QString readIn{};                        ///< the language in which that was
+    bool drawsValues = false;                ///< for each student others, see forStudent()
 
     /// The index of the task with that id; -1 if there is none.
     [[nodiscard]] int indexOf(const QString &taskId) const;

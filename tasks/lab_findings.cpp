@@ -166,7 +166,8 @@ QString rowOf(const VerifiedTask &task, const CheckReport &report)
 
 } // namespace
 
-void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified)
+void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &gaps,
+                  VerifiedTask &verified)
 {
     for (const VerifiedProgram &program : verified.programs) {
         for (const CheckReport &report : program.reports) {
@@ -209,8 +210,9 @@ void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified)
                  .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
     }
     verified.warnings = idleChecks(task, verified);
-    for (const Error &gap : lab.gaps) {
-        if (gap.file.startsWith(task.folder + QLatin1Char('/')))
+    const QString step = task.folder.mid(lab.folder.size() + 1) + QLatin1Char('/');
+    for (const Error &gap : gaps) {
+        if (gap.file.startsWith(step))
             verified.warnings.push_back({.kind = Kind::TextUnfinished,
                                          .task = task.id,
                                          .message = QStringLiteral("%1: %2").arg(

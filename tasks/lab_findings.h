@@ -8,7 +8,9 @@
 namespace cradle {
 
 /// Fills in the findings and warnings of \p verified, whose programs have been judged.
-void findProblems(const Lab &lab, const Task &task, VerifiedTask &verified);
+/// \param gaps  of the lab's texts, see textGaps()
+void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &gaps,
+                  VerifiedTask &verified);
 
 /// The finding about a tolerance that the solution nearly uses up.
 [[nodiscard]] LabFinding tooTight(const Task &task, const CheckSpec &check,

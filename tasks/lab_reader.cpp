@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_reader.h"
 
-#include "tasks/authoring/text_gaps.h"
+#include "tasks/authoring/step_alone.h"
 #include "tasks/checks/check_validation.h"
 #include "tasks/known_scripts.h"
 #include "tasks/lab_source.h"
@@ -10,7 +10,6 @@
 #include "tasks/values/lab_values.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QJsonArray>
 
@@ -192,17 +191,6 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     lab.tasks.push_back(task);
 }
 
-/// SHA-256 over names and contents of all files, in order of their names.
-QString hashOf(const LabFiles &files)
-{
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
-        hash.addData(it.key().toUtf8() + '\n');
-        hash.addData(*it);
-    }
-    return QString::fromLatin1(hash.result().toHex());
-}
-
 /// Reads the steps that lab.json lists, each once.
 void readTasks(const LabSource &source, const QJsonObject &json, const QString &language, Lab &lab)
 {
@@ -235,10 +223,6 @@ Result<Lab> readFrom(const LabSource &source, const QString &folder, const QStri
     lab.language = text("language");
     lab.folder = folder;
     readTasks(source, *json, language, lab);
-    for (Error gap : textGaps(source.files())) {
-        gap.file = source.fullPath(gap.file);
-        lab.gaps.push_back(gap);
-    }
     for (const Error &fault : source.untold(lab.findings))
         lab.findings.push_back(fault);
     return lab;
@@ -258,11 +242,28 @@ Result<Lab> readWithValues(const LabFiles &files, const QString &folder, const Q
     if (!lab)
         return lab;
     lab->hash = hashOf(files);
-    if (drawsValues(files)) {
-        lab->drawnFrom = std::make_shared<const LabFiles>(files);
-        lab->readIn = language;
-    }
+    lab->files = std::make_shared<const LabFiles>(files);
+    lab->readIn = language;
+    lab->drawsValues = drawsValues(files);
     return lab;
+}
+
+/// The step alone, if that is asked for and it can be found so; else all.
+Result<ReadLab> readStep(LabFiles files, const QString &folder, const QString &language,
+                         const QString &step, std::vector<Error> faults)
+{
+    if (!step.isEmpty()) {
+        LabFiles alone = stepAlone(files, step);
+        auto lab = readWithValues(alone, folder, language, {}, faults);
+        if (lab && lab->indexOf(step) >= 0) {
+            lab->hash = hashOf(files);
+            return ReadLab{std::move(alone), std::move(*lab)};
+        }
+    }
+    auto lab = readWithValues(files, folder, language, {}, std::move(faults));
+    if (!lab)
+        return lab.error();
+    return ReadLab{std::move(files), std::move(*lab)};
 }
 
 } // namespace
@@ -280,7 +281,8 @@ Result<Lab> readLab(const QString &folder, const QString &language)
     return read ? Result<Lab>(std::move(read->lab)) : Result<Lab>(read.error());
 }
 
-Result<ReadLab> readLabWithFiles(const QString &folder, const QString &language)
+Result<ReadLab> readLabWithFiles(const QString &folder, const QString &language,
+                                 const QString &step)
 {
     std::vector<Error> faults;
     LabFiles files;
@@ -295,10 +297,13 @@ Result<ReadLab> readLabWithFiles(const QString &folder, const QString &language)
         }
         files = std::move(*there);
     }
-    auto lab = readWithValues(files, folder, language, {}, std::move(faults));
-    if (!lab)
-        return lab.error();
-    return ReadLab{std::move(files), std::move(*lab)};
+    return readStep(std::move(files), folder, language, step, std::move(faults));
+}
+
+Result<ReadLab> readLabWithFiles(LabFiles files, const QString &folder, const QString &language,
+                                 const QString &step)
+{
+    return readStep(std::move(files), folder, language, step, {});
 }
 
 Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString &language,
@@ -309,9 +314,9 @@ Result<Lab> readLab(const LabFiles &files, const QString &folder, const QString 
 
 Lab forStudent(const Lab &lab, const QString &student)
 {
-    if (!lab.drawnFrom)
+    if (!lab.drawsValues)
         return lab;
-    const Result<Lab> own = readLab(*lab.drawnFrom, lab.folder, lab.readIn, student);
+    const Result<Lab> own = readLab(*lab.files, lab.folder, lab.readIn, student);
     return own ? *own : lab;
 }
 

@@ -23,8 +23,14 @@ struct ReadLab {
 };
 
 /// readLab() that gives the files, too, for who else is to read the same.
+/// \param step  a step to be read alone, with the files that it needs; the hash stays that of the
+///              whole lab. Empty, or not to be found: all steps.
 Result<ReadLab> readLabWithFiles(const QString &folder,
-                                 const QString &language = QStringLiteral("en"));
+                                 const QString &language = QStringLiteral("en"),
+                                 const QString &step = {});
+/// The same of files that are at hand.
+Result<ReadLab> readLabWithFiles(LabFiles files, const QString &folder, const QString &language,
+                                 const QString &step = {});
 
 /// The same of files that are at hand: of an author's unsaved lab, or of an archive.
 /// \param folder   where they lie or will lie, for messages and pictures

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_verifier.h"
 
+#include "tasks/authoring/text_gaps.h"
 #include "tasks/lab_findings.h"
 #include "tasks/lab_reader.h"
 
@@ -151,8 +152,9 @@ std::vector<VerifiedTask> verifyOne(const Lab &lab, const QString &only, const J
     });
     if (watch.isCancelled())
         return {};
+    const std::vector<Error> gaps = lab.files ? textGaps(*lab.files) : std::vector<Error>();
     for (std::size_t t = 0; t < result.size(); ++t)
-        findProblems(lab, *tasks[t], result[t]);
+        findProblems(lab, *tasks[t], gaps, result[t]);
     for (const ToleranceJob &job : tolerances) {
         result[job.task].sensitivity.push_back(job.sensitivity);
         if (job.tight)
@@ -176,7 +178,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
                                     int seeds)
 {
     std::vector<VerifiedTask> result = verifyOne(lab, only, hooks, seeds);
-    for (int i = 1; lab.drawnFrom && !result.empty() && i <= students; ++i) {
+    for (int i = 1; lab.drawsValues && !result.empty() && i <= students; ++i) {
         const auto drawn =
             verifyOne(forStudent(lab, QString::number(i)), only, hooks, std::min(seeds, 5));
         if (drawn.size() != result.size())

@@ -32,6 +32,8 @@ private slots:
     void hashChangesWithAnyFile_data();
     void hashChangesWithAnyFile();
     void hashIsThatOfNamesAndContents();
+    void stepReadAloneIsTheSame();
+    void stepThatCannotBeFoundReadsAll();
 };
 
 namespace {
@@ -292,6 +294,43 @@ void TestLabReader::hashIsThatOfNamesAndContents()
     QVERIFY(QFile::rename(two.filePath(QStringLiteral("S2/instructions.md")),
                           two.filePath(QStringLiteral("S2/other.md"))));
     QVERIFY(readLab(two.path())->hash != hash);
+}
+
+/// All that judging looks at; what a step starts from is of no interest there.
+void TestLabReader::stepReadAloneIsTheSame()
+{
+    const QString folder = QLatin1String(shippedLab);
+    const auto whole = readLabWithFiles(folder, QStringLiteral("de"));
+    QVERIFY(whole.ok());
+    for (const Task &task : whole->lab.tasks) {
+        const auto alone = readLabWithFiles(folder, QStringLiteral("de"), task.id);
+        QVERIFY(alone.ok());
+        QCOMPARE(alone->lab.hash, whole->lab.hash);
+        QCOMPARE(alone->lab.id, whole->lab.id);
+        QCOMPARE(alone->lab.tasks.size(), std::size_t{1});
+        QVERIFY(alone->files.contents.size() < whole->files.contents.size() / 4);
+        const Task &same = alone->lab.tasks.front();
+        QCOMPARE(same.title, task.title);
+        QCOMPARE(same.solution, task.solution);
+        QCOMPARE(writePreset(same.preset), writePreset(task.preset));
+        QVERIFY(same.checks == task.checks);
+        QCOMPARE(same.mistakes.size(), task.mistakes.size());
+        for (std::size_t i = 0; i < task.mistakes.size(); ++i) {
+            QCOMPARE(same.mistakes[i].source, task.mistakes[i].source);
+            QCOMPARE(same.mistakes[i].message, task.mistakes[i].message);
+        }
+        QCOMPARE(same.remarks.size(), task.remarks.size());
+    }
+}
+
+void TestLabReader::stepThatCannotBeFoundReadsAll()
+{
+    for (const char *step : {"S3", "", "S", "lab.json"}) {
+        const auto read = readLabWithFiles(fixture(QStringLiteral("good")), QStringLiteral("en"),
+                                           QLatin1String(step));
+        QVERIFY(read.ok());
+        QCOMPARE(read->lab.tasks.size(), std::size_t{2});
+    }
 }
 
 QTEST_GUILESS_MAIN(TestLabReader)

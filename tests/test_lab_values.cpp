@@ -141,7 +141,7 @@ void TestLabValues::textsProgramsAndScenesHaveThem()
     QCOMPARE(task.preset.circles[0].body.position.y, 0.21);
     QVERIFY(task.solution.contains(QStringLiteral("-- 9.81 {{1, 2}} {{nobody}}")));
     QCOMPARE(task.questions[0].number, 19.62);
-    QVERIFY(!lab->drawnFrom);
+    QVERIFY(!lab->drawsValues);
 }
 
 void TestLabValues::labWithoutValuesIsAsItIs()
@@ -216,7 +216,7 @@ void TestLabValues::everybodyWhoJudgesDrawsTheSame()
                                            {QStringLiteral("right"), QStringLiteral("100*k")}}});
     });
     const Lab lab = *readLab(files, QStringLiteral("here"));
-    QVERIFY(lab.drawnFrom);
+    QVERIFY(lab.drawsValues);
     QString number = QStringLiteral("1");
     for (int i = 2; k(files, number) == 0.6; ++i)
         number = QString::number(i);

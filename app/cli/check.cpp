@@ -159,8 +159,8 @@ ExitCode check(const QStringList &arguments)
         return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
 
     const QString id = parser.positionalArguments().first();
-    const auto lab =
-        readLabAtHand(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id));
+    const auto lab = readLabAtHand(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id),
+                                   QStringLiteral("en"), id);
     if (!lab)
         return complain(lab.error());
     const int index = lab->lab.indexOf(id);

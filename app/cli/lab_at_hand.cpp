@@ -11,24 +11,20 @@ namespace cradle::cli {
 
 namespace {
 
-Result<ReadLab> read(const QString &path, const QString &language)
+Result<ReadLab> read(const QString &path, const QString &language, const QString &step)
 {
     if (!isLabArchive(path))
-        return readLabWithFiles(path, language);
+        return readLabWithFiles(path, language, step);
     auto files = readLabArchive(path);
-    if (!files)
-        return files.error();
-    auto lab = readLab(*files, path, language);
-    if (!lab)
-        return lab.error();
-    return ReadLab{std::move(*files), std::move(*lab)};
+    return files ? readLabWithFiles(std::move(*files), path, language, step)
+                 : Result<ReadLab>(files.error());
 }
 
 } // namespace
 
-Result<LabAtHand> readLabAtHand(const QString &path, const QString &language)
+Result<LabAtHand> readLabAtHand(const QString &path, const QString &language, const QString &step)
 {
-    auto there = read(path, language);
+    auto there = read(path, language, step);
     if (!there)
         return there.error();
     for (const Error &finding : there->lab.findings)

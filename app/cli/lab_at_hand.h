@@ -17,7 +17,8 @@ struct LabAtHand {
 
 /// Reads the lab in a folder, a resource or an archive, with texts in \p language where it has
 /// them; tells on standard error what of it could not be read.
-Result<LabAtHand> readLabAtHand(const QString &path,
-                                const QString &language = QStringLiteral("en"));
+/// \param step  if it is given, that step alone is read, if it can be found
+Result<LabAtHand> readLabAtHand(const QString &path, const QString &language = QStringLiteral("en"),
+                                const QString &step = {});
 
 } // namespace cradle::cli

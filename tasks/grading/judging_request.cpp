@@ -234,7 +234,7 @@ void judgeWork(const Lab &lab, const JudgingRequest &request, const std::functio
         else
             result = judgeStep(own, own.tasks[static_cast<std::size_t>(index)], work.step(id),
                                files.value(QStringLiteral("steps/%1.lua").arg(id)), request);
-        if (lab.drawnFrom) {
+        if (lab.drawsValues) {
             result.drawnBy = drawnBy;
             result.ownNumber = ownNumber;
         }

@@ -150,7 +150,7 @@ private:
     /// still to come find it done. One step at a time: the others wait for it.
     void prepareStep()
     {
-        if (m_prepared < m_lab.tasks.size() && !m_lab.drawnFrom)
+        if (m_prepared < m_lab.tasks.size() && !m_lab.drawsValues)
             prepareJudging(m_lab.tasks[m_prepared++]);
     }
 

@@ -201,10 +201,15 @@ void TestCliCheck::ownLabIsRead()
     const QStringList judge{text("check"), text("S1"), text("--preset"),
                             lab("L42T4/solution-preset.json"), text("--lab")};
     VERIFY_CODE(runCli(judge + QStringList{folder + text("good")}), 0);
-    // The step that can be read is judged; the other one is complained of.
-    const Outcome partly = runCli(judge + QStringList{folder + text("unknown_check")});
-    VERIFY_CODE(partly, 0);
-    QVERIFY(partly.error.startsWith(folder + text("unknown_check/S2/task.json: /checks/1/kind: ")));
+    // Who is judged in one step hears nothing of another; that one cannot be judged, and why is
+    // said.
+    const QStringList partly = QStringList{text("--lab"), folder + text("unknown_check")};
+    const Outcome sound = runCli(judge.mid(0, 4) + partly);
+    VERIFY_CODE(sound, 0);
+    QVERIFY2(sound.error.isEmpty(), qPrintable(sound.error));
+    const Outcome broken = runCli(QStringList{judge[0], text("S2")} + judge.mid(2, 2) + partly);
+    VERIFY_CODE(broken, 2);
+    QVERIFY(broken.error.startsWith(folder + text("unknown_check/S2/task.json: /checks/1/kind: ")));
 }
 
 void TestCliCheck::wrongUsageIsSaid_data()
