@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <new>
 
 namespace cradle {
@@ -32,23 +31,18 @@ constexpr qint64 instructionsPerNewField = 50; ///< its name is compared with th
 
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
-/// The engine's fields by their first letters; all others are the program's own.
-Field fieldOf(const char *key)
+/// All but the engine's fields are the program's own.
+Field fieldOf(std::string_view key)
 {
-    switch (*key) {
-    case 'p':
-        return std::strcmp(key, "position") == 0 ? Field::Position : Field::Own;
-    case 'v':
-        return std::strcmp(key, "velocity") == 0 ? Field::Velocity : Field::Own;
-    case 'r':
-        return std::strcmp(key, "radius") == 0 ? Field::Radius : Field::Own;
-    case 'd':
-        return std::strcmp(key, "density") == 0 ? Field::Density : Field::Own;
-    case 'i':
-        return std::strcmp(key, "index") == 0 ? Field::Index : Field::Own;
-    default:
-        return Field::Own;
-    }
+    if (key == "position")
+        return Field::Position;
+    if (key == "velocity")
+        return Field::Velocity;
+    if (key == "radius")
+        return Field::Radius;
+    if (key == "density")
+        return Field::Density;
+    return key == "index" ? Field::Index : Field::Own;
 }
 
 Assignment::Field assignedField(char letter)
@@ -112,7 +106,7 @@ int index(lua_State *L)
     const int circle = circleAt(L, 1);
     const char *key = keyAt(L, 2, circle);
     const Circle &c = ScriptHost::of(L).circles[static_cast<std::size_t>(circle)];
-    switch (fieldOf(key)) {
+    switch (fieldOf(textAt(L, 2))) {
     case Field::Position:
         pushVector(L, c.position);
         return 1;
@@ -184,7 +178,7 @@ int setField(lua_State *L)
     ScriptHost &host = ScriptHost::of(L);
     Circle &c = host.circles[static_cast<std::size_t>(circle)];
     const bool startPinned = host.pinned && host.loading;
-    switch (fieldOf(key)) {
+    switch (fieldOf(textAt(L, 2))) {
     case Field::Position:
     case Field::Velocity: {
         const Vec2 value = newVector(L, circle, key);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <locale.h>
 #include <map>
+#include <string_view>
 
 namespace cradle {
 
@@ -78,6 +79,14 @@ struct ScriptHost {
 
 /// Whether that function is of the program, not of a library; "S" must be there.
 [[nodiscard]] bool isOfProgram(const lua_Debug &where);
+
+/// The text at a place of the stack; empty if something else is there. Ends with a NUL.
+[[nodiscard]] inline std::string_view textAt(lua_State *L, int index)
+{
+    std::size_t size = 0;
+    const char *text = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &size) : "";
+    return {text, size};
+}
 
 /// The line of the program that runs now; 0 if none does.
 [[nodiscard]] int currentLine(lua_State *L);

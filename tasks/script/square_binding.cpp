@@ -8,7 +8,6 @@
 
 #include <QCoreApplication>
 
-#include <cstring>
 #include <new>
 
 namespace cradle {
@@ -36,10 +35,9 @@ struct SquareText {
 int readSquare(lua_State *L)
 {
     const double half = ScriptHost::of(L).halfWidth;
-    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    const bool low = std::strcmp(key, "left") == 0 || std::strcmp(key, "bottom") == 0;
-    const bool high = std::strcmp(key, "right") == 0 || std::strcmp(key, "top") == 0
-                      || std::strcmp(key, "half_width") == 0;
+    const std::string_view key = textAt(L, 2);
+    const bool low = key == "left" || key == "bottom";
+    const bool high = key == "right" || key == "top" || key == "half_width";
     if (!low && !high)
         refuseSquareField(L);
     lua_pushnumber(L, low ? -half : half);

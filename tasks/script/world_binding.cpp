@@ -13,7 +13,6 @@
 #include <QCoreApplication>
 
 #include <cmath>
-#include <cstring>
 
 namespace cradle {
 
@@ -125,23 +124,23 @@ QStringList globalNames(lua_State *L)
 int readGlobal(lua_State *L)
 {
     const ScriptHost &host = ScriptHost::of(L);
-    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (std::strcmp(key, "gravity") == 0)
+    const std::string_view key = textAt(L, 2);
+    if (key == "gravity")
         pushVector(L, host.gravity);
-    else if (std::strcmp(key, "restitution") == 0)
+    else if (key == "restitution")
         lua_pushnumber(L, host.restitution);
-    else if (std::strcmp(key, "time") == 0)
+    else if (key == "time")
         lua_pushnumber(L, host.time);
-    else if (std::strcmp(key, "step") == 0)
+    else if (key == "step")
         lua_pushinteger(L, host.step);
-    else if (std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0)
+    else if (key == "on_load" || key == "on_update")
         lua_pushnil(L);
-    else if (openLibrary(L, key)) {
+    else if (openLibrary(L, key.data())) {
         lua_pushglobaltable(L);
         lua_pushvalue(L, 2);
         lua_rawget(L, -2);
     } else
-        refuseUnknown(L, QString::fromUtf8(key));
+        refuseUnknown(L, QString::fromUtf8(key.data()));
     return 1;
 }
 
@@ -204,20 +203,20 @@ void refuseSlip(lua_State *L, const QString &name)
 
 int writeGlobal(lua_State *L)
 {
-    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (std::strcmp(key, "gravity") == 0) {
+    const std::string_view key = textAt(L, 2);
+    if (key == "gravity") {
         setGravity(L);
         return 0;
     }
-    if (std::strcmp(key, "restitution") == 0) {
+    if (key == "restitution") {
         setRestitution(L);
         return 0;
     }
-    if (std::strcmp(key, "time") == 0 || std::strcmp(key, "step") == 0)
+    if (key == "time" || key == "step")
         raise(L, WorldText::tr("`%1` can only be read; choose another name for a variable of "
                                "your own")
-                     .arg(QLatin1String(key)));
-    if (replaceLibrary(L, key)) {
+                     .arg(QLatin1String(key.data())));
+    if (replaceLibrary(L, key.data())) {
         lua_rawset(L, 1);
         return 0;
     }
@@ -225,14 +224,14 @@ int writeGlobal(lua_State *L)
     if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL)
         raise(L, WorldText::tr("`%1` is given by the lab and cannot be replaced; choose another "
                                "name for a variable of your own")
-                     .arg(QLatin1String(key)));
+                     .arg(QLatin1String(key.data())));
     lua_pop(L, 1);
-    const bool given = std::strcmp(key, "on_load") == 0 || std::strcmp(key, "on_update") == 0;
+    const bool given = key == "on_load" || key == "on_update";
     if (!given)
-        refuseSlip(L, QString::fromUtf8(key));
+        refuseSlip(L, QString::fromUtf8(key.data()));
     else if (lua_type(L, 3) != LUA_TFUNCTION && lua_type(L, 3) != LUA_TNIL)
         raise(L, WorldText::tr("`%1` must be a function, not %2")
-                     .arg(QLatin1String(key), nameValue(L, 3)));
+                     .arg(QLatin1String(key.data()), nameValue(L, 3)));
     lua_rawset(L, 1);
     return 0;
 }
