@@ -188,6 +188,11 @@ void TestCollisionDetection::timeToDistanceMatchesHandWorkedCase_data()
     QTest::newRow("touching, at rest") << Path{{-1, 0}, {}} << resting << 9.0 << never;
     QTest::newRow("inside, approaching") << Path{{-0.5, 0}, {1, 0}} << resting << 9.0 << 0.0;
     QTest::newRow("inside, leaving") << Path{{-0.5, 0}, {-1, 0}} << resting << 9.0 << never;
+    // 3 = 2 s + ½ s², just before the end: nothing nearer may be called too far.
+    QTest::newRow("speeds up, just in reach")
+        << Path{{-4, 0}, {2, 0}, {0.5, 0}} << resting << 1.17 << std::sqrt(10.0) - 2.0;
+    QTest::newRow("speeds up, just out of reach")
+        << Path{{-4, 0}, {2, 0}, {0.5, 0}} << resting << 1.16 << never;
     // Both fall alike: only the velocities matter.
     QTest::newRow("alike curves cancel")
         << Path{{-4, 0}, {2, 3}, {0, -5}} << Path{{0, 0}, {0, 3}, {0, -5}} << 9.0 << 1.5;

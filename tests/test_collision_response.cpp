@@ -38,6 +38,8 @@ private slots:
     void coincidingCentresHaveNoImpulse();
     void eachLawGivesItsVelocities_data();
     void eachLawGivesItsVelocities();
+    void slowCirclesRespondToo_data();
+    void slowCirclesRespondToo();
     void onlyApproachingCirclesRespond_data();
     void onlyApproachingCirclesRespond();
     void circlesOfTheLabWithMasses();
@@ -63,6 +65,8 @@ void TestCollisionResponse::impulseMatchesHandWorkedCase_data()
     QTest::newRow("at rest") << 1.0 << 1.0 << 1.0 << 0.0 << 0.0;
     QTest::newRow("one to three") << 1.0 << 3.0 << 1.0 << 2.0 << 3.0; // 2 · ¾ · 2
     QTest::newRow("three to one") << 3.0 << 1.0 << 0.0 << 2.0 << 1.5;
+    QTest::newRow("slow") << 1.0 << 1.0 << 1.0 << 0.25 << 0.25;
+    QTest::newRow("hardly moving") << 1.0 << 1.0 << 0.0 << 1e-9 << 0.5e-9;
     QTest::newRow("a thousand to one") << 1000.0 << 1.0 << 1.0 << 1001.0 << 2000.0;
 }
 
@@ -132,6 +136,31 @@ void TestCollisionResponse::eachLawGivesItsVelocities()
     QVERIFY(b.position == (Vec2{1.2, 1.6}));
 }
 
+void TestCollisionResponse::slowCirclesRespondToo_data()
+{
+    QTest::addColumn<CircleLaw>("law");
+    QTest::addColumn<Vec2>("afterA"); // of 1 kg with (0.25, 3), the other as heavy and at rest
+    QTest::addColumn<Vec2>("afterB");
+    QTest::newRow("stop") << CircleLaw::Stop << Vec2{} << Vec2{};
+    QTest::newRow("swap velocities") << CircleLaw::SwapVelocities << Vec2{} << Vec2{0.25, 3};
+    QTest::newRow("swap normal") << CircleLaw::SwapNormal << Vec2{0, 3} << Vec2{0.25, 0};
+    QTest::newRow("impulse") << CircleLaw::Impulse << Vec2{0, 3} << Vec2{0.25, 0};
+}
+
+void TestCollisionResponse::slowCirclesRespondToo()
+{
+    QFETCH(CircleLaw, law);
+    QFETCH(Vec2, afterA);
+    QFETCH(Vec2, afterB);
+    Circle a = ball(1.0, {-1, 0}, {0.25, 3});
+    Circle b = ball(1.0, {1, 0}, {});
+    QVERIFY(respond(law, a, b, {1, 0}, 1.0));
+    COMPARE_NEAR(a.velocity.x, afterA.x, 1e-15);
+    COMPARE_NEAR(a.velocity.y, afterA.y, 1e-15);
+    COMPARE_NEAR(b.velocity.x, afterB.x, 1e-15);
+    COMPARE_NEAR(b.velocity.y, afterB.y, 1e-15);
+}
+
 void TestCollisionResponse::onlyApproachingCirclesRespond_data()
 {
     QTest::addColumn<CircleLaw>("law");
@@ -145,7 +174,7 @@ void TestCollisionResponse::onlyApproachingCirclesRespond_data()
 void TestCollisionResponse::onlyApproachingCirclesRespond()
 {
     QFETCH(CircleLaw, law);
-    for (const Vec2 velocity : {Vec2{-2, 1}, Vec2{0, 3}, Vec2{0, 0}}) {
+    for (const Vec2 velocity : {Vec2{-2, 1}, Vec2{-1e-9, 1}, Vec2{0, 3}, Vec2{0, 0}}) {
         Circle a = ball(1.0, {-1, 0}, velocity);
         Circle b = ball(2.0, {1, 0}, {});
         QVERIFY(!respond(law, a, b, {1, 0}, 1.0));

@@ -10,7 +10,7 @@ build_packages=(
     libvalijson-dev pkg-config liblua5.4-dev libzip-dev zlib1g-dev libgit2-dev libseccomp-dev libqscintilla2-qt6-dev
     librapidcheck-dev) # the tests are configured with the rest
 run_packages=(libgl1-mesa-dri qt6-qpa-plugins fonts-inter fonts-jetbrains-mono bubblewrap)
-test_packages=(clang libclang-rt-14-dev clang-format xvfb libxml2-utils perl python3
+test_packages=(clang libclang-rt-14-dev clang-format clang-tidy xvfb libxml2-utils perl python3
     poppler-utils qpdf unzip)
 package_packages=(appstream debootstrap desktop-file-utils dpkg-dev lintian patchelf qt6-translations-l10n
     xz-utils) # for tools/package and tests/tools/try-packages

@@ -49,49 +49,55 @@ class TestKilledWindow final : public QObject
 {
     Q_OBJECT
 private slots:
+    void losesLittleAndLeavesNothing_data();
     void losesLittleAndLeavesNothing();
 
 private:
     GitHome m_home;
 };
 
-void TestKilledWindow::losesLittleAndLeavesNothing()
+/// More keys than may be lost, and another number each time, so that it dies at another moment of
+/// saving.
+void TestKilledWindow::losesLittleAndLeavesNothing_data()
 {
+    QTest::addColumn<int>("most"); // keys before it is killed
     bool given = false;
     const int wanted = qEnvironmentVariableIntValue("CRADLE_KILLINGS", &given);
-    for (int run = 0; run < (given ? wanted : killings); ++run) {
-        const QTemporaryDir folder;
-        const QTemporaryDir passing;
-        QProcess process;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("TMPDIR"), passing.path());
-        environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder.path());
-        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
-        process.setProcessEnvironment(environment);
-        process.start(QCoreApplication::applicationFilePath(),
-                      {QStringLiteral("--type"), folder.path()});
-        QVERIFY(process.waitForReadyRead(60'000));
-        const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
-        int keys = 0;
-        // More than may be lost, and another number each time, so that it dies at another moment
-        // of saving.
-        while (keys < mostLost + 5 + 2 * (run % 25) && process.waitForReadyRead(60'000)) {
-            while (process.canReadLine())
-                keys = process.readLine().trimmed().toInt();
-        }
-        process.kill();
-        QVERIFY(process.waitForFinished());
-        for (const QByteArray &line : process.readAll().split('\n'))
-            keys = std::max(keys, line.trimmed().toInt());
-        QVERIFY(keys > 0);
-        QFile file(place + QStringLiteral("/programs/lab-4.2/steps/L42T1.lua"));
-        const auto kept = file.open(QIODevice::ReadOnly) ? file.readAll().count('1') : 0;
-        QVERIFY2(keys - kept <= mostLost,
-                 qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
-        const QStringList left =
-            QDir(passing.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-        QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
+    for (int run = 0; run < (given ? wanted : killings); ++run)
+        QTest::addRow("%d", run) << mostLost + 5 + 2 * (run % 25);
+}
+
+void TestKilledWindow::losesLittleAndLeavesNothing()
+{
+    QFETCH(int, most);
+    const QTemporaryDir folder;
+    const QTemporaryDir passing;
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("TMPDIR"), passing.path());
+    environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder.path());
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+    process.setProcessEnvironment(environment);
+    process.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("--type"), folder.path()});
+    QVERIFY(process.waitForReadyRead(60'000));
+    const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
+    int keys = 0;
+    while (keys < most && process.waitForReadyRead(60'000)) {
+        while (process.canReadLine())
+            keys = process.readLine().trimmed().toInt();
     }
+    process.kill();
+    QVERIFY(process.waitForFinished());
+    for (const QByteArray &line : process.readAll().split('\n'))
+        keys = std::max(keys, line.trimmed().toInt());
+    QVERIFY(keys > 0);
+    QFile file(place + QStringLiteral("/programs/lab-4.2/steps/L42T1.lua"));
+    const auto kept = file.open(QIODevice::ReadOnly) ? file.readAll().count('1') : 0;
+    QVERIFY2(keys - kept <= mostLost, qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
+    const QStringList left =
+        QDir(passing.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
 }
 
 int main(int argc, char **argv)
