@@ -9,6 +9,7 @@
 #include <QFileSystemWatcher>
 #include <QTimer>
 
+#include <chrono>
 #include <memory>
 
 namespace cradle {
@@ -33,9 +34,9 @@ public:
     void close();
 
     [[nodiscard]] const QString &text() const { return m_text; }
-    /// The text of the program that moves the circles; empty while the laws do.
     /// Whether some version of the open text runs, or did when it was last active.
     [[nodiscard]] bool hasGoodVersion() const { return !m_running.isEmpty(); }
+    /// The text of the program that moves the circles; empty while the laws do.
     [[nodiscard]] QString runningText() const { return m_active ? m_running : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
     [[nodiscard]] bool isSaved() const { return !m_unsaved && !m_workspace.hasUnsaved(); }
@@ -64,6 +65,8 @@ public slots:
     void replace(const QString &text);
     /// Keeps the program as a version, with what is known about it.
     void keepVersion(const QString &text, const cradle::VersionNote &note);
+    /// What is typed becomes a version that long after the first change; ten minutes without this.
+    void setKeepDelay(std::chrono::milliseconds delay) { m_keepSoon.setInterval(delay); }
     /// Takes the right to write from the window that has it; opens the step again.
     void takeOver(const cradle::Lab &lab, int index);
     /// Makes a program of the step's file that is none, or with \p convert false begins anew.

@@ -81,6 +81,7 @@ private slots:
     void fullDiskKeepsTheText();
     void stepIsLeftOnAFullDisk();
     void readOnlyDiskIsCalledSo();
+    void someMinutesOfTypingKeepAVersion();
     void leavingAStepKeepsAVersion();
     void replacingKeepsAVersion();
     void outsideEditIsTaken();
@@ -197,6 +198,28 @@ void TestCodeSaving::readOnlyDiskIsCalledSo()
     QVERIFY(error);
     QVERIFY2(!error->message.contains(QLatin1String("Unknown")), qPrintable(error->message));
     QCOMPARE(wordsForFault(EROFS), QStringLiteral("the disk is read-only"));
+}
+
+void TestCodeSaving::someMinutesOfTypingKeepAVersion()
+{
+    Simulation simulation{Preset{}};
+    CodeSession session(simulation);
+    session.setKeepDelay(std::chrono::milliseconds(1));
+    open(session, path());
+    const auto versions = [&] {
+        return session.workspace().history()->versions(QStringLiteral("A"));
+    };
+    // What is not changed makes none.
+    QTest::qWait(20);
+    QVERIFY(versions().empty());
+    for (std::size_t count = 1; count <= 3; ++count) {
+        session.edit(QStringLiteral("-- %1\n").arg(count));
+        QTRY_COMPARE_WITH_TIMEOUT(versions().size(), count, 20'000);
+        QCOMPARE(versions()[0].note.reason, VersionReason::Typed);
+        QVERIFY(!versions()[0].note.passed);
+        QCOMPARE(*session.workspace().history()->textOf(versions()[0]),
+                 QByteArray("-- %1\n").replace("%1", QByteArray::number(qulonglong(count))));
+    }
 }
 
 void TestCodeSaving::leavingAStepKeepsAVersion()
