@@ -6,6 +6,7 @@
 #include "app/workbench.h"
 #include "model/file_io.h"
 #include "views/report_printer.h"
+#include "views/theme.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -42,6 +43,7 @@ HandInDialog::HandInDialog(Workbench &workbench, QWidget *parent)
     m_steps->setRootIsDecorated(false);
     m_steps->setHeaderLabels({tr("Step"), tr("Title"), tr("What is handed in"), tr("Verdict")});
     m_steps->setAccessibleName(tr("Steps that are handed in"));
+    setKind(m_note, "field");
     m_note->setTabChangesFocus(true);
     m_note->setAccessibleName(tr("Note to the teacher"));
     m_note->setMaximumHeight(90);

@@ -27,6 +27,7 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     m_reason->setWordWrap(true);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setKind(m_reason, "warning");
+    setKind(m_text, "field");
     m_text->setObjectName(QStringLiteral("brokenText"));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);

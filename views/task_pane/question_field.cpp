@@ -5,6 +5,7 @@
 #include "views/icons.h"
 #include "views/task_pane/answer_row.h"
 #include "views/task_pane/message_text.h"
+#include "views/theme.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -69,6 +70,7 @@ public:
         : m_edit(new QPlainTextEdit)
     {
         m_edit->setObjectName(QStringLiteral("answer-") + question.id);
+        setKind(m_edit, "field");
         m_edit->setAccessibleName(question.title);
         m_edit->setTabChangesFocus(true);
         m_edit->setFixedHeight(textHeight);
