@@ -56,7 +56,7 @@
     </message>
     <message>
         <source>Circles collide</source>
-        <translation>Cercles en collision</translation>
+        <translation>Chocs de cercles</translation>
     </message>
     <message>
         <source>Leave out the moments at which circles may touch</source>
@@ -538,7 +538,7 @@
     </message>
     <message>
         <source>Off centre</source>
-        <translation>Décentrage</translation>
+        <translation>Excentrement</translation>
     </message>
     <message>
         <source>How far off centre they meet at most, in r₁ + r₂</source>
@@ -578,7 +578,7 @@
     </message>
     <message>
         <source>Sideways</source>
-        <translation>Vers le côté</translation>
+        <translation>Vitesse latérale</translation>
     </message>
     <message>
         <source>Speed to the right, drawn between the least and the most</source>
@@ -657,7 +657,7 @@
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc&#xa0;; il faut laisser en paix des cercles qui s&apos;éloignent</translation>
+        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc&#xa0;; il ne faut plus toucher à des cercles qui s&apos;éloignent</translation>
     </message>
     <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
@@ -817,7 +817,7 @@
     </message>
     <message>
         <source>There are %1 circles; %2 are asked for</source>
-        <translation>Il y a %1 cercles&#xa0;; %2 sont demandés</translation>
+        <translation>Nombre de cercles&#xa0;: %1&#xa0;; il en faut %2</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m with %4 m/s and circle %5 at %6 m with %7 m/s; they should be in the same place with the same velocity</source>
@@ -894,7 +894,7 @@
     <name>Cli</name>
     <message>
         <source>an object with an answer for each id of a question is right</source>
-        <translation>un objet avec une réponse pour chaque id d&apos;une question convient</translation>
+        <translation>il faut un objet avec une réponse pour l&apos;id de chaque question</translation>
     </message>
     <message>
         <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
@@ -1082,11 +1082,11 @@
     </message>
     <message>
         <source>more percent are never taken; 100 without it</source>
-        <translation>jamais plus de pour cent ne sont retirés&#xa0;; 100 par défaut</translation>
+        <translation>retrait maximal, en pour cent&#xa0;; 100 par défaut</translation>
     </message>
     <message>
         <source>judge part I of N of the class, for --merge</source>
-        <translation>évaluer la part I sur N de la classe, pour --merge</translation>
+        <translation>évaluer le lot I sur N de la classe, pour --merge</translation>
     </message>
     <message>
         <source>judge nothing; put together the results of shards, each a folder</source>
@@ -1320,7 +1320,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
-        <translation>garder erreurs et remarques comme différences d&apos;avec leur corrigé quand c&apos;est plus court</translation>
+        <translation>garder erreurs et appréciations comme différences par rapport à leur corrigé quand c&apos;est plus court</translation>
     </message>
     <message>
         <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
@@ -1384,11 +1384,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>this is text in UTF-16; UTF-8 would be right</source>
-        <translation>c&apos;est du texte en UTF-16&#xa0;; il faudrait UTF-8</translation>
+        <translation>c&apos;est du texte en UTF-16&#xa0;; il faut de l&apos;UTF-8</translation>
     </message>
     <message>
         <source>this is no text in UTF-8, which would be right</source>
-        <translation>ce n&apos;est pas du texte en UTF-8, qu&apos;il faudrait</translation>
+        <translation>ce n&apos;est pas du texte en UTF-8&#xa0;; il faut de l&apos;UTF-8</translation>
     </message>
 </context>
 <context>
@@ -1509,7 +1509,7 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     </message>
     <message>
         <source>your share of the disk is full</source>
-        <translation>votre part du disque est pleine</translation>
+        <translation>votre quota de disque est atteint</translation>
     </message>
     <message>
         <source>a file may not be so large here</source>
@@ -1545,7 +1545,7 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     </message>
     <message>
         <source>the disk has a fault</source>
-        <translation>le disque a un défaut</translation>
+        <translation>le disque est défectueux</translation>
     </message>
 </context>
 <context>
@@ -1652,7 +1652,7 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     </message>
     <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
-        <translation>Avec r₁ = %1 m et r₂ = %2 m, se rencontrant sous %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, en se rencontrant sous un angle de %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
     </message>
     <message>
         <source>A number stands for r₁ + r₂ in the test of contact</source>
@@ -1748,7 +1748,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Gravity does not act alike on light and heavy ones (%who)</source>
-        <translation>La pesanteur n&apos;agit pas de la même façon sur les légers et les lourds (%who)</translation>
+        <translation>La pesanteur n&apos;agit pas de la même façon sur les cercles légers et sur les lourds (%who)</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
@@ -1892,7 +1892,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>The velocity of %who is set anew in every step</source>
-        <translation>À chaque pas, la vitesse est fixée à neuf pour %who</translation>
+        <translation>À chaque pas, la vitesse est redéfinie pour %who</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
@@ -1900,11 +1900,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
-        <translation>À chaque pas, le x de la vitesse est fixé à neuf pour %who</translation>
+        <translation>À chaque pas, le x de la vitesse est redéfini pour %who</translation>
     </message>
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>
-        <translation>À chaque pas, le y de la vitesse est fixé à neuf pour %who</translation>
+        <translation>À chaque pas, le y de la vitesse est redéfini pour %who</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
@@ -2076,11 +2076,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>What should slow %who down makes it faster</source>
-        <translation>Ce qui devrait freiner %who accélère</translation>
+        <translation>Ce qui devrait freiner accélère, pour %who</translation>
     </message>
     <message>
         <source>What should make %who faster slows it down</source>
-        <translation>Ce qui devrait accélérer %who freine</translation>
+        <translation>Ce qui devrait accélérer freine, pour %who</translation>
     </message>
     <message>
         <source>What acts on the velocity of %who is %1 times as strong as it should be</source>
@@ -2176,7 +2176,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>e also shortens the part of circle %1 across the line of centres</source>
-        <translation>e raccourcit aussi la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
+        <translation>e réduit aussi la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
     </message>
     <message>
         <source>Nothing pushes there: it stays as it was.</source>
@@ -2192,7 +2192,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>e also shortens the parts across the line of centres</source>
-        <translation>e raccourcit aussi les composantes perpendiculaires à la ligne des centres</translation>
+        <translation>e réduit aussi les composantes perpendiculaires à la ligne des centres</translation>
     </message>
     <message>
         <source>Nothing pushes there: they stay as they were.</source>
@@ -2556,11 +2556,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>%1 along, %2 across</source>
-        <translation>%1 le long, %2 en travers</translation>
+        <translation>(normale %1, tangentielle %2)</translation>
     </message>
     <message>
         <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
-        <translation>Vitesses en m/s suivant la ligne des centres (de 1 vers 2) et en travers&#xa0;: le cercle 1 est arrivé avec %1, le cercle 2 avec %2&#xa0;; ils sont repartis avec %3 et avec %4&#xa0;; il faut %5 et %6.</translation>
+        <translation>Vitesses en m/s, composante normale (suivant la ligne des centres, de 1 vers 2) et composante tangentielle (perpendiculaire)&#xa0;: le cercle 1 est arrivé avec %1, le cercle 2 avec %2&#xa0;; ils sont repartis avec %3 et avec %4&#xa0;; il faut %5 et %6.</translation>
     </message>
     <message>
         <source>Gravity is %1 m/s², not %2
@@ -2616,7 +2616,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
-        <translation>La normale des parois latérales est suivant x, celle du sol et du plafond suivant y.</translation>
+        <translation>La normale des parois latérales est dirigée suivant x, celle du sol et du plafond suivant y.</translation>
     </message>
     <message>
         <source>The walls turn the whole velocity of %who round</source>
@@ -2624,7 +2624,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>At the walls e also shortens the part of %who along the wall</source>
-        <translation>Aux parois, e raccourcit aussi la composante le long de la paroi, pour %who</translation>
+        <translation>Aux parois, e réduit aussi la composante le long de la paroi, pour %who</translation>
     </message>
     <message>
         <source>At the walls e acts on the wrong part of the velocity of %who</source>
@@ -2648,7 +2648,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation>Quel que soit e, il revient %1 de la vitesse.</translation>
+        <translation>Quel que soit e, les parois rendent %1 fois la vitesse.</translation>
     </message>
     <message>
         <source>The walls give %who %1 e of the speed back, not e</source>
@@ -2660,7 +2660,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>The walls give %who a speed of their own</source>
-        <translation>Les parois imposent une vitesse à elles, pour %who</translation>
+        <translation>Les parois imposent une vitesse fixe, pour %who</translation>
     </message>
     <message>
         <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
@@ -2696,7 +2696,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Heights go with e², speeds with e.</source>
-        <translation>Les hauteurs vont avec e², les vitesses avec e.</translation>
+        <translation>Les hauteurs varient comme e², les vitesses comme e.</translation>
     </message>
     <message>
         <source>At the walls the root of e acts on %who</source>
@@ -2708,7 +2708,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Nothing brings it back.</source>
-        <translation>Rien ne fait revenir en arrière.</translation>
+        <translation>Rien ne fait revenir le cercle.</translation>
     </message>
     <message>
         <source>At the walls 1 − e stands where e belongs, for %who</source>
@@ -2821,11 +2821,11 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>A hit at a wall puts %who somewhere else</source>
-        <translation>Un choc contre une paroi déplace ailleurs %who</translation>
+        <translation>Un choc contre une paroi place ailleurs %who</translation>
     </message>
     <message>
         <source>A hit puts %who further out (%1)</source>
-        <translation>Un choc met plus à l&apos;extérieur %who (%1)</translation>
+        <translation>Un choc place plus à l&apos;extérieur %who (%1)</translation>
     </message>
     <message>
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
@@ -2837,7 +2837,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>Pendant que %1 réagissait contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément&#xa0;: regardez les positions de qui votre paroi change.</translation>
+        <translation>Pendant que %1 réagissait au choc contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément&#xa0;: regardez de quels cercles votre paroi change la position.</translation>
     </message>
     <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
@@ -2853,7 +2853,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
 After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
         <translation>Le sol ne soutient pas le cercle %1
 
-Après %2 s près du sol, son bord est %3 m plus bas que lui&#xa0;: la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche.</translation>
+Après %2 s près du sol, son bord est à %3 m au-dessous&#xa0;: la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche le sol.</translation>
     </message>
     <message>
         <source>Circle %1 is turned round again while it leaves the wall
@@ -2865,15 +2865,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A hit soon after another is not answered</source>
-        <translation>Un choc peu après un autre reste sans réponse</translation>
+        <translation>Un choc peu après un autre reste sans réaction</translation>
     </message>
     <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans réponse ; d&apos;une paroi plus éloignée il en reçoit une. Peu importe depuis combien de temps a eu lieu le dernier choc : ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
+        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans aucune réaction&#xa0;; après une paroi plus éloignée, il y en a une. Peu importe depuis combien de temps a eu lieu le dernier choc&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
     </message>
     <message>
         <source>A later hit is not answered</source>
-        <translation>Un choc ultérieur reste sans réponse</translation>
+        <translation>Un choc ultérieur reste sans réaction</translation>
     </message>
     <message>
         <source>Look for a factor ½, or for a second half that is missing.</source>
@@ -2881,11 +2881,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
-        <translation>Dans votre propre scène, la pesanteur est %1 m/s² ; la vitesse change de %2 m/s au premier pas et de %3 m/s au deuxième. Voyez ce qui d&apos;autre change la vitesse, loin de tout choc.</translation>
+        <translation>Dans votre propre scène, la pesanteur vaut %1 m/s²&#xa0;; la vitesse change de %2 m/s au premier pas et de %3 m/s au deuxième. Regardez ce qui change encore la vitesse, loin de tout choc.</translation>
     </message>
     <message>
         <source>Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Voyez les conditions devant les lignes qui changent la vitesse.</translation>
+        <translation>Regardez les conditions devant les lignes qui changent la vitesse.</translation>
     </message>
     <message>
         <source>After a hit the circles still run into each other</source>
@@ -2905,7 +2905,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
-        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position : regardez quelle position il reçoit.</translation>
+        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position&#xa0;: regardez quelle position il reçoit.</translation>
     </message>
 </context>
 <context>
@@ -3055,7 +3055,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The shaders %1 do not link: %2</source>
-        <translation>Les shaders %1 ne se lient pas&#xa0;: %2</translation>
+        <translation>L&apos;édition de liens des shaders %1 échoue&#xa0;: %2</translation>
     </message>
     <message>
         <source>OpenGL has no memory for the scene</source>
@@ -3402,7 +3402,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>✓ passes, ○ does not pass yet, · not handed in, ? not graded</source>
-        <translation>✓ réussie, ○ pas encore réussie, · non rendue,&#xa0;? non notée</translation>
+        <translation>✓ réussie, ○ pas encore réussie, · non rendue, ? non notée</translation>
     </message>
     <message>
         <source>Student</source>
@@ -3434,7 +3434,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a broken entry</source>
-        <translation>une entrée défectueuse</translation>
+        <translation>une entrée corrompue</translation>
     </message>
     <message>
         <source>it holds absurdly much</source>
@@ -3857,11 +3857,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>across %1</source>
-        <translation>en travers %1</translation>
+        <translation>tangentielle %1</translation>
     </message>
     <message>
         <source>along %1</source>
-        <translation>le long %1</translation>
+        <translation>normale %1</translation>
     </message>
 </context>
 <context>
@@ -3884,7 +3884,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the name is not in UTF-8, which would be right</source>
-        <translation>le nom n&apos;est pas en UTF-8, qu&apos;il faudrait</translation>
+        <translation>le nom n&apos;est pas en UTF-8&#xa0;; il faut de l&apos;UTF-8</translation>
     </message>
     <message>
         <source>this is a link or a special file; a plain file is right</source>
@@ -3908,7 +3908,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the name is there twice (but for capital letters); a name of its own is right</source>
-        <translation>le nom y est deux fois (aux majuscules près)&#xa0;; il faut un nom à lui</translation>
+        <translation>le nom y est deux fois (aux majuscules près)&#xa0;; il faut un autre nom</translation>
     </message>
     <message>
         <source>this unpacks to another size than it says</source>
@@ -3916,7 +3916,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is broken or packed in an unknown way</source>
-        <translation>c&apos;est défectueux ou compressé d&apos;une façon inconnue</translation>
+        <translation>c&apos;est corrompu ou compressé d&apos;une façon inconnue</translation>
     </message>
     <message>
         <source>there is no %1 in it</source>
@@ -3966,7 +3966,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>LabFiles</name>
     <message>
         <source>this is a link that leads to no file of the lab; a file of its own is right</source>
-        <translation>c&apos;est un lien qui ne mène à aucun fichier du TP&#xa0;; il faut un fichier à lui</translation>
+        <translation>c&apos;est un lien qui ne mène à aucun fichier du TP&#xa0;; il faut un vrai fichier</translation>
     </message>
     <message>
         <source>this is a folder; a file is right</source>
@@ -4022,11 +4022,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a link here leads out of the lab; a file or folder of its own is right</source>
-        <translation>un lien mène ici hors du TP&#xa0;; il faut un fichier ou un dossier à lui</translation>
+        <translation>un lien mène ici hors du TP&#xa0;; il faut un vrai fichier ou dossier</translation>
     </message>
     <message>
         <source>another file has this name but for capital letters; a name of its own is right</source>
-        <translation>un autre fichier a ce nom aux majuscules près&#xa0;; il faut un nom à lui</translation>
+        <translation>un autre fichier a ce nom aux majuscules près&#xa0;; il faut un autre nom</translation>
     </message>
     <message>
         <source>another program changed %1 since the lab was read</source>
@@ -4064,11 +4064,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
-        <translation>une autre étape a déjà l&apos;id %1&#xa0;; il faut un id à elle</translation>
+        <translation>une autre étape a déjà l&apos;id %1&#xa0;; il faut un autre id</translation>
     </message>
     <message>
         <source>the step %1 is listed already; each step once is right</source>
-        <translation>l&apos;étape %1 est déjà dans la liste&#xa0;; il faut chaque étape une fois</translation>
+        <translation>l&apos;étape %1 est déjà dans la liste&#xa0;; chaque étape doit y être une seule fois</translation>
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
@@ -4080,7 +4080,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the text is not in UTF-8, which would be right; some letters are lost</source>
-        <translation>le texte n&apos;est pas en UTF-8, qu&apos;il faudrait&#xa0;; quelques lettres sont perdues</translation>
+        <translation>le texte n&apos;est pas en UTF-8, comme il le faudrait&#xa0;; quelques lettres sont perdues</translation>
     </message>
     <message>
         <source>the text has characters that are none (NUL); a text in UTF-8 is right</source>
@@ -4143,7 +4143,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>not sure</source>
-        <translation>pas sûr</translation>
+        <translation>je ne sais pas</translation>
     </message>
     <message>
         <source>%1 of %2 steps pass. Every step was judged anew for this report, by version %3 of the lab.</source>
@@ -4235,7 +4235,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>What happens: %1</source>
-        <translation>Ce qui se passe : %1</translation>
+        <translation>Ce qui se passe&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4266,7 +4266,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>fails by %1; work that gets a remark passes</source>
-        <translation>échoue à %1&#xa0;; un travail qui reçoit une remarque réussit</translation>
+        <translation>échoue à %1&#xa0;; un travail qui reçoit une appréciation réussit</translation>
     </message>
     <message>
         <source>the check %1 asks for the same as %2</source>
@@ -4731,7 +4731,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>speak this language, such as en or de</source>
-        <translation>parler cette langue, par exemple fr ou en</translation>
+        <translation>langue de l&apos;interface, par exemple fr ou en</translation>
     </message>
     <message>
         <source>system, light, dark or high-contrast</source>
@@ -4747,7 +4747,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>work on steps by this: explore or code</source>
-        <translation>travailler aux étapes ainsi&#xa0;: explore ou code</translation>
+        <translation>mode de travail&#xa0;: explore ou code</translation>
     </message>
     <message>
         <source>take this program as your own of the step</source>
@@ -4775,7 +4775,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Learn how a physics engine works by writing one.</source>
-        <translation>Apprendre comment marche un moteur physique en en écrivant un.</translation>
+        <translation>Comprendre un moteur physique en l&apos;écrivant soi-même.</translation>
     </message>
     <message>
         <source>the lab or the scene to open; without it Lab 4.2</source>
@@ -4946,7 +4946,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A run stops at the step of every collision; Run goes on</source>
-        <translation>L&apos;exécution s&apos;arrête au pas de chaque collision&#xa0;; Lancer la poursuit</translation>
+        <translation>L&apos;exécution s&apos;arrête au pas de chaque choc&#xa0;; Lancer la poursuit</translation>
     </message>
     <message>
         <source>Slow &amp;motion around hits</source>
@@ -4962,7 +4962,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>As the original lab did: see why stable timesteps matter</source>
-        <translation>Comme le faisait le TP d&apos;origine&#xa0;: voyez pourquoi des pas de temps réguliers importent</translation>
+        <translation>Comme le faisait le TP d&apos;origine&#xa0;: pour voir pourquoi il faut des pas de temps réguliers</translation>
     </message>
     <message>
         <source>&amp;Scene shows</source>
@@ -5070,7 +5070,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Hits to scree&amp;n readers</source>
-        <translation>C&amp;hocs aux lecteurs d&apos;écran</translation>
+        <translation>Annoncer les c&amp;hocs aux lecteurs d&apos;écran</translation>
     </message>
     <message>
         <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
@@ -5154,7 +5154,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Reference of the lab&apos;s Lua</source>
-        <translation>&amp;Référence du Lua du TP</translation>
+        <translation>&amp;Référence Lua du TP</translation>
     </message>
     <message>
         <source>&amp;Lua for C# people</source>
@@ -5182,7 +5182,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
-        <translation>Plus un cercle est lourd, plus son ton est grave ; plus l&apos;impulsion est grande, plus il est fort</translation>
+        <translation>Plus un cercle est lourd, plus son ton est grave&#xa0;; plus l&apos;impulsion est grande, plus il est fort</translation>
     </message>
 </context>
 <context>
@@ -5311,7 +5311,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Two lines stand in the other order</source>
-        <translation>Deux lignes sont dans l&apos;autre ordre</translation>
+        <translation>Deux lignes sont interverties</translation>
     </message>
     <message>
         <source>Which value does the second line need: the one from before or the one from after the first?</source>
@@ -5523,7 +5523,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>Progress</name>
     <message>
         <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
-        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1&#xa0;; Cradle recommence à neuf</translation>
+        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1&#xa0;; Cradle repart de zéro</translation>
     </message>
     <message>
         <source>your progress could not be saved: %1</source>
@@ -5626,7 +5626,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>another check or question has the id %1 already; an id of its own is right</source>
-        <translation>une autre vérification ou question a déjà l&apos;id %1&#xa0;; il faut un id à elle</translation>
+        <translation>une autre vérification ou question a déjà l&apos;id %1&#xa0;; il faut un autre id</translation>
     </message>
     <message>
         <source>the right number is missing</source>
@@ -5738,7 +5738,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>reflect</source>
-        <translation>renvoi</translation>
+        <translation>réflexion</translation>
     </message>
     <message>
         <source>stop</source>
@@ -6002,7 +6002,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a list of remarks</source>
-        <translation>une liste de remarques</translation>
+        <translation>une liste d&apos;appréciations</translation>
     </message>
     <message>
         <source>a list of texts</source>
@@ -6106,7 +6106,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>an object with the texts of the remarks by their name</source>
-        <translation>un objet avec les textes des remarques par leur nom</translation>
+        <translation>un objet avec les textes des appréciations par leur nom</translation>
     </message>
     <message>
         <source>an object with the titles of the checks by their id</source>
@@ -6345,7 +6345,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>attempt to assign to const variable &apos;%1&apos;</source>
-        <translation>tentative d&apos;affecter la variable constante &apos;%1&apos;</translation>
+        <translation>tentative d&apos;affectation à la constante &apos;%1&apos;</translation>
     </message>
     <message>
         <source>attempt to compare two %1 values</source>
@@ -6981,7 +6981,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the other side did not take your work: %1</source>
-        <translation>l&apos;autre côté n&apos;a pas accepté votre travail&#xa0;: %1</translation>
+        <translation>le dépôt distant n&apos;a pas accepté votre travail&#xa0;: %1</translation>
     </message>
     <message>
         <source>your program cannot be saved here: %1</source>
@@ -7341,7 +7341,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Saved, but for fields that hold no value yet: %1</source>
-        <translation>Enregistré, sauf les champs qui ne contiennent pas encore de valeur : %1</translation>
+        <translation>Enregistré, sauf les champs qui ne contiennent pas encore de valeur&#xa0;: %1</translation>
     </message>
     <message>
         <source>F&amp;ind and replace in the lab…</source>
@@ -7562,11 +7562,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 stops in line %2: %3</source>
-        <translation>%1 s&apos;arrête à la ligne %2 : %3</translation>
+        <translation>%1 s&apos;arrête à la ligne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 stops: %2</source>
-        <translation>%1 s&apos;arrête : %2</translation>
+        <translation>%1 s&apos;arrête&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 passes.</source>
@@ -7574,7 +7574,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 fails: %2</source>
-        <translation>%1 échoue : %2</translation>
+        <translation>%1 échoue&#xa0;: %2</translation>
     </message>
     <message>
         <source>Try this check</source>
@@ -7928,7 +7928,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>After you have passed this step, or opened all its hints</source>
-        <translation>Une fois cette étape réussie, ou toutes ses aides ouvertes</translation>
+        <translation>Une fois cette étape réussie, ou tous ses indices ouverts</translation>
     </message>
 </context>
 <context>
@@ -7939,7 +7939,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Reference of the lab&apos;s Lua</source>
-        <translation>Référence du Lua du TP</translation>
+        <translation>Référence Lua du TP</translation>
     </message>
     <message>
         <source>Start this step afresh</source>
@@ -8398,8 +8398,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message numerus="yes">
         <source>%n place(s) replaced; Undo brings them back</source>
         <translation>
-            <numerusform>%n endroit remplacé ; Annuler le rétablit</numerusform>
-            <numerusform>%n endroits remplacés ; Annuler les rétablit</numerusform>
+            <numerusform>%n endroit remplacé&#xa0;; Annuler le rétablit</numerusform>
+            <numerusform>%n endroits remplacés&#xa0;; Annuler les rétablit</numerusform>
         </translation>
     </message>
     <message>
@@ -8716,19 +8716,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::HintsList</name>
     <message>
         <source>A new hint</source>
-        <translation>Une nouvelle aide</translation>
+        <translation>Un nouvel indice</translation>
     </message>
     <message>
         <source>Hints, in the order of opening</source>
-        <translation>Aides, dans l&apos;ordre d&apos;ouverture</translation>
+        <translation>Indices, dans l&apos;ordre d&apos;ouverture</translation>
     </message>
     <message>
         <source>Add a hint</source>
-        <translation>Ajouter une aide</translation>
+        <translation>Ajouter un indice</translation>
     </message>
     <message>
         <source>Remove the hint</source>
-        <translation>Supprimer l&apos;aide</translation>
+        <translation>Supprimer l&apos;indice</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -8736,7 +8736,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Move the hint up</source>
-        <translation>Monter l&apos;aide</translation>
+        <translation>Monter l&apos;indice</translation>
     </message>
     <message>
         <source>Alt+Up</source>
@@ -8744,7 +8744,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Move the hint down</source>
-        <translation>Descendre l&apos;aide</translation>
+        <translation>Descendre l&apos;indice</translation>
     </message>
     <message>
         <source>Alt+Down</source>
@@ -8859,15 +8859,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <name>cradle::InstructionsPane</name>
     <message>
         <source>Hint %1</source>
-        <translation>Aide %1</translation>
+        <translation>Indice %1</translation>
     </message>
     <message>
         <source>Hint %1 of %2 ▸</source>
-        <translation>Aide %1 sur %2 ▸</translation>
+        <translation>Indice %1 sur %2 ▸</translation>
     </message>
     <message>
         <source>Show hint %1 of %2</source>
-        <translation>Montrer l&apos;aide %1 sur %2</translation>
+        <translation>Montrer l&apos;indice %1 sur %2</translation>
     </message>
     <message>
         <source>Instructions</source>
@@ -8875,7 +8875,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Hints</source>
-        <translation>Aides</translation>
+        <translation>Indices</translation>
     </message>
 </context>
 <context>
@@ -8890,7 +8890,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The copy is a lab of its own, so it has an id of its own: who has passed a step of the original has not passed that of the copy.</source>
-        <translation>La copie est un TP à part, elle a donc un id à elle&#xa0;: qui a réussi une étape de l&apos;original n&apos;a pas réussi celle de la copie.</translation>
+        <translation>La copie est un TP à part, elle a donc son propre id&#xa0;: qui a réussi une étape de l&apos;original n&apos;a pas réussi celle de la copie.</translation>
     </message>
     <message>
         <source>The progress of students is kept by the id. A corrected lab keeps its id and gets a higher version; a new lab gets a new id.</source>
@@ -9028,7 +9028,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Reflect</source>
-        <translation>Renvoi</translation>
+        <translation>Réflexion</translation>
     </message>
     <message>
         <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
@@ -9179,7 +9179,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Apprendre comment marche un moteur physique en en écrivant un.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, Lua, QScintilla, MathJax et valijson.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Comprendre un moteur physique en l&apos;écrivant soi-même.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, Lua, QScintilla, MathJax et valijson.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
@@ -9229,11 +9229,11 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Begin this step anew</source>
-        <translation>Recommencer cette étape à neuf</translation>
+        <translation>Recommencer cette étape</translation>
     </message>
     <message>
         <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
-        <translation>Le fichier de votre programme n&apos;est pas un programme, et est laissé tel quel. %1 Quoi que vous choisissiez, le fichier est gardé à côté.</translation>
+        <translation>Le fichier de votre programme n&apos;est pas un programme, et est laissé tel quel. %1 Quoi que vous choisissiez, ce fichier est gardé à côté.</translation>
     </message>
     <message>
         <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
@@ -9317,7 +9317,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Drag free of the grid</source>
-        <translation>Glisser hors de la grille</translation>
+        <translation>Glisser sans accrocher à la grille</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -9325,7 +9325,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Take a drag back</source>
-        <translation>Revenir sur un glissement</translation>
+        <translation>Annuler un glissement</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -9436,7 +9436,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP&#xa0;; des aides attendent sous le texte.</translation>
+        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP&#xa0;; des indices attendent sous le texte.</translation>
     </message>
     <message>
         <source>Your program</source>
@@ -9452,7 +9452,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
-        <translation>Monde, lois et cercles&#xa0;: ce que vous changez ici ou en glissant dans la scène relance l&apos;exécution depuis le début.</translation>
+        <translation>Monde, lois et cercles&#xa0;: ce que vous changez ici, ou en faisant glisser dans la scène, relance l&apos;exécution depuis le début.</translation>
     </message>
     <message>
         <source>The scene</source>
@@ -9460,7 +9460,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
-        <translation>Ce que font vos cercles. Lors d&apos;un choc, des flèches montrent les composantes des vitesses le long de la normale et en travers.</translation>
+        <translation>Ce que font vos cercles. Lors d&apos;un choc, des flèches montrent les composantes normale et tangentielle des vitesses.</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -9472,7 +9472,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Any moment again</source>
-        <translation>N&apos;importe quel instant, de nouveau</translation>
+        <translation>Revoir n&apos;importe quel instant</translation>
     </message>
     <message>
         <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
@@ -9501,7 +9501,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Nothing hits anything within the next minute.</source>
-        <translation>Rien ne heurte rien dans la minute qui vient.</translation>
+        <translation>Aucun choc dans la minute qui vient.</translation>
     </message>
     <message>
         <source># %1
@@ -9513,7 +9513,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>A scene of your own</source>
-        <translation>Une scène à vous</translation>
+        <translation>Votre propre scène</translation>
     </message>
     <message>
         <source>Explore</source>
@@ -9553,7 +9553,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
-        <translation>Il n&apos;y a pas de son ici : aucun serveur de son (PulseAudio ou PipeWire) n&apos;a pu être joint. Tout le reste continue.</translation>
+        <translation>Il n&apos;y a pas de son ici&#xa0;: aucun serveur de son (PulseAudio ou PipeWire) n&apos;a pu être joint. Tout le reste continue.</translation>
     </message>
     <message>
         <source>Hear that curve from left to right</source>
@@ -9622,7 +9622,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>The notes, set</source>
-        <translation>Les remarques, mises en page</translation>
+        <translation>Les remarques, mises en forme</translation>
     </message>
 </context>
 <context>
@@ -9680,7 +9680,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>against</source>
-        <translation>selon</translation>
+        <translation>en fonction de</translation>
     </message>
     <message>
         <source>Zoom and export</source>
@@ -9778,7 +9778,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <name>cradle::PredictionCard</name>
     <message>
         <source>Not sure</source>
-        <translation>Pas sûr</translation>
+        <translation>Je ne sais pas</translation>
     </message>
     <message>
         <source>The scene has run already. What did you expect?</source>
@@ -9790,7 +9790,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Kept. Did it come so?</source>
-        <translation>Noté. Est-ce arrivé ainsi&#xa0;?</translation>
+        <translation>Noté. Est-ce bien ce qui s&apos;est passé&#xa0;?</translation>
     </message>
     <message>
         <source>Kept. Now run the scene and watch.</source>
@@ -9798,7 +9798,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>You were not sure.</source>
-        <translation>Vous n&apos;étiez pas sûr.</translation>
+        <translation>Vous n&apos;avez pas tranché.</translation>
     </message>
     <message>
         <source>You predicted: %1</source>
@@ -9947,7 +9947,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
-        <translation>Aucun à elle&#xa0;: les étudiants continuent à partir du corrigé de l&apos;étape précédente. Écrivez ici pour partir d&apos;autre chose.</translation>
+        <translation>Cette étape n&apos;en a pas&#xa0;: les étudiants continuent à partir du corrigé de l&apos;étape précédente. Écrivez ici pour partir d&apos;autre chose.</translation>
     </message>
     <message>
         <source>The reference: it should pass every check, with every seed.</source>
@@ -9967,7 +9967,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>It is kept as its difference from the solution, which is marked, and follows it.</source>
-        <translation>Il est conservé comme différence d&apos;avec le corrigé, qui est marquée, et il le suit.</translation>
+        <translation>Il est conservé comme différence par rapport au corrigé&#xa0;; elle est marquée, et il suit le corrigé.</translation>
     </message>
     <message>
         <source>Edit a program</source>
@@ -9979,7 +9979,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Edit a remark</source>
-        <translation>Modifier une remarque</translation>
+        <translation>Modifier une appréciation</translation>
     </message>
     <message>
         <source>What the student reads</source>
@@ -10030,7 +10030,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Add a remark</source>
-        <translation>Ajouter une remarque</translation>
+        <translation>Ajouter une appréciation</translation>
     </message>
     <message>
         <source>Remove a program</source>
@@ -10074,7 +10074,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>A &amp;remark on work that passes</source>
-        <translation>Une &amp;remarque sur un travail qui réussit</translation>
+        <translation>Une &amp;appréciation sur un travail qui réussit</translation>
     </message>
 </context>
 <context>
@@ -10109,7 +10109,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>%1: not measured</source>
-        <translation>%1&#xa0;: non mesuré</translation>
+        <translation>%1&#xa0;: pas de mesure</translation>
     </message>
     <message>
         <source>passes</source>
@@ -10309,7 +10309,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Answers in the right order; students find them in another</source>
-        <translation>Réponses dans le bon ordre&#xa0;; les étudiants les trouvent dans un autre</translation>
+        <translation>Réponses dans le bon ordre&#xa0;; les étudiants les voient dans un autre</translation>
     </message>
     <message>
         <source>Answers; mark the right one</source>
@@ -10497,14 +10497,14 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>What the student sees, answered rightly</source>
-        <translation>Ce que voit l&apos;étudiant, bien répondu</translation>
+        <translation>Ce que voit l&apos;étudiant, avec la bonne réponse</translation>
     </message>
 </context>
 <context>
     <name>cradle::RemarkEditor</name>
     <message>
         <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
-        <translation>Un programme d&apos;étudiant qui réussit est exécuté à côté de celui-ci et à côté du corrigé. Là où ces deux-ci diffèrent et où celui de l&apos;étudiant fait comme celui-ci, la remarque est faite.</translation>
+        <translation>Un programme d&apos;étudiant qui réussit est exécuté à côté de celui-ci et à côté du corrigé. Là où ces deux-ci diffèrent et où celui de l&apos;étudiant fait comme celui-ci, l&apos;appréciation est donnée.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -10940,7 +10940,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Your work is a git repository in %1. Its commits and versions can be sent to one of yours elsewhere; who may read that, reads all of them.</source>
-        <translation>Votre travail est un dépôt git dans %1. Ses commits et ses versions peuvent être envoyés à l&apos;un des vôtres ailleurs&#xa0;; qui peut le lire les lit tous.</translation>
+        <translation>Votre travail est un dépôt git dans %1. Ses commits et ses versions peuvent être envoyés à un autre de vos dépôts&#xa0;; qui peut lire celui-ci les lit tous.</translation>
     </message>
     <message>
         <source>&amp;Address:</source>
@@ -11253,7 +11253,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>No hint yet: add one with the plus above.</source>
-        <translation>Pas encore d&apos;aide&#xa0;: ajoutez-en une avec le plus ci-dessus.</translation>
+        <translation>Pas encore d&apos;indice&#xa0;: ajoutez-en un avec le plus ci-dessus.</translation>
     </message>
     <message>
         <source>Line %1: nothing here is called “%2”</source>
@@ -11269,11 +11269,11 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Hints without a program</source>
-        <translation>Aides sans programme</translation>
+        <translation>Indices sans programme</translation>
     </message>
     <message>
         <source>Hints for a program</source>
-        <translation>Aides pour un programme</translation>
+        <translation>Indices pour un programme</translation>
     </message>
     <message>
         <source>Prediction</source>
@@ -11325,11 +11325,11 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Edit a hint</source>
-        <translation>Modifier une aide</translation>
+        <translation>Modifier un indice</translation>
     </message>
     <message>
         <source>Change the hints</source>
-        <translation>Changer les aides</translation>
+        <translation>Changer les indices</translation>
     </message>
     <message>
         <source>Edit the prediction</source>
@@ -11447,7 +11447,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Run on to the next collision</source>
-        <translation>Continuer jusqu&apos;à la prochaine collision</translation>
+        <translation>Continuer jusqu&apos;au prochain choc</translation>
     </message>
     <message>
         <source>t = %1 s</source>
@@ -11496,7 +11496,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Back to the collision before, or to the start</source>
-        <translation>Revenir à la collision précédente, ou au début</translation>
+        <translation>Revenir au choc précédent, ou au début</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -11562,7 +11562,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>%1: from %2 to %3, drawn</source>
-        <translation>%1 : de %2 à %3, tirée</translation>
+        <translation>%1&#xa0;: de %2 à %3, tirée</translation>
     </message>
     <message>
         <source>%1 (whole lab)</source>
@@ -11570,13 +11570,13 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Write {{%1}} in texts, programs and checks; in scenes and other values %1 alone.</source>
-        <translation>Écrivez {{%1}} dans les textes, programmes et vérifications ; dans les scènes et d&apos;autres valeurs, %1 seul.</translation>
+        <translation>Écrivez {{%1}} dans les textes, programmes et vérifications&#xa0;; dans les scènes et d&apos;autres valeurs, %1 seul.</translation>
     </message>
     <message numerus="yes">
         <source>Each student gets one of %n number(s): %1. You, and who gives no number, have the first.</source>
         <translation>
-            <numerusform>Chaque étudiant reçoit %n nombre : %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
-            <numerusform>Chaque étudiant reçoit l&apos;un de %n nombres : %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
+            <numerusform>Chaque étudiant reçoit %n nombre&#xa0;: %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
+            <numerusform>Chaque étudiant reçoit l&apos;un de %n nombres&#xa0;: %1. Vous, et qui ne donne pas de numéro, avez le premier.</numerusform>
         </translation>
     </message>
     <message>
@@ -11633,7 +11633,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>
-        <translation>Aucun nombre n&apos;a encore de nom. Ajoutez-en un avec le plus, et écrivez-le entre accolades, comme {{e}}, là où textes, programmes et vérifications en ont besoin : il se trouve alors à un seul endroit, et peut être différent pour chaque étudiant.</translation>
+        <translation>Aucun nombre n&apos;a encore de nom. Ajoutez-en un avec le plus, et écrivez-le entre accolades, comme {{e}}, là où textes, programmes et vérifications en ont besoin&#xa0;: il se trouve alors à un seul endroit, et peut être différent pour chaque étudiant.</translation>
     </message>
     <message>
         <source>The same for all</source>
@@ -11709,7 +11709,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>To see what that student gets; it is kept nowhere</source>
-        <translation>Pour voir ce que reçoit cet étudiant ; il n&apos;est conservé nulle part</translation>
+        <translation>Pour voir ce que reçoit cet étudiant&#xa0;; il n&apos;est conservé nulle part</translation>
     </message>
     <message>
         <source>Draw</source>
@@ -11721,7 +11721,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Another text draws other values: change it every year</source>
-        <translation>Un autre texte tire d&apos;autres valeurs : changez-le chaque année</translation>
+        <translation>Un autre texte tire d&apos;autres valeurs&#xa0;: changez-le chaque année</translation>
     </message>
 </context>
 <context>
