@@ -79,8 +79,10 @@ void NoticeBar::closeFirst()
 
 void NoticeBar::showFirst()
 {
-    for (QPushButton *button : m_buttons)
+    for (QPushButton *button : m_buttons) {
+        button->hide();
         button->deleteLater();
+    }
     m_buttons.clear();
     const Notice &first = m_warnings.empty() ? m_notice : m_warnings.front();
     m_label->setText(first.text);

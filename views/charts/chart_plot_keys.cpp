@@ -26,7 +26,7 @@ QString ChartPlot::toldCurve() const
         return {};
     const ChartCurve &curve = m_curves[static_cast<std::size_t>(m_told)];
     const double value = curve.samples->valueAt(m_moment.shown + curve.shift);
-    return QStringLiteral("%1: %2").arg(curve.label, shortNumber(value, m_moment.scale));
+    return tr("%1: %2", "curve, value").arg(curve.label, shortNumber(value, m_moment.scale));
 }
 
 /// Those without a name are no curves to speak of.

@@ -94,7 +94,7 @@ QString HitNote::sentence() const
         parts << HitNoteText::tr("%1 before %2, after %3, change %4 %5", "who, three numbers, unit")
                      .arg(row.name, shortNumber(row.before, scale()),
                           shortNumber(row.after, scale()), changeText(row, scale()), unit);
-    return QStringLiteral("%1: %2").arg(title, parts.join(QStringLiteral("; ")));
+    return HitNoteText::tr("%1: %2", "title, rows").arg(title, parts.join(QStringLiteral("; ")));
 }
 
 std::optional<HitsShown> hitsShownAt(const Recording &recording, qint64 index)

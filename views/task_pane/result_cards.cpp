@@ -87,7 +87,8 @@ HeadedText describeError(const ProgramError &error)
         where += (where.isEmpty() ? QString() : QStringLiteral(", ")) + when;
     }
     const QString body = asSentence(error.message);
-    return {headlineOf(error), where.isEmpty() ? body : where + QStringLiteral(": ") + body};
+    return {headlineOf(error),
+            where.isEmpty() ? body : CardText::tr("%1: %2", "place, message").arg(where, body)};
 }
 
 } // namespace cradle
