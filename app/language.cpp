@@ -21,6 +21,9 @@ std::vector<std::unique_ptr<QTranslator>> installed;
 
 const QString sourceLanguage = QStringLiteral("en");
 
+/// The key that Qt names otherwise than the texts here and the keyboards of some languages do.
+[[maybe_unused]] constexpr const char *returnKey = QT_TRANSLATE_NOOP("QShortcut", "Return");
+
 /// Where languages are found: those that are shipped, and those that somebody has added.
 QStringList folders()
 {
@@ -81,9 +84,9 @@ void setLanguage(const QString &code)
         wanted = sourceLanguage;
     installed.clear(); // A translator that is destroyed removes itself from the application.
     inForce = wanted;
+    install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     for (const QString &folder : folders())
         install(QStringLiteral("cradle_") + wanted, folder);
-    install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 
 } // namespace cradle

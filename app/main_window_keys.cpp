@@ -71,13 +71,19 @@ void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
     }
 }
 
+/// Keys stand beside what they do; what the mouse does takes more words, and stands below it.
 QString tableOf(const QString &title, const std::vector<KeyRow> &rows)
 {
+    constexpr qsizetype widest = 24; // letters
+    const QString beside = QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;</td>"
+                                          "<td style='white-space: nowrap'><b>%2</b></td></tr>");
+    const QString below = QStringLiteral(
+        "<tr><td colspan='2' style='white-space: nowrap'>%1</td></tr><tr>"
+        "<td colspan='2' style='white-space: nowrap'>&nbsp;&nbsp;<b>%2</b></td></tr>");
     QString text;
     for (const auto &[what, how] : rows)
-        text += QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;</td>"
-                               "<td style='white-space: nowrap'><b>%2</b></td></tr>")
-                    .arg(what.toHtmlEscaped(), how.toHtmlEscaped());
+        text +=
+            (how.size() > widest ? below : beside).arg(what.toHtmlEscaped(), how.toHtmlEscaped());
     return QStringLiteral("<p><b>%1</b></p><table>%2</table>").arg(title.toHtmlEscaped(), text);
 }
 

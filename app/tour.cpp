@@ -110,9 +110,9 @@ void Tour::showStop()
 /// Beside the part, where there is room: right of it, left of it, below, above; else upon it.
 void Tour::placeCard()
 {
-    m_card->adjustSize();
     const QRect part = partRect();
-    const QSize size = m_card->sizeHint().expandedTo(m_card->minimumSize());
+    const int width = m_card->minimumWidth();
+    const QSize size(width, m_card->layout()->totalHeightForWidth(width));
     const QRect room = rect().adjusted(gap, gap, -gap, -gap);
     const int top =
         std::clamp(part.top(), room.top(), std::max(room.top(), room.bottom() - size.height()));
