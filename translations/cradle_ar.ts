@@ -3831,6 +3831,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 <context>
     <name>HitNote</name>
     <message>
+        <source>%1: %2</source>
+        <comment>title, rows</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
         <source>before</source>
         <translation>قبل</translation>
     </message>
@@ -5722,6 +5727,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 <context>
     <name>ResultPane</name>
     <message>
+        <source>%1: %2</source>
+        <comment>place, message</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
         <source>The program cannot be read</source>
         <translation>تتعذر قراءة البرنامج</translation>
     </message>
@@ -7465,6 +7475,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 </context>
 <context>
     <name>cradle::ChartPlot</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>curve, value</comment>
+        <translation>%1: %2</translation>
+    </message>
     <message>
         <source>s</source>
         <comment>seconds</comment>

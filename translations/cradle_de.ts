@@ -3811,6 +3811,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
 <context>
     <name>HitNote</name>
     <message>
+        <source>%1: %2</source>
+        <comment>title, rows</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
         <source>before</source>
         <translation>vorher</translation>
     </message>
@@ -5531,6 +5536,13 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+</context>
+<context>
     <name>Questions</name>
     <message>
         <source>“%1” is no number; one like 0.75 is asked for</source>
@@ -5701,6 +5713,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
 </context>
 <context>
     <name>ResultPane</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>place, message</comment>
+        <translation>%1: %2</translation>
+    </message>
     <message>
         <source>The program cannot be read</source>
         <translation>Das Programm lässt sich nicht lesen</translation>
@@ -7441,6 +7458,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
 </context>
 <context>
     <name>cradle::ChartPlot</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>curve, value</comment>
+        <translation>%1: %2</translation>
+    </message>
     <message>
         <source>s</source>
         <comment>seconds</comment>

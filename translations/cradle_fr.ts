@@ -92,7 +92,7 @@
     </message>
     <message>
         <source>How many hits there must be</source>
-        <translation>Combien de chocs il doit y avoir</translation>
+        <translation>Nombre de chocs qu&apos;il doit y avoir</translation>
     </message>
     <message>
         <source>Integrators</source>
@@ -152,7 +152,7 @@
     </message>
     <message>
         <source>How many circles there are</source>
-        <translation>Combien de cercles il y a</translation>
+        <translation>Nombre de cercles</translation>
     </message>
     <message>
         <source>Moves by an integrator</source>
@@ -434,7 +434,7 @@
     </message>
     <message>
         <source>How long every scene runs</source>
-        <translation>Combien de temps dure chaque scène</translation>
+        <translation>Durée de chaque scène</translation>
     </message>
     <message>
         <source>Timesteps</source>
@@ -466,7 +466,7 @@
     </message>
     <message>
         <source>How many scenes are drawn</source>
-        <translation>Combien de scènes sont tirées au sort</translation>
+        <translation>Nombre de scènes tirées au sort</translation>
     </message>
     <message>
         <source>Radii</source>
@@ -1042,7 +1042,7 @@
     </message>
     <message>
         <source>%1 of %2 students</source>
-        <translation>%1 étudiants sur %2</translation>
+        <translation>étudiants&#xa0;: %1 sur %2</translation>
     </message>
     <message>
         <source>, %1 a minute, %2 left</source>
@@ -1050,15 +1050,15 @@
     </message>
     <message>
         <source>, %1 steps not passed</source>
-        <translation>, %1 étapes non réussies</translation>
+        <translation>, étapes non réussies&#xa0;: %1</translation>
     </message>
     <message>
         <source>, %1 not graded</source>
-        <translation>, %1 non notées</translation>
+        <translation>, non notées&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
-        <translation>%1 étudiants sur %2, dont %3 inchangés&#xa0;; étapes&#xa0;: %4 réussies, %5 non réussies, %6 non notées&#xa0;; %7</translation>
+        <translation>étudiants&#xa0;: %1 sur %2, dont inchangés&#xa0;: %3&#xa0;; étapes réussies&#xa0;: %4, non réussies&#xa0;: %5, non notées&#xa0;: %6&#xa0;; %7</translation>
     </message>
     <message>
         <source>the folder of the results</source>
@@ -2732,11 +2732,11 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>At the walls the centre of %who is asked for, not the rim</source>
-        <translation>Aux parois, c&apos;est le centre qui est examiné, pas le bord, pour %who</translation>
+        <translation>Aux parois, c&apos;est le centre qui est comparé, pas le bord, pour %who</translation>
     </message>
     <message>
         <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Le demi-tour n&apos;a lieu que lorsque le centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
+        <translation>Le demi-tour n&apos;a lieu que lorsque le centre a passé la paroi&#xa0;; le bord la dépasse alors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
     </message>
     <message>
         <source>At the walls %who has the radius of another circle</source>
@@ -3446,7 +3446,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 steps pass</source>
-        <translation>%1 étapes sur %2 réussies</translation>
+        <translation>étapes réussies&#xa0;: %1 sur %2</translation>
     </message>
     <message>
         <source>%1 not graded</source>
@@ -3811,6 +3811,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
 <context>
     <name>HitNote</name>
     <message>
+        <source>%1: %2</source>
+        <comment>title, rows</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
         <source>before</source>
         <translation>avant</translation>
     </message>
@@ -4119,7 +4124,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 steps pass, judged anew a moment ago.</source>
-        <translation>%1 étapes sur %2 réussies, évaluées à nouveau à l&apos;instant.</translation>
+        <translation>Étapes réussies&#xa0;: %1 sur %2, évaluées à nouveau à l&apos;instant.</translation>
     </message>
     <message>
         <source>What took the most checks</source>
@@ -4147,7 +4152,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 steps pass. Every step was judged anew for this report, by version %3 of the lab.</source>
-        <translation>%1 étapes sur %2 réussies. Chaque étape a été évaluée à nouveau pour ce rapport, par la version %3 du TP.</translation>
+        <translation>Étapes réussies&#xa0;: %1 sur %2. Chaque étape a été évaluée à nouveau pour ce rapport, par la version %3 du TP.</translation>
     </message>
     <message>
         <source>To the teacher</source>
@@ -5086,7 +5091,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Into the &amp;program</source>
-        <translation>Dans le programme</translation>
+        <translation>&amp;Basculer dans le programme</translation>
     </message>
     <message>
         <source>&amp;Panes</source>
@@ -5531,6 +5536,13 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+</context>
+<context>
     <name>Questions</name>
     <message>
         <source>“%1” is no number; one like 0.75 is asked for</source>
@@ -5701,6 +5713,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
 </context>
 <context>
     <name>ResultPane</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>place, message</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
     <message>
         <source>The program cannot be read</source>
         <translation>Le programme est illisible</translation>
@@ -7442,6 +7459,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
 <context>
     <name>cradle::ChartPlot</name>
     <message>
+        <source>%1: %2</source>
+        <comment>curve, value</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
         <source>s</source>
         <comment>seconds</comment>
         <translation>s</translation>
@@ -8588,7 +8610,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 students: %3 steps pass, %4 do not, %5 could not be graded.</source>
-        <translation>%1 étudiants sur %2&#xa0;: %3 étapes réussies, %4 non, %5 n&apos;ont pas pu être notées.</translation>
+        <translation>Étudiants&#xa0;: %1 sur %2. Étapes réussies&#xa0;: %3, non réussies&#xa0;: %4, impossibles à noter&#xa0;: %5.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the students as they were before.</source>
@@ -8701,7 +8723,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>%1 of %2 steps pass. All of them are handed in as they are.</source>
-        <translation>%1 étapes sur %2 réussies. Toutes sont rendues telles qu&apos;elles sont.</translation>
+        <translation>Étapes réussies&#xa0;: %1 sur %2. Toutes sont rendues telles qu&apos;elles sont.</translation>
     </message>
     <message>
         <source>Save what is handed in</source>
@@ -9317,7 +9339,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Drag free of the grid</source>
-        <translation>Glisser sans accrocher à la grille</translation>
+        <translation>Glisser sans la grille</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -9337,7 +9359,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>drag on empty space, or the middle button</source>
-        <translation>glisser sur une zone vide, ou bouton du milieu</translation>
+        <translation>glisser sur le vide, ou bouton du milieu</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -9381,7 +9403,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Along the dots of the steps, and open</source>
-        <translation>Le long des points des étapes, et ouvrir</translation>
+        <translation>Parcourir les points des étapes, ouvrir</translation>
     </message>
     <message>
         <source>Left, Right, Return</source>
