@@ -25,13 +25,15 @@ struct ReportText {
 constexpr double runSeconds = 10.0; ///< of the student's own scene that is told
 constexpr int oneLine = 100'000;    ///< columns: not broken
 
-/// The first sentence below the heading.
+/// The first sentence below the heading. (Plain text keeps no no-break space, as French titles
+/// have.)
 QString askedBy(const Task &task, bool byProgram)
 {
+    const QString title = task.title.simplified();
     const QString markdown = textFor(byProgram ? Mode::Code : Mode::Explore, task.instructions);
     for (const QString &paragraph : plainText(markdown, oneLine).split(QLatin1Char('\n'))) {
         const QString text = paragraph.trimmed();
-        if (text.isEmpty() || text == task.title || text.startsWith(QLatin1Char('#')))
+        if (text.isEmpty() || text.simplified() == title || text.startsWith(QLatin1Char('#')))
             continue;
         const auto end = text.indexOf(QStringLiteral(". "));
         return end > 0 ? text.left(end + 1) : text;
