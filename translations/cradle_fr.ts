@@ -3386,7 +3386,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
-        <translation>Comparés mot par mot, quels que soient leurs noms, commentaires et ordre (winnowing). Ce que donne le TP est exclu, ainsi que ce que partagent plus de %1 étudiants. Il y a bien des bonnes raisons pour que des programmes se ressemblent&#xa0;: un travail en commun là où il est permis, le même livre, la même idée. Une paire ci-dessous ne prouve rien&#xa0;; lisez les deux, et demandez.</translation>
+        <translation>Comparés mot par mot, quels que soient leurs noms, commentaires et ordre (winnowing). Ce que donne le TP est exclu, ainsi que ce que partagent plus de %1 étudiants. Il y a bien de bonnes raisons pour que des programmes se ressemblent&#xa0;: un travail en commun là où il est permis, le même livre, la même idée. Une paire citée ci-dessous ne prouve rien&#xa0;; lisez les deux, et posez la question.</translation>
     </message>
     <message>
         <source>There are none.</source>
