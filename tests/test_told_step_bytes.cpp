@@ -14,6 +14,7 @@ class TestToldStepBytes final : public QObject
     Q_OBJECT
 private slots:
     void comesBackAsItWas();
+    void titleIsNotWhatIsAsked();
     void brokenBytesAreNone();
     void onlyPlainDrawingsAreTaken_data();
     void onlyPlainDrawingsAreTaken();
@@ -48,6 +49,16 @@ void TestToldStepBytes::comesBackAsItWas()
     QVERIFY(read->report.met == step.report.met);
     QCOMPARE(read->report.attempts, 4);
     QVERIFY(read->curve.points == step.curve.points);
+}
+
+/// Also where the title has a no-break space, as French titles have.
+void TestToldStepBytes::titleIsNotWhatIsAsked()
+{
+    auto lab = readLab(QLatin1String(bouncingBallLab));
+    Task &task = lab->tasks[0];
+    task.title = QStringLiteral("Jeu\u00a0: la balle");
+    task.instructions = QStringLiteral("# %1\n\nIt falls. It bounces.\n").arg(task.title);
+    QCOMPARE(tellStep(*lab, {}, 0, 1).report.asked, QStringLiteral("It falls."));
 }
 
 void TestToldStepBytes::brokenBytesAreNone()

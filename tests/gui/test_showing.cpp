@@ -31,6 +31,7 @@ private slots:
     void secondWindowShowsTheSameRun();
     void tourGoesThroughSixParts();
     void tourIsEndedByEscape();
+    void tourCardHoldsALongText();
     void editMenuFollowsTheFocus();
 
 private:
@@ -155,6 +156,25 @@ void TestShowing::tourIsEndedByEscape()
     m_open->window.showTour();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_VERIFY(!m_open->window.findChild<Tour *>());
+}
+
+void TestShowing::tourCardHoldsALongText()
+{
+    QWidget window;
+    window.resize(1000, 600);
+    auto *part = new QWidget(&window);
+    part->setGeometry(0, 0, 100, 100);
+    window.show();
+    const QString text = QStringLiteral("Languages differ in length. ").repeated(12);
+    const auto *tour = new Tour(&window, {{part, QStringLiteral("A part"), text}});
+    QLabel *told = nullptr;
+    for (QLabel *label : tour->findChildren<QLabel *>()) {
+        if (label->text() == text)
+            told = label;
+    }
+    QVERIFY(told);
+    QTRY_VERIFY(told->height() >= told->heightForWidth(told->width()));
+    QVERIFY(tour->rect().contains(told->parentWidget()->geometry()));
 }
 
 void TestShowing::editMenuFollowsTheFocus()
