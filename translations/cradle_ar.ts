@@ -232,7 +232,7 @@
     </message>
     <message>
         <source>After the n-th bounce it rises to e²ⁿ times the height it came from</source>
-        <translation>بعد الارتداد ذي الرقم n يصعد إلى e²ⁿ مرة من الارتفاع الذي جاء منه</translation>
+        <translation>بعد الارتداد رقم n يصعد إلى حاصل ضرب ⁦e²ⁿ⁩ في الارتفاع الذي جاء منه</translation>
     </message>
     <message>
         <source>Bounces</source>
@@ -272,11 +272,11 @@
     </message>
     <message>
         <source>Part with e times the speed</source>
-        <translation>الافتراق بمقدار e من السرعة</translation>
+        <translation>الافتراق بالسرعة مضروبةً في e</translation>
     </message>
     <message>
         <source>In every hit of circles 1 and 2 their relative speed along the line of centres becomes e times what it was</source>
-        <translation>في كل تصادم للدائرتين 1 و2 تصير سرعتهما النسبية على خط المركزين e مرة مما كانت عليه</translation>
+        <translation>في كل تصادم للدائرتين 1 و2 تصير سرعتهما النسبية على خط المركزين ما كانت عليه مضروبًا في e</translation>
     </message>
     <message>
         <source>Keep momentum and energy</source>
@@ -454,7 +454,7 @@
     </message>
     <message>
         <source>Drawn between the least and the most</source>
-        <translation>تُسحب بين الأدنى والأقصى</translation>
+        <translation>تُختار عشوائيًّا بين الأدنى والأقصى</translation>
     </message>
     <message>
         <source>Speeds</source>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>How many scenes are drawn</source>
-        <translation>كم مشهدًا يُسحب</translation>
+        <translation>كم مشهدًا يُختار عشوائيًّا</translation>
     </message>
     <message>
         <source>Radii</source>
@@ -502,7 +502,7 @@
     </message>
     <message>
         <source>The same scenes in every check; drawn anew with the seed of the check if left out</source>
-        <translation>المشاهد نفسها في كل فحص؛ وإن تُركت فتُسحب من جديد ببذرة الفحص</translation>
+        <translation>المشاهد نفسها في كل فحص؛ وإن تُركت فتُختار من جديد ببذرة الفحص</translation>
     </message>
     <message>
         <source>The student&apos;s own scene</source>
@@ -590,7 +590,7 @@
     </message>
     <message>
         <source>Speed to the right, drawn between the least and the most</source>
-        <translation>السرعة نحو اليمين، تُسحب بين الأدنى والأقصى</translation>
+        <translation>السرعة نحو اليمين، تُختار عشوائيًّا بين الأدنى والأقصى</translation>
     </message>
     <message>
         <source>Again at once</source>
@@ -621,7 +621,7 @@
     </message>
     <message>
         <source>Circle %1 comes off the floor and down again %2 times; at least %3 is right</source>
-        <translation>تعلو الدائرة ⁨%1⁩ عن الأرضية ثم تعود إليها ⁨%2⁩ مرة؛ الصواب ⁨%3⁩ على الأقل</translation>
+        <translation>عدد مرات ارتفاع الدائرة ⁨%1⁩ عن الأرضية ثم رجوعها إليها: ⁨%2⁩؛ الصواب ⁨%3⁩ على الأقل</translation>
     </message>
     <message>
         <source>At step %1 circle %2 hit a wall and its velocity along the wall changed from %3 to %4 m/s; only the part into the wall should change</source>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
-        <translation>خلال ⁦%1 s⁩ ردّت الجدران دائرةً ⁨%2⁩ مرة؛ يجب أن يُرى ذلك ⁨%3⁩ مرة على الأقل للحكم عليها</translation>
+        <translation>خلال ⁦%1 s⁩ كان عدد المرات التي ردّت فيها الجدران دائرةً ⁨%2⁩؛ يجب أن يُرى ⁨%3⁩ على الأقل للحكم عليها</translation>
     </message>
     <message>
         <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
@@ -657,15 +657,15 @@
     </message>
     <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
-        <translation>خلال ⁦%1 s⁩ جاءت الدائرة ⁨%2⁩ إلى جدار ⁨%3⁩ مرة؛ يجب أن يُرى ذلك ⁨%4⁩ مرة على الأقل للحكم على بقائها في الداخل</translation>
+        <translation>خلال ⁦%1 s⁩ كان عدد المرات التي جاءت فيها الدائرة ⁨%2⁩ إلى جدار ⁨%3⁩؛ يجب أن يُرى ⁨%4⁩ على الأقل للحكم على بقائها في الداخل</translation>
     </message>
     <message>
         <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن حافتيهما كانتا لا تزالان متباعدتين ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁ + r₂⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩ ثم صُدمتا مرة أخرى؛ الدائرتان المتباعدتان يجب أن تُتركا</translation>
+        <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩ ثم صُدمتا مرة أخرى؛ الدائرتان المتباعدتان يجب أن تُتركا وشأنهما</translation>
     </message>
     <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
-        <translation>في الخطوة ⁨%1⁩ التقت الدائرتان بسرعة ⁦%2 m/s⁩ على خط المركزين وافترقتا بسرعة ⁦%3 m/s⁩؛ وe مرة من ذلك، مع ⁦e = %4⁩، هو ⁦%5 m/s⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ التقت الدائرتان بسرعة ⁦%2 m/s⁩ على خط المركزين وافترقتا بسرعة ⁦%3 m/s⁩؛ وحاصل ضربها في e، مع ⁦e = %4⁩، هو ⁦%5 m/s⁩</translation>
     </message>
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
@@ -681,7 +681,7 @@
     </message>
     <message>
         <source>The circles hit each other %1 times; at least %2 is right</source>
-        <translation>تصادمت الدائرتان ⁨%1⁩ مرة؛ الصواب ⁨%2⁩ على الأقل</translation>
+        <translation>عدد تصادمات الدائرتين ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
     </message>
     <message>
         <source>The circles never hit each other; they should</source>
@@ -721,7 +721,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
-        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وبـ ⁨%4⁩ تتحرك بمقدار ⁦%5 m⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وبطريقة ⁨%4⁩ تتحرك بمقدار ⁦%5 m⁩</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
@@ -729,11 +729,11 @@
     </message>
     <message>
         <source>. This is what %1 does</source>
-        <translation>. هذا ما تفعله ⁨%1⁩</translation>
+        <translation>. هذا ما تفعله طريقة ⁨%1⁩</translation>
     </message>
     <message>
         <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
-        <translation>لم تكن الدائرة ⁨%1⁩ بعيدة عن الجدران وعن الدوائر الأخرى إلا ⁦%2 s⁩؛ يجب أن يُرى ⁦%3 s⁩ على الأقل للحكم على حركتها</translation>
+        <translation>لم تكن الدائرة ⁨%1⁩ بعيدة عن الجدران وعن الدوائر الأخرى إلا مدة ⁦%2 s⁩؛ يجب أن يُرى ⁦%3 s⁩ على الأقل للحكم على حركتها</translation>
     </message>
     <message>
         <source> or </source>
@@ -745,7 +745,7 @@
     </message>
     <message>
         <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
-        <translation>تتحرك الدائرة ⁨%1⁩ بـ ⁨%2⁩ والدائرة ⁨%3⁩ بـ ⁨%4⁩؛ الصواب الطريقة نفسها لكلتيهما</translation>
+        <translation>تتحرك الدائرة ⁨%1⁩ بطريقة ⁨%2⁩ والدائرة ⁨%3⁩ بطريقة ⁨%4⁩؛ الصواب الطريقة نفسها لكلتيهما</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is at %3 m; x₀ + v₀t + ½gt² is %4 m</source>
@@ -869,7 +869,7 @@
     </message>
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
-        <translation>أوقفته الآلة: استغرق الفحص أكثر من ⁦%1 s⁩. ليس هذا حكمًا على البرنامج</translation>
+        <translation>أوقفه الجهاز: استغرق الفحص أكثر من ⁦%1 s⁩. ليس هذا حكمًا على البرنامج</translation>
     </message>
 </context>
 <context>
@@ -926,7 +926,7 @@
     </message>
     <message>
         <source>number of the student for whom the lab draws its values</source>
-        <translation>رقم الطالب الذي يسحب المختبر قيمه له</translation>
+        <translation>رقم الطالب الذي يختار المختبر قيمه له</translation>
     </message>
     <message>
         <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab</source>
@@ -954,7 +954,7 @@
     </message>
     <message>
         <source>SCRIPT.lua or --preset P.json is missing: what is to be judged?</source>
-        <translation>⁦SCRIPT.lua⁩ أو ⁦--preset P.json⁩ ناقص: على ماذا يُحكم؟</translation>
+        <translation>⁦SCRIPT.lua⁩ أو ⁦--preset P.json⁩ ناقص: علامَ يُحكم؟</translation>
     </message>
     <message>
         <source>unknown format %1; one of %2 is right</source>
@@ -970,7 +970,7 @@
     </message>
     <message>
         <source>left out of the zip: %1</source>
-        <translation>تُرك من ملف zip: ⁨%1⁩</translation>
+        <translation>لم يوضع في ملف zip: ⁨%1⁩</translation>
     </message>
     <message>
         <source>the results may not go where the submissions are</source>
@@ -1050,7 +1050,7 @@
     </message>
     <message>
         <source>%1 of %2 students</source>
-        <translation>⁨%1⁩ من ⁨%2⁩ طالبًا</translation>
+        <translation>الطلاب: ⁨%1⁩ من ⁨%2⁩</translation>
     </message>
     <message>
         <source>, %1 a minute, %2 left</source>
@@ -1058,15 +1058,15 @@
     </message>
     <message>
         <source>, %1 steps not passed</source>
-        <translation>، ⁨%1⁩ مرحلة لم تُجتز</translation>
+        <translation>، مراحل لم تُجتز: ⁨%1⁩</translation>
     </message>
     <message>
         <source>, %1 not graded</source>
-        <translation>، ⁨%1⁩ لم تُقيَّم</translation>
+        <translation>، مراحل لم تُقيَّم: ⁨%1⁩</translation>
     </message>
     <message>
         <source>%1 of %2 students, %3 of them as they were before; steps: %4 passed, %5 not passed, %6 not graded; %7</source>
-        <translation>⁨%1⁩ من ⁨%2⁩ طالبًا، منهم ⁨%3⁩ كما كانوا من قبل؛ المراحل: ⁨%4⁩ اجتيزت، ⁨%5⁩ لم تُجتز، ⁨%6⁩ لم تُقيَّم؛ ⁨%7⁩</translation>
+        <translation>الطلاب: ⁨%1⁩ من ⁨%2⁩، منهم كما كانوا من قبل: ⁨%3⁩؛ المراحل: اجتيزت ⁨%4⁩، لم تُجتز ⁨%5⁩، لم تُقيَّم ⁨%6⁩؛ ⁨%7⁩</translation>
     </message>
     <message>
         <source>the folder of the results</source>
@@ -1202,7 +1202,7 @@
     </message>
     <message>
         <source>write every N-th step only</source>
-        <translation>كتابة كل خطوة ترتيبها N فقط</translation>
+        <translation>كتابة خطوة واحدة فقط من كل N خطوة</translation>
     </message>
     <message>
         <source>table of the circles&apos; states</source>
@@ -1242,7 +1242,7 @@
     </message>
     <message>
         <source>%1 steps are too many; at most %2 are right</source>
-        <translation>⁨%1⁩ خطوة كثيرة جدًا؛ الصواب ⁨%2⁩ على الأكثر</translation>
+        <translation>عدد الخطوات ⁨%1⁩ كبير جدًّا؛ الصواب ⁨%2⁩ على الأكثر</translation>
     </message>
     <message>
         <source>contacts merged from %1 s on</source>
@@ -1307,20 +1307,20 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>%1 steps, %2 mistakes, %3 problems, %4 s
 </source>
-        <translation>⁨%1⁩ مرحلة، ⁨%2⁩ خطأ، ⁨%3⁩ مشكلة، ⁦%4 s⁩
+        <translation>المراحل ⁨%1⁩، الأخطاء ⁨%2⁩، المشكلات ⁨%3⁩، ⁦%4 s⁩
 </translation>
     </message>
     <message>
         <source>%1 programs became differences, %2 lines fewer</source>
-        <translation>صار ⁨%1⁩ برنامجًا فروقًا، بأقل من ⁨%2⁩ سطر</translation>
+        <translation>برامج صارت فروقًا: ⁨%1⁩؛ أسطر وُفّرت: ⁨%2⁩</translation>
     </message>
     <message>
         <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
-        <translation>يحكم على المختبر نفسه: برامج البداية تخفق في فحص، والحلول تجتاز، وكل خطأ معروف يخفق ويُتعرَّف عليه، وكل فحص يخفق فيه خطأ. يطبع أي خطأ (صف) يخفق في أي فحص (عمود، x) وعلى أنه ماذا يُفهم.</translation>
+        <translation>يحكم على المختبر نفسه: برامج البداية تخفق في فحص، والحلول تجتاز، وكل خطأ معروف يخفق ويُتعرَّف عليه، وكل فحص يخفق فيه خطأ. يطبع أي خطأ (صف) يخفق في أي فحص (عمود، x) وبماذا يُشخَّص.</translation>
     </message>
     <message>
         <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
-        <translation>حفظ الأخطاء والتعليقات فروقًا عن حلّها حيث يكون ذلك أقصر</translation>
+        <translation>حفظ الأخطاء والتعقيبات فروقًا عن حلّها حيث يكون ذلك أقصر</translation>
     </message>
     <message>
         <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
@@ -1388,15 +1388,15 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>of the pages and of what students are told, such as en or de; en without it</source>
-        <translation>للصفحات ولما يقرؤه الطلاب، مثل en أو ar؛ وبدونها en</translation>
+        <translation>للصفحات ولما يقرؤه الطلاب، مثل en أو ar؛ ومن دونها en</translation>
     </message>
     <message>
         <source>--language %1: one of %2 is right</source>
-        <translation>⁦--language %1⁩: الصحيح واحدة من ⁨%2⁩</translation>
+        <translation>⁦--language %1⁩: الصواب واحدة من ⁨%2⁩</translation>
     </message>
     <message>
         <source>of the report, such as en or de; without it that of the system</source>
-        <translation>للتقرير، مثل en أو ar؛ وبدونها لغة النظام</translation>
+        <translation>للتقرير، مثل en أو ar؛ ومن دونها لغة النظام</translation>
     </message>
 </context>
 <context>
@@ -1408,7 +1408,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>up to %1 m (rms %2 m)</source>
-        <translation>حتى ⁦%1 m (⁩الجذر التربيعي للمتوسط ⁦%2 m⁩)</translation>
+        <translation>حتى ⁦%1 m⁩ (الجذر التربيعي لمتوسط المربعات ⁦%2 m⁩)</translation>
     </message>
     <message>
         <source>%1 J</source>
@@ -1470,7 +1470,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     <name>Expression</name>
     <message>
         <source>“%1” is not expected there</source>
-        <translation>“⁨%1⁩” غير متوقع هناك</translation>
+        <translation>«⁨%1⁩» غير متوقع هناك</translation>
     </message>
     <message>
         <source>it comes to no finite number</source>
@@ -1478,11 +1478,11 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>“%1” is no number: %2</source>
-        <translation>“⁨%1⁩” ليس عددًا: ⁨%2⁩</translation>
+        <translation>«⁨%1⁩» ليس عددًا: ⁨%2⁩</translation>
     </message>
     <message>
         <source>it is too deep</source>
-        <translation>إنه عميق جدًا</translation>
+        <translation>أجزاؤه متداخلة أعمق مما ينبغي</translation>
     </message>
     <message>
         <source>a closing parenthesis is missing</source>
@@ -1576,11 +1576,11 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>Boxes are compared, not circles</source>
-        <translation>تُقارَن مربعات لا دوائر</translation>
+        <translation>تُقارَن المربعات المحيطة لا الدوائر</translation>
     </message>
     <message>
         <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
-        <translation>جنبًا إلى جنب تستجيبان في الوقت المناسب، أما على القطر فحين لا تزال المسافة بين مركزيهما ⁦%2 m⁩: السؤال عن x وحده وعن y وحده سؤال عن مربعات. اجعل من الفرقين مسافة واحدة.</translation>
+        <translation>جنبًا إلى جنب تستجيبان في الوقت المناسب، أما على خط مائل فحين لا تزال المسافة بين مركزيهما ⁦%2 m⁩: السؤال عن x وحده وعن y وحده سؤال عن مربعين يحيطان بالدائرتين. اجعل من الفرقين مسافة واحدة.</translation>
     </message>
     <message>
         <source>|Δx| + |Δy| is not the distance</source>
@@ -1588,7 +1588,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>Side by side they answer in time, but on a diagonal only when their centres are %2 m apart. A distance is the root of the sum of the squares.</source>
-        <translation>جنبًا إلى جنب تستجيبان في الوقت المناسب، أما على القطر فلا تستجيبان إلا حين تكون المسافة بين مركزيهما ⁦%2 m⁩. المسافة هي جذر مجموع المربعين.</translation>
+        <translation>جنبًا إلى جنب تستجيبان في الوقت المناسب، أما على خط مائل فلا تستجيبان إلا حين تكون المسافة بين مركزيهما ⁦%2 m⁩. المسافة هي جذر مجموع المربعين.</translation>
     </message>
     <message>
         <source>A squared distance is compared with a length</source>
@@ -1700,7 +1700,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
-        <translation>كانت سرعة الدائرة 1 على خط المركزين ⁦%1 m/s⁩ وسرعة الدائرة ⁦2 %2 m/s⁩، فاقتربتا بسرعة ⁦%3 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المعتبَر هو سرعة إحداهما بالنسبة إلى الأخرى.</translation>
+        <translation>كانت السرعة على خط المركزين ⁦%1 m/s⁩ للدائرة 1 و⁦%2 m/s⁩ للدائرة 2، فاقتربتا بسرعة ⁦%3 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المهم هو سرعة إحداهما بالنسبة إلى الأخرى.</translation>
     </message>
     <message>
         <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
@@ -1712,7 +1712,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation>كانتا متداخلتين وتتباعدان بسرعة ⁦%1 m/s⁩؛ فجعلت الخطوة التالية سرعتيهما ⁨%2⁩ و⁦%3 m/s⁩. الدائرتان المتباعدتان قد نالتا تصادمهما: اسأل هل تتقاربان.</translation>
+        <translation>كانتا متداخلتين وتتباعدان بسرعة ⁦%1 m/s⁩؛ فجعلت الخطوة التالية سرعتيهما ⁨%2⁩ و⁦%3 m/s⁩. الدائرتان المتباعدتان سبق أن تصادمتا: اسأل هل تتقاربان.</translation>
     </message>
     <message>
         <source>circle %1</source>
@@ -1760,7 +1760,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويصير ⁦%3 m/s²⁩ حين يكبر نصف القطر إلى 1.25 مرة والكثافة إلى 1.5 مرة. الجاذبية تسارع أصلًا: كل الأجسام تسقط سقوطًا واحدًا، مهما كان ثقلها.</translation>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويصير ⁦%3 m/s²⁩ حين يُضرب نصف القطر في 1.25 والكثافة في 1.5. الجاذبية تسارع أصلًا: كل الأجسام تسقط سقوطًا واحدًا، مهما كان ثقلها.</translation>
     </message>
     <message>
         <source>Gravity acts on %who for a whole second in every step</source>
@@ -1816,7 +1816,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation>الجاذبية على %who أقوى مما يجب بمقدار ⁨%1⁩ مرة</translation>
+        <translation>الجاذبية على %who تساوي ما يجب مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>Look at the factors in the line that changes the velocity.</source>
@@ -1824,7 +1824,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>The fall of %who is not that of the gravity in the scene</source>
-        <translation>سقوط %who ليس سقوط جاذبية المشهد</translation>
+        <translation>لا تسقط %who بجاذبية المشهد</translation>
     </message>
     <message>
         <source>In your own scene gravity is %1 m/s², and the velocity changes by %2 m/s in a second. A copy of gravity keeps the value of the moment when it was made: before or after `on_load` has set it?</source>
@@ -1852,15 +1852,15 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>The motion of %who is no known method</source>
-        <translation>حركة %who ليست بطريقة معروفة</translation>
+        <translation>لا تتحرك %who بطريقة معروفة</translation>
     </message>
     <message>
         <source>The motion of %who is %1, not %2</source>
-        <translation>حركة %who هي ⁨%1⁩، لا ⁨%2⁩</translation>
+        <translation>تتحرك %who بطريقة ⁨%1⁩، لا بطريقة ⁨%2⁩</translation>
     </message>
     <message>
         <source>The motion of %who is no known method; %1 is asked for</source>
-        <translation>حركة %who ليست بطريقة معروفة؛ المطلوب ⁨%1⁩</translation>
+        <translation>لا تتحرك %who بطريقة معروفة؛ المطلوب ⁨%1⁩</translation>
     </message>
     <message>
         <source>Euler</source>
@@ -1924,7 +1924,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩، فإن التي تتقدم بمقدار ⁦v Δt⁩ هي %who. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
@@ -1976,7 +1976,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>x and y of the velocity are exchanged where %who moves</source>
-        <translation>تبادلت x وy للسرعة مكانيهما حيث تتحرك %who</translation>
+        <translation>تبادلت مركّبتا السرعة x وy مكانيهما حيث تُحرَّك %who</translation>
     </message>
     <message>
         <source>The way of %who in a step is not v Δt</source>
@@ -2048,7 +2048,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
-        <translation>مسافة %who في الخطوة هي ⁨%1⁩ مرة من ⁦v Δt⁩</translation>
+        <translation>مسافة %who في الخطوة تساوي ⁦v Δt⁩ مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>Look at the factors in the line that moves it.</source>
@@ -2092,11 +2092,11 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>What acts on the velocity of %who is %1 times as strong as it should be</source>
-        <translation>ما يؤثر في سرعة %who أقوى مما يجب بمقدار ⁨%1⁩ مرة</translation>
+        <translation>ما يؤثر في سرعة %who يساوي ما يجب مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
-        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4 (e = %7)⁩، كان تغير v₁ مساويًا ⁨%5⁩ مرة من تغير v₂؛ الصواب ⁦m₂/m₁ = %6⁩.</translation>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، كان تغير v₁ يساوي تغير v₂ مضروبًا في ⁨%5⁩؛ الصواب ⁦m₂/m₁ = %6⁩.</translation>
     </message>
     <message>
         <source>Where the masses differ, only circle %1 leaves as it should</source>
@@ -2112,7 +2112,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with another density that both have %2 times. Compare the lines for the two masses.</source>
-        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن الدائرة 2 أثقل من الدائرة 1 بمقدار ⁨%1⁩ مرة، ومع كثافة أخرى مشتركة بمقدار ⁨%2⁩ مرة. قارن بين سطري الكتلتين.</translation>
+        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩، ومع كثافة أخرى مشتركة مضروبةً في ⁨%2⁩. قارن بين سطري الكتلتين.</translation>
     </message>
     <message>
         <source>The masses are numbers, not those of the circles</source>
@@ -2120,7 +2120,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
-        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن الدائرة 2 أثقل من الدائرة 1 بمقدار ⁨%1⁩ مرة. احسب الكتلتين من ⁦`radius`⁩ و⁦`density`⁩، اللتين تغيّرهما مشاهد أخرى.</translation>
+        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. احسب الكتلتين من ⁦`radius`⁩ و⁦`density`⁩، اللتين تغيّرهما مشاهد أخرى.</translation>
     </message>
     <message>
         <source>The circles answer as if they were equally heavy</source>
@@ -2176,7 +2176,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Mass is density times volume, for each circle its own.</source>
-        <translation>الكتلة هي الكثافة في الحجم، لكل دائرة ما يخصها.</translation>
+        <translation>الكتلة هي الكثافة مضروبةً في الحجم، لكل دائرة بكثافتها وحجمها.</translation>
     </message>
     <message>
         <source>With e = %1: </source>
@@ -2192,7 +2192,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>e multiplies the whole velocities after the hit</source>
-        <translation>المعامل e يضرب السرعتين كاملتين بعد التصادم</translation>
+        <translation>تُضرب السرعتان كاملتين في e بعد التصادم</translation>
     </message>
     <message>
         <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
@@ -2208,11 +2208,11 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Only circle 1 feels e</source>
-        <translation>الدائرة 1 وحدها تشعر بـ e</translation>
+        <translation>لا يؤثر e إلا في الدائرة 1</translation>
     </message>
     <message>
         <source>Only circle 2 feels e</source>
-        <translation>الدائرة 2 وحدها تشعر بـ e</translation>
+        <translation>لا يؤثر e إلا في الدائرة 2</translation>
     </message>
     <message>
         <source>e is not used in the hit of two circles</source>
@@ -2264,7 +2264,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Whatever e is, the rebound is that of e = %1.</source>
-        <translation>مهما كان e فالارتداد ارتداد ⁦e = %1⁩.</translation>
+        <translation>مهما كان e فالارتداد كما عند ⁦e = %1⁩.</translation>
     </message>
     <message>
         <source>Numbers stand for e in the hit of two circles</source>
@@ -2408,7 +2408,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The parts along the normal change hands and are turned round as well</source>
-        <translation>تتبادل الدائرتان المركّبتين على الناظم وتنعكسان أيضًا</translation>
+        <translation>تنتقل المركّبتان على الناظم وتنعكسان أيضًا</translation>
     </message>
     <message>
         <source>The exchange alone is the whole answer.</source>
@@ -2484,15 +2484,15 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The new velocities are turned back by the wrong angle</source>
-        <translation>تُدار السرعتان الجديدتان عائدتين بزاوية خاطئة</translation>
+        <translation>يُعكس تدوير السرعتين الجديدتين بزاوية خاطئة</translation>
     </message>
     <message>
         <source>Who turns by −φ before must turn by +φ afterwards.</source>
-        <translation>من يدير بمقدار ⁦−φ⁩ قبلُ يجب أن يدير بمقدار ⁦+φ⁩ بعدُ.</translation>
+        <translation>من دوّر قبل الحساب بمقدار ⁦−φ⁩ يجب أن يدوّر بعده بمقدار ⁦+φ⁩.</translation>
     </message>
     <message>
         <source>The new velocities are not turned back</source>
-        <translation>لا تُدار السرعتان الجديدتان عائدتين</translation>
+        <translation>لا يُعكس تدوير السرعتين الجديدتين</translation>
     </message>
     <message>
         <source>They are still taken apart along the line of centres: put them together again.</source>
@@ -2528,7 +2528,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Between equal circles the push is %1 times as large as it should be</source>
-        <translation>بين دائرتين متساويتين الدفع أكبر مما يجب بمقدار ⁨%1⁩ مرة</translation>
+        <translation>بين دائرتين متساويتين الدفع يساوي ما يجب مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>The push along the line of centres has the wrong size</source>
@@ -2540,7 +2540,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>فيه تستجيب الدائرة 2 كأنها أثقل من الدائرة 1 بمقدار ⁨%1⁩ مرة؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فهي ⁨%6⁩ مرة. المشاهد الأخرى تخرج صحيحة. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+        <translation>فيه تستجيب الدائرتان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فالعامل ⁨%6⁩. المشاهد الأخرى تخرج صحيحة. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
@@ -2552,7 +2552,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>With e = %1 a hit does not come out right</source>
-        <translation>مع ⁦e = %1⁩ لا يخرج التصادم صحيحًا</translation>
+        <translation>مع ⁦e = %1⁩ لا تصح نتيجة التصادم</translation>
     </message>
     <message>
         <source>Equal circles answer rightly, unequal ones do not</source>
@@ -2656,11 +2656,11 @@ Look at what `on_load` sets, and for which circle.</source>
     </message>
     <message>
         <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation>مهما كان e يعود من السرعة ⁨%1⁩.</translation>
+        <translation>مهما كان e تعود السرعة مضروبةً في ⁨%1⁩.</translation>
     </message>
     <message>
         <source>The walls give %who %1 e of the speed back, not e</source>
-        <translation>الجدران تعيد إلى %who من السرعة ⁦%1 e⁩، لا e</translation>
+        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ⁦%1 e⁩، لا في e</translation>
     </message>
     <message>
         <source>Look at the factor in front of the part that you turn round.</source>
@@ -2684,7 +2684,7 @@ Look at what `on_load` sets, and for which circle.</source>
     </message>
     <message>
         <source>The walls give %who %1 times the speed back</source>
-        <translation>الجدران تعيد إلى %who ⁨%1⁩ مرة من السرعة</translation>
+        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ⁨%1⁩</translation>
     </message>
     <message>
         <source>Look at the sign: the velocity still points into the wall.</source>
@@ -2845,7 +2845,7 @@ Look at what `on_load` sets, and for which circle.</source>
     </message>
     <message>
         <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>بينما كان ⁨%2⁩ يستجيب لـ ⁨%1⁩، لم تمض الدائرة الأخرى، البعيدة عن كل جدار، حرّة. تُعاد كل دائرة وحدها: انظر مواضع أيّ دائرة يغيّرها جدارك.</translation>
+        <translation>بينما وقع التصادم بين ⁨%1⁩ و⁨%2⁩، لم تمض الدائرة الأخرى، البعيدة عن كل جدار، حرّة. تُعاد كل دائرة وحدها: انظر مواضع أيّ دائرة يغيّرها جدارك.</translation>
     </message>
     <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
@@ -3118,7 +3118,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the process that judges was killed %1 times without getting anything done</source>
-        <translation>قُتلت عملية الحكم ⁨%1⁩ مرة دون أن تنجز شيئًا</translation>
+        <translation>قُتلت عملية الحكم دون أن تنجز شيئًا، وعدد مرات ذلك ⁨%1⁩</translation>
     </message>
     <message>
         <source>the process that judged it gave no verdict: %1</source>
@@ -3158,7 +3158,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>missing of %1 shards: %2</source>
-        <translation>ينقص من ⁨%1⁩ أجزاء: ⁨%2⁩</translation>
+        <translation>ينقص من الأجزاء الـ ⁨%1⁩: ⁨%2⁩</translation>
     </message>
     <message>
         <source>without results: %1</source>
@@ -3198,7 +3198,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>points on average</source>
-        <translation>نقطة في المتوسط</translation>
+        <translation>متوسط النقاط</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -3230,7 +3230,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>This lab draws values by a student&apos;s number: that of the roster, where it has one, else that of what was handed in. A mistyped number is likelier than anything else.</source>
-        <translation>يسحب هذا المختبر القيم برقم الطالب: الرقم الذي في القائمة إن وُجد، وإلا فرقم ما سُلِّم. الخطأ في كتابة الرقم أرجح من أي شيء آخر.</translation>
+        <translation>يختار هذا المختبر القيم بحسب رقم الطالب: الرقم الذي في القائمة إن وُجد، وإلا فرقم ما سُلِّم. الخطأ في كتابة الرقم أرجح من أي شيء آخر.</translation>
     </message>
     <message>
         <source>And %1 more.</source>
@@ -3394,7 +3394,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
-        <translation>قورنت رمزًا رمزًا، مهما كانت أسماؤها وتعليقاتها وترتيبها ⁦(winnowing)⁩. يُترك ما يعطيه المختبر، وكذلك ما يشترك فيه أكثر من ⁨%1⁩ طلاب. للتشابه أسباب وجيهة كثيرة: العمل معًا حيث يُسمح به، أو الكتاب نفسه، أو الفكرة نفسها. الزوج أدناه لا يثبت شيئًا؛ اقرأ كليهما واسأل.</translation>
+        <translation>قورنت رمزًا رمزًا، مهما كانت أسماؤها وتعليقاتها وترتيبها ⁦(winnowing)⁩. يُترك ما يعطيه المختبر، وكذلك ما يشترك فيه من الطلاب أكثر من ⁨%1⁩. للتشابه أسباب وجيهة كثيرة: العمل معًا حيث يُسمح به، أو الكتاب نفسه، أو الفكرة نفسها. الزوج أدناه لا يثبت شيئًا؛ اقرأ كليهما واسأل.</translation>
     </message>
     <message>
         <source>There are none.</source>
@@ -3454,7 +3454,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 of %2 steps pass</source>
-        <translation>اجتيزت ⁨%1⁩ من ⁨%2⁩ مراحل</translation>
+        <translation>المراحل المجتازة: ⁨%1⁩ من ⁨%2⁩</translation>
     </message>
     <message>
         <source>%1 not graded</source>
@@ -3570,11 +3570,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
-        <translation>حكم عليه ⁨%1⁩، بالنسخة ⁨%2⁩ من المختبر، في مشاهد سُحبت لهذا الطالب وحده.</translation>
+        <translation>حكم عليه ⁨%1⁩، بالنسخة ⁨%2⁩ من المختبر، في مشاهد اختيرت لهذا الطالب وحده.</translation>
     </message>
     <message>
         <source>%1 of %2 points</source>
-        <translation>⁨%1⁩ من ⁨%2⁩ نقطة</translation>
+        <translation>النقاط: ⁨%1⁩ من ⁨%2⁩</translation>
     </message>
     <message>
         <source>Steps that could not be graded: %1. There is no sum of points yet; that is not the fault of what was handed in.</source>
@@ -3586,11 +3586,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
-        <translation>رقم ما سُلِّم هو ⁨%2⁩، وليس لهذا الطالب في القائمة: حُكم عليه بالقيم التي يسحبها الرقم ⁨%1⁩.</translation>
+        <translation>رقم ما سُلِّم هو ⁨%2⁩، وليس لهذا الطالب في القائمة: حُكم عليه بالقيم التي تُختار بالرقم ⁨%1⁩.</translation>
     </message>
     <message>
         <source>The values of this lab were drawn by the number %1.</source>
-        <translation>سُحبت قيم هذا المختبر بالرقم ⁨%1⁩.</translation>
+        <translation>اختيرت قيم هذا المختبر بالرقم ⁨%1⁩.</translation>
     </message>
     <message>
         <source>✓ passes</source>
@@ -3673,11 +3673,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>“%1” first goes wrong here, at %2 s.</source>
-        <translation>أول خطأ في “⁨%1⁩” يظهر هنا، عند ⁦%2 s⁩.</translation>
+        <translation>أول خطأ في «⁨%1⁩» يظهر هنا، عند ⁦%2 s⁩.</translation>
     </message>
     <message>
         <source>“%1” goes wrong from the start.</source>
-        <translation>الخطأ في “⁨%1⁩” قائم منذ البداية.</translation>
+        <translation>الخطأ في «⁨%1⁩» قائم منذ البداية.</translation>
     </message>
     <message>
         <source>Scene: %1.</source>
@@ -3854,7 +3854,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Hit %1 · %2 s</source>
-        <translation>التصادم ⁦%1 · %2 s⁩</translation>
+        <translation>التصادم ⁨%1⁩ · ⁦%2 s⁩</translation>
     </message>
     <message>
         <source> · first of %1</source>
@@ -3917,7 +3917,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>this is encrypted; a file without a password is right</source>
-        <translation>هذا معمّى؛ الصواب ملف بلا كلمة مرور</translation>
+        <translation>هذا مشفَّر؛ الصواب ملف بلا كلمة مرور</translation>
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
@@ -3925,7 +3925,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>this unpacks to more than %1 times its size, as no honest file does</source>
-        <translation>هذا ينفك إلى أكثر من ⁨%1⁩ مرة من حجمه، وهو ما لا يفعله ملف سليم</translation>
+        <translation>يُفكّ ضغط هذا إلى أكثر من ⁨%1⁩ مرة من حجمه، وهو ما لا يفعله ملف سليم</translation>
     </message>
     <message>
         <source>all of it is too large; at most %1 are right</source>
@@ -3937,11 +3937,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>this unpacks to another size than it says</source>
-        <translation>هذا ينفك إلى حجم غير الذي يقوله</translation>
+        <translation>يُفكّ ضغط هذا إلى حجم غير المذكور فيه</translation>
     </message>
     <message>
         <source>this is broken or packed in an unknown way</source>
-        <translation>هذا تالف أو محزوم بطريقة غير معروفة</translation>
+        <translation>هذا تالف أو مضغوط بطريقة غير معروفة</translation>
     </message>
     <message>
         <source>there is no %1 in it</source>
@@ -4023,7 +4023,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>a name without \ : * ? &quot; &lt; &gt; | and without control characters is right</source>
-        <translation>الصواب اسم خالٍ من \ : * ? &quot; &lt; &gt; | ومن أحرف التحكم</translation>
+        <translation>الصواب اسم خالٍ من ⁦\ : * ? &quot; &lt; &gt; |⁩ ومن أحرف التحكم</translation>
     </message>
     <message>
         <source>%1 names a device on some systems; another name is right</source>
@@ -4085,7 +4085,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the program begins without a comment; what the student should read of it stands there</source>
-        <translation>يبدأ البرنامج بلا تعليق؛ وهناك يرد ما ينبغي أن يقرأه الطالب عنه</translation>
+        <translation>يبدأ البرنامج بلا تعليق برمجي؛ وهناك يرد ما ينبغي أن يقرأه الطالب عنه</translation>
     </message>
     <message>
         <source>another step has the id %1 already; an id of its own is right</source>
@@ -4117,7 +4117,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 answers, as many as the task.json has, are right, not %2; the question is shown untranslated</source>
-        <translation>الصواب ⁨%1⁩ إجابات، بعدد ما في ⁦task.json⁩، لا ⁨%2⁩؛ يُعرض السؤال دون ترجمة</translation>
+        <translation>الصواب عدد إجابات ⁦task.json⁩ نفسه، أي ⁨%1⁩، لا ⁨%2⁩؛ يُعرض السؤال دون ترجمة</translation>
     </message>
     <message>
         <source>a name of letters, digits and underscores that means nothing else is right</source>
@@ -4144,7 +4144,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 of %2 steps pass, judged anew a moment ago.</source>
-        <translation>اجتيزت ⁨%1⁩ من ⁨%2⁩ مراحل، وحُكم عليها من جديد قبل لحظة.</translation>
+        <translation>المراحل المجتازة: ⁨%1⁩ من ⁨%2⁩، وحُكم عليها من جديد قبل لحظة.</translation>
     </message>
     <message>
         <source>What took the most checks</source>
@@ -4172,7 +4172,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 of %2 steps pass. Every step was judged anew for this report, by version %3 of the lab.</source>
-        <translation>اجتيزت ⁨%1⁩ من ⁨%2⁩ مراحل. حُكم على كل مرحلة من جديد لهذا التقرير، بالنسخة ⁨%3⁩ من المختبر.</translation>
+        <translation>المراحل المجتازة: ⁨%1⁩ من ⁨%2⁩. حُكم على كل مرحلة من جديد لهذا التقرير، بالنسخة ⁨%3⁩ من المختبر.</translation>
     </message>
     <message>
         <source>To the teacher</source>
@@ -4287,11 +4287,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>is taken for %1</source>
-        <translation>يُفهم على أنه ⁨%1⁩</translation>
+        <translation>يُشخَّص على أنه ⁨%1⁩</translation>
     </message>
     <message>
         <source>fails by %1; work that gets a remark passes</source>
-        <translation>يخفق في ⁨%1⁩؛ العمل الذي ينال تعليقًا يجتاز</translation>
+        <translation>يخفق في ⁨%1⁩؛ والعمل الذي ينال تعقيبًا يجتاز</translation>
     </message>
     <message>
         <source>the check %1 asks for the same as %2</source>
@@ -4303,7 +4303,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 differs in more than its mistake: it has “%2” where the solution has “%3”</source>
-        <translation>يختلف ⁨%1⁩ في أكثر من خطئه: فيه “⁨%2⁩” حيث في الحل “⁨%3⁩”</translation>
+        <translation>يختلف ⁨%1⁩ في أكثر من خطئه: فيه «⁨%2⁩» حيث في الحل «⁨%3⁩»</translation>
     </message>
     <message>
         <source>there is no solution.lua</source>
@@ -4315,7 +4315,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the check %1 allows %2, and the solution itself is off by %3 (%4): other right programs may fail; at least %5 is right</source>
-        <translation>يسمح الفحص ⁨%1⁩ بـ ⁨%2⁩، والحل نفسه يبعد ⁨%3⁩ (⁨%4⁩): قد تخفق برامج صحيحة أخرى؛ الصواب ⁨%5⁩ على الأقل</translation>
+        <translation>يسمح الفحص ⁨%1⁩ بمقدار ⁨%2⁩، والحل نفسه يبعد ⁨%3⁩ (⁨%4⁩): قد تخفق برامج صحيحة أخرى؛ الصواب ⁨%5⁩ على الأقل</translation>
     </message>
     <message>
         <source>fails what is turned, too fast, adrift by</source>
@@ -4323,7 +4323,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>with %1 seeds</source>
-        <translation>مع ⁨%1⁩ بذرة</translation>
+        <translation>عدد البذور ⁨%1⁩</translation>
     </message>
     <message>
         <source>with the values of the student %1: %2</source>
@@ -4513,7 +4513,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Calls f: true and its results, or false and the error</source>
-        <translation>يستدعي ⁦f: true⁩ ونتائجها، أو false والخطأ</translation>
+        <translation>يستدعي f ويعطي true ونتائجها، أو false والخطأ</translation>
     </message>
     <message>
         <source>The length of the vector</source>
@@ -4533,7 +4533,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The vector turned left by 90°: (-y, x)</source>
-        <translation>المتجه مدارًا نحو اليسار ⁦90°: (-y, x)⁩</translation>
+        <translation>المتجه مدارًا نحو اليسار ⁦90°⁩: ⁦(-y, x)⁩</translation>
     </message>
     <message>
         <source>The part to the right; to change it, build a new vector</source>
@@ -4756,7 +4756,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>speak this language, such as en or de</source>
-        <translation>التكلم بهذه اللغة، مثل en أو de</translation>
+        <translation>استعمال هذه اللغة، مثل en أو ar</translation>
     </message>
     <message>
         <source>system, light, dark or high-contrast</source>
@@ -4983,7 +4983,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Steps as long as the &amp;frames took</source>
-        <translation>خطوات بطول زمن الإطارات (&amp;F)</translation>
+        <translation>خطوات مدتها مدة الإطارات (&amp;F)</translation>
     </message>
     <message>
         <source>As the original lab did: see why stable timesteps matter</source>
@@ -4991,7 +4991,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Scene shows</source>
-        <translation>يعرض المشهد (&amp;S)</translation>
+        <translation>ما يعرضه المشهد (&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Velocities</source>
@@ -5011,7 +5011,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Momenta tip to tail</source>
-        <translation>كميات الحركة متتابعة الرؤوس (&amp;M)</translation>
+        <translation>كميات الحركة رأسًا إلى ذيل (&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Centre of mass and its way</source>
@@ -5308,7 +5308,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Which part of the velocity should become e times what it was?</source>
-        <translation>أيّ مركّبة من السرعة ينبغي أن تصير e مرة مما كانت؟</translation>
+        <translation>أيّ مركّبة من السرعة ينبغي أن تُضرب في e؟</translation>
     </message>
     <message>
         <source>e counts twice</source>
@@ -5363,19 +5363,19 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1: two numbers as “2, 0”, %2, are right</source>
-        <translation>⁨%1⁩: الصواب عددان مثل “⁦2, 0⁩”، ⁨%2⁩</translation>
+        <translation>⁨%1⁩: الصواب عددان مثل «⁦2, 0⁩»، ⁨%2⁩</translation>
     </message>
     <message>
         <source>%1: the least and the most as “0.5, 2”, %2, are right</source>
-        <translation>⁨%1⁩: الصواب الأدنى والأقصى مثل “⁦0.5, 2⁩”، ⁨%2⁩</translation>
+        <translation>⁨%1⁩: الصواب الأدنى والأقصى مثل «⁦0.5, 2⁩»، ⁨%2⁩</translation>
     </message>
     <message>
         <source>%1: pairs of numbers as “2, 0; 0, 0”, %2, are right</source>
-        <translation>⁨%1⁩: الصواب أزواج أعداد مثل “⁦2, 0; 0, 0⁩”، ⁨%2⁩</translation>
+        <translation>⁨%1⁩: الصواب أزواج أعداد مثل «⁦2, 0; 0, 0⁩»، ⁨%2⁩</translation>
     </message>
     <message>
         <source>%1: numbers as “0.5, 1”, %2, are right</source>
-        <translation>⁨%1⁩: الصواب أعداد مثل “⁦0.5, 1⁩”، ⁨%2⁩</translation>
+        <translation>⁨%1⁩: الصواب أعداد مثل «⁦0.5, 1⁩»، ⁨%2⁩</translation>
     </message>
     <message>
         <source>%1: a number, %2, is right</source>
@@ -5509,7 +5509,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <name>Preset</name>
     <message>
         <source>%1 circles of radius %2 m do not fit into the square; at most %3 are right</source>
-        <translation>⁨%1⁩ دائرة نصف قطرها ⁦%2 m⁩ لا يسعها المربع؛ الصواب ⁨%3⁩ على الأكثر</translation>
+        <translation>دوائر عددها ⁨%1⁩ ونصف قطرها ⁦%2 m⁩ لا يسعها المربع؛ الصواب ⁨%3⁩ على الأكثر</translation>
     </message>
     <message>
         <source>%1 is out of range; a number from %2 to %3 is right</source>
@@ -5559,15 +5559,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <name>Questions</name>
     <message>
         <source>“%1” is no number; one like 0.75 is asked for</source>
-        <translation>“⁨%1⁩” ليس عددًا؛ المطلوب عدد مثل 0.75</translation>
+        <translation>«⁨%1⁩» ليس عددًا؛ المطلوب عدد مثل 0.75</translation>
     </message>
     <message>
         <source>“%1” is no number with a unit; one like 3.2 kg is asked for</source>
-        <translation>“⁨%1⁩” ليس عددًا مع وحدة؛ المطلوب مثل ⁦3.2 kg⁩</translation>
+        <translation>«⁨%1⁩» ليس عددًا مع وحدة؛ المطلوب مثل ⁦3.2 kg⁩</translation>
     </message>
     <message>
         <source>“%1” is no unit that is known</source>
-        <translation>“⁨%1⁩” ليست وحدة معروفة</translation>
+        <translation>«⁨%1⁩» ليست وحدة معروفة</translation>
     </message>
     <message>
         <source>the number is right; its unit is missing</source>
@@ -5595,15 +5595,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>one that is chosen is not right, and a right one is missing</source>
-        <translation>أحد المختارات ليس صوابًا، وينقص واحد صحيح</translation>
+        <translation>إحدى الإجابات المختارة خطأ، وتنقص إجابة صحيحة</translation>
     </message>
     <message>
         <source>one that is chosen is not right</source>
-        <translation>أحد المختارات ليس صوابًا</translation>
+        <translation>إحدى الإجابات المختارة خطأ</translation>
     </message>
     <message>
         <source>all that is chosen is right, but not all that is right is chosen</source>
-        <translation>كل المختار صحيح، لكن لم يُختر كل الصحيح</translation>
+        <translation>كل ما اختير صحيح، لكن لم يُختر كل الصحيح</translation>
     </message>
     <message>
         <source>not all of them are in the order</source>
@@ -5706,15 +5706,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 did not pass: %2 of %3 checks and answers failed</source>
-        <translation>لم تُجتز ⁨%1⁩: أخفق ⁨%2⁩ من ⁨%3⁩ فحوص وإجابات</translation>
+        <translation>لم تُجتز ⁨%1⁩: الفحوص والإجابات المخفقة ⁨%2⁩ من ⁨%3⁩</translation>
     </message>
     <message>
         <source>%1 did not pass: %2 of %3 checks failed</source>
-        <translation>لم تُجتز ⁨%1⁩: أخفق ⁨%2⁩ من ⁨%3⁩ فحوص</translation>
+        <translation>لم تُجتز ⁨%1⁩: الفحوص المخفقة ⁨%2⁩ من ⁨%3⁩</translation>
     </message>
     <message>
         <source>%1 (%2 of %3 points)</source>
-        <translation>⁨%1⁩ (⁨%2⁩ من ⁨%3⁩ نقطة)</translation>
+        <translation>⁨%1⁩ (النقاط: ⁨%2⁩ من ⁨%3⁩)</translation>
     </message>
 </context>
 <context>
@@ -5836,7 +5836,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 → %2 circles</source>
-        <translation>من ⁨%1⁩ إلى ⁨%2⁩ دائرة</translation>
+        <translation>عدد الدوائر من ⁨%1⁩ إلى ⁨%2⁩</translation>
     </message>
 </context>
 <context>
@@ -5940,7 +5940,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>a text of at most 200 characters; another draws other values</source>
-        <translation>نص من 200 حرف على الأكثر؛ ونص آخر يسحب قيمًا أخرى</translation>
+        <translation>نص من 200 حرف على الأكثر؛ ونص آخر يعطي قيمًا أخرى</translation>
     </message>
     <message>
         <source>a unit like m/s of at most 40 characters</source>
@@ -6036,7 +6036,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>a list of remarks</source>
-        <translation>قائمة تعليقات</translation>
+        <translation>قائمة تعقيبات</translation>
     </message>
     <message>
         <source>a list of texts</source>
@@ -6140,7 +6140,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>an object with the texts of the remarks by their name</source>
-        <translation>كائن فيه نصوص التعليقات بحسب اسمها</translation>
+        <translation>كائن فيه نصوص التعقيبات بحسب اسمها</translation>
     </message>
     <message>
         <source>an object with the titles of the checks by their id</source>
@@ -6255,7 +6255,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>check(run) returned false without a message for the student; return false, &quot;what is wrong&quot; is right</source>
-        <translation>أعادت ⁦check(run)⁩ القيمة false بلا رسالة للطالب؛ الصواب ⁦return false, &quot;⁩ما الخطأ&quot;</translation>
+        <translation>أعادت ⁦check(run)⁩ القيمة false بلا رسالة للطالب؛ الصواب false ثم نص يقول ما الخطأ</translation>
     </message>
     <message>
         <source>%1 has no field %2; a field has a name</source>
@@ -6508,7 +6508,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Lua has no `new`; a vector is made by vec(x, y), a table by {}</source>
-        <translation>ليس في Lua الكلمة ⁦`new`⁩؛ يُصنع المتجه بـ ⁦vec(x, y)⁩، والجدول بـ {}</translation>
+        <translation>ليس في Lua الكلمة ⁦`new`⁩؛ يُصنع المتجه بـ ⁦vec(x, y)⁩، والجدول بـ ⁦{}⁩</translation>
     </message>
     <message>
         <source>`%1` is not known; a vector is made by vec(x, y)</source>
@@ -6548,7 +6548,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Lua has no =&gt;; a function is function(x) return … end, and &quot;greater or equal&quot; is &gt;=</source>
-        <translation>ليس في Lua الرمز =&gt;؛ الدالة هي ⁦function(x) return … end⁩، و&quot;أكبر أو يساوي&quot; هو &gt;=</translation>
+        <translation>ليس في Lua الرمز ⁦=&gt;⁩؛ الدالة هي ⁦function(x) return … end⁩، و«أكبر أو يساوي» هو ⁦&gt;=⁩</translation>
     </message>
     <message>
         <source>Lua has no ? : to choose; write: if … then … else … end, or: condition and a or b</source>
@@ -6560,7 +6560,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&quot;not equal&quot; is ~= in Lua, not !=</source>
-        <translation>&quot;لا يساوي&quot; في Lua هو ~=، لا !=</translation>
+        <translation>«لا يساوي» في Lua هو ⁦~=⁩، لا ⁦!=⁩</translation>
     </message>
     <message>
         <source>Lua has no ++; write %1 = %1 + 1</source>
@@ -6860,7 +6860,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>there is no %1: the scene has %2 circles</source>
-        <translation>لا يوجد ⁨%1⁩: في المشهد ⁨%2⁩ من الدوائر</translation>
+        <translation>لا يوجد ⁨%1⁩: عدد دوائر المشهد ⁨%2⁩</translation>
     </message>
     <message>
         <source>`%1` is not known: did you mean `%2`?</source>
@@ -6906,7 +6906,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <name>UnifiedDiff</name>
     <message>
         <source>this is no line of a difference; “@@ -4,3 +4,2 @@” or a line after blank, minus or plus is right</source>
-        <translation>هذا ليس سطر فرق؛ الصواب “⁦@@ -4,3 +4,2 @@⁩” أو سطر بعد فراغ أو ناقص أو زائد</translation>
+        <translation>هذا ليس سطر فرق؛ الصواب «⁦@@ -4,3 +4,2 @@⁩» أو سطر بعد فراغ أو ناقص أو زائد</translation>
     </message>
     <message>
         <source>the lines that this changes are not there any more</source>
@@ -6945,7 +6945,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>contact %1, in front of a wall</source>
-        <translation>التماسّ ⁨%1⁩، أمام جدار</translation>
+        <translation>التلامس ⁨%1⁩، أمام جدار</translation>
     </message>
 </context>
 <context>
@@ -7247,7 +7247,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Open as a s&amp;tudent</source>
-        <translation>فتح كطالب (&amp;T)</translation>
+        <translation>فتح بصفة طالب (&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -7283,7 +7283,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation>مضاعفة (&amp;D)</translation>
+        <translation>تكرار (&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
@@ -7307,11 +7307,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Verify this step</source>
-        <translation>تحقيق هذه المرحلة (&amp;V)</translation>
+        <translation>تدقيق هذه المرحلة (&amp;V)</translation>
     </message>
     <message>
         <source>Verify the &amp;lab</source>
-        <translation>تحقيق المختبر (&amp;L)</translation>
+        <translation>تدقيق المختبر (&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Suggest mistakes</source>
@@ -7609,11 +7609,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 passes.</source>
-        <translation>⁨%1⁩ ينجح.</translation>
+        <translation>⁨%1⁩ يجتاز.</translation>
     </message>
     <message>
         <source>%1 fails: %2</source>
-        <translation>⁨%1⁩ يفشل: ⁨%2⁩</translation>
+        <translation>⁨%1⁩ يخفق: ⁨%2⁩</translation>
     </message>
     <message>
         <source>Try this check</source>
@@ -7652,7 +7652,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Duplicate a check</source>
-        <translation>مضاعفة فحص</translation>
+        <translation>تكرار فحص</translation>
     </message>
     <message>
         <source>Remove a check</source>
@@ -7672,7 +7672,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Duplicate the check</source>
-        <translation>مضاعفة الفحص</translation>
+        <translation>تكرار الفحص</translation>
     </message>
     <message>
         <source>Remove the check</source>
@@ -7818,7 +7818,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>مضاعفة</translation>
+        <translation>تكرار</translation>
     </message>
     <message>
         <source>Add a copy of the selected circle</source>
@@ -7842,7 +7842,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Duplicate circle</source>
-        <translation>مضاعفة دائرة</translation>
+        <translation>تكرار دائرة</translation>
     </message>
     <message>
         <source>Remove circle</source>
@@ -7853,7 +7853,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <name>cradle::CirclesLine</name>
     <message>
         <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
-        <translation>الدوائر: الصواب أعداد من 1 إلى 100 مثل “⁦1, 2⁩”</translation>
+        <translation>الدوائر: الصواب أعداد من 1 إلى 100 مثل «⁦1, 2⁩»</translation>
     </message>
     <message>
         <source>Circles that it looks at</source>
@@ -7861,7 +7861,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Numbers of the circles, as “1, 2”</source>
-        <translation>أرقام الدوائر، مثل “⁦1, 2⁩”</translation>
+        <translation>أرقام الدوائر، مثل «⁦1, 2⁩»</translation>
     </message>
 </context>
 <context>
@@ -8438,7 +8438,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message numerus="yes">
         <source>in %n file(s)</source>
         <translation>
-            <numerusform>في لا ملف</numerusform>
+            <numerusform>لا في أي ملف</numerusform>
             <numerusform>في ملف واحد</numerusform>
             <numerusform>في ملفين</numerusform>
             <numerusform>في %n ملفات</numerusform>
@@ -8537,11 +8537,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Findings · %1</source>
-        <translation>الملاحظات · ⁨%1⁩</translation>
+        <translation>التنبيهات · ⁨%1⁩</translation>
     </message>
     <message>
         <source>Findings in the lab&apos;s files</source>
-        <translation>ملاحظات على ملفات المختبر</translation>
+        <translation>تنبيهات على ملفات المختبر</translation>
     </message>
 </context>
 <context>
@@ -8647,7 +8647,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 of %2 students: %3 steps pass, %4 do not, %5 could not be graded.</source>
-        <translation>⁨%1⁩ من ⁨%2⁩ طالبًا: ⁨%3⁩ مرحلة تُجتاز، ⁨%4⁩ لا، ⁨%5⁩ تعذّر تقييمها.</translation>
+        <translation>الطلاب: ⁨%1⁩ من ⁨%2⁩؛ المراحل: اجتيزت ⁨%3⁩، لم تُجتز ⁨%4⁩، تعذّر تقييم ⁨%5⁩.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the students as they were before.</source>
@@ -8688,7 +8688,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The values of this lab were drawn by this number</source>
-        <translation>سُحبت قيم هذا المختبر بهذا الرقم</translation>
+        <translation>اختيرت قيم هذا المختبر بهذا الرقم</translation>
     </message>
     <message>
         <source>Step</source>
@@ -8764,7 +8764,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 of %2 steps pass. All of them are handed in as they are.</source>
-        <translation>تُجتاز ⁨%1⁩ من ⁨%2⁩ مراحل. تُسلَّم كلها كما هي.</translation>
+        <translation>المراحل المجتازة: ⁨%1⁩ من ⁨%2⁩. تُسلَّم كلها كما هي.</translation>
     </message>
     <message>
         <source>Save what is handed in</source>
@@ -8880,7 +8880,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>who</source>
-        <translation>من</translation>
+        <translation>مَن</translation>
     </message>
     <message>
         <source>impulse</source>
@@ -8915,7 +8915,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>“%1” is not a number; 0.5, 1e-3 or 1/240 would be right.</source>
-        <translation>“⁨%1⁩” ليس عددًا؛ الصواب مثل 0.5 أو ⁦1e-3⁩ أو ⁦1/240⁩.</translation>
+        <translation>«⁨%1⁩» ليس عددًا؛ الصواب مثل 0.5 أو ⁦1e-3⁩ أو ⁦1/240⁩.</translation>
     </message>
 </context>
 <context>
@@ -9016,7 +9016,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>“%1” is there already with %2. The file has %3.</source>
-        <translation>“⁨%1⁩” موجود بالفعل وفيه ⁨%2⁩. وفي الملف ⁨%3⁩.</translation>
+        <translation>«⁨%1⁩» موجود بالفعل وفيه ⁨%2⁩. وفي الملف ⁨%3⁩.</translation>
     </message>
     <message>
         <source>Both have one id, so what was passed in one counts as passed in the other.</source>
@@ -9152,7 +9152,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
-        <translation>يُوجد زمن التصادم داخل الخطوة، وتُقضى بقيتها بعده.</translation>
+        <translation>يُحسب زمن التصادم داخل الخطوة، ثم يُكمَل باقي الخطوة بعده.</translation>
     </message>
     <message>
         <source>Exact</source>
@@ -9160,7 +9160,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The motion is solved from hit to hit; the timestep only says when to look.</source>
-        <translation>تُحل الحركة من تصادم إلى تصادم؛ ولا تقول الخطوة الزمنية إلا متى يُنظر.</translation>
+        <translation>تُحل الحركة من تصادم إلى تصادم؛ ولا تحدد الخطوة الزمنية إلا متى يُنظر إليها.</translation>
     </message>
 </context>
 <context>
@@ -9263,7 +9263,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>This lab draws its values for each student by the number that you hand in with.
 Your number:</source>
-        <translation>يسحب هذا المختبر قيمه لكل طالب بالرقم الذي تسلّم به.
+        <translation>يختار هذا المختبر قيمه لكل طالب بحسب الرقم الذي تسلّم به.
 رقمك:</translation>
     </message>
     <message>
@@ -9280,7 +9280,7 @@ Your number:</source>
     </message>
     <message>
         <source>They write: “%1”</source>
-        <translation>ويكتب: “⁨%1⁩”</translation>
+        <translation>ويكتب: «⁨%1⁩»</translation>
     </message>
     <message>
         <source>Make a program of it</source>
@@ -9304,7 +9304,7 @@ Your number:</source>
     </message>
     <message>
         <source>Begin with the solution of “%1”</source>
-        <translation>البدء بحل “⁨%1⁩”</translation>
+        <translation>البدء بحل «⁨%1⁩»</translation>
     </message>
     <message>
         <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
@@ -9316,7 +9316,7 @@ Your number:</source>
     </message>
     <message>
         <source>Show me around</source>
-        <translation>أرني المكان</translation>
+        <translation>خذني في جولة</translation>
     </message>
     <message>
         <source>Got it</source>
@@ -9332,7 +9332,7 @@ Your number:</source>
     </message>
     <message>
         <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>ما تجتازه يُحفظ في تاريخك بتوقيع “Student”. ويمكن توقيعه باسمك.</translation>
+        <translation>ما تجتازه يُحفظ في تاريخك بتوقيع «Student». ويمكن توقيعه باسمك.</translation>
     </message>
     <message>
         <source>Give your name…</source>
@@ -9600,7 +9600,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Check passed.</source>
-        <translation>اجتاز التحقّق.</translation>
+        <translation>اجتزت التحقّق.</translation>
     </message>
     <message>
         <source>Not yet: %1</source>
@@ -9689,7 +9689,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>The notes, set</source>
-        <translation>الملاحظات، منضّدة</translation>
+        <translation>الملاحظات بعد التنسيق</translation>
     </message>
 </context>
 <context>
@@ -10030,7 +10030,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
-        <translation>برنامج كامل فيه خطأ واحد: يخفق في فحص، ومن كتب مثله يقرأ التعليق الذي يبدأ به.</translation>
+        <translation>برنامج كامل فيه خطأ واحد: يخفق في فحص، ومن كتب مثله يقرأ التعليق البرمجي الذي يبدأ به.</translation>
     </message>
     <message>
         <source>A whole program that passes and deserves a word.</source>
@@ -10050,7 +10050,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Edit a remark</source>
-        <translation>تحرير تعليق</translation>
+        <translation>تحرير تعقيب</translation>
     </message>
     <message>
         <source>What the student reads</source>
@@ -10066,7 +10066,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>The comment that the program begins with, or its translation</source>
-        <translation>التعليق الذي يبدأ به البرنامج، أو ترجمته</translation>
+        <translation>التعليق البرمجي الذي يبدأ به البرنامج، أو ترجمته</translation>
     </message>
     <message>
         <source>What the student reads, translated</source>
@@ -10101,7 +10101,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Add a remark</source>
-        <translation>إضافة تعليق</translation>
+        <translation>إضافة تعقيب</translation>
     </message>
     <message>
         <source>Remove a program</source>
@@ -10145,7 +10145,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>A &amp;remark on work that passes</source>
-        <translation>تعليق على عمل يجتاز (&amp;R)</translation>
+        <translation>تعقيب على عمل يجتاز (&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -10203,7 +10203,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
-        <translation>اضغط «تحقيق هذه المرحلة»: ينبغي أن يخفق برنامج البداية في فحص، وأن يجتاز الحل مع كل بذرة، وأن يخفق كل خطأ ويُتعرَّف عليه.</translation>
+        <translation>اضغط «تدقيق هذه المرحلة»: ينبغي أن يخفق برنامج البداية في فحص، وأن يجتاز الحل مع كل بذرة، وأن يخفق كل خطأ ويُتعرَّف عليه.</translation>
     </message>
     <message>
         <source>Not as it should be: %1</source>
@@ -10231,7 +10231,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Findings</source>
-        <translation>الملاحظات</translation>
+        <translation>التنبيهات</translation>
     </message>
     <message>
         <source>Worth a look</source>
@@ -10283,7 +10283,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Fails by “%1” without a word on why: %2 (%3)</source>
-        <translation>يخفق في “⁨%1⁩” دون كلمة عن السبب: ⁨%2⁩ (⁨%3⁩)</translation>
+        <translation>يخفق في «⁨%1⁩» دون كلمة عن السبب: ⁨%2⁩ (⁨%3⁩)</translation>
     </message>
     <message>
         <source>Add as a mistake</source>
@@ -10295,7 +10295,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Verify this step</source>
-        <translation>تحقيق هذه المرحلة</translation>
+        <translation>تدقيق هذه المرحلة</translation>
     </message>
     <message>
         <source>Judges every program of the step, the solution with five seeds</source>
@@ -10303,7 +10303,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Verify the lab</source>
-        <translation>تحقيق المختبر</translation>
+        <translation>تدقيق المختبر</translation>
     </message>
     <message>
         <source>Suggest mistakes</source>
@@ -10315,7 +10315,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Stop</source>
-        <translation>توقف</translation>
+        <translation>إيقاف</translation>
     </message>
     <message>
         <source>Progress of the proof</source>
@@ -10369,7 +10369,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>%1 (%2 points)</source>
-        <translation>⁨%1⁩ (⁨%2⁩ نقطة)</translation>
+        <translation>⁨%1⁩ (النقاط: ⁨%2⁩)</translation>
     </message>
 </context>
 <context>
@@ -10575,7 +10575,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <name>cradle::RemarkEditor</name>
     <message>
         <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
-        <translation>يُشغَّل برنامج الطالب الذي يجتاز إلى جانب هذا وإلى جانب الحل. حيث يختلف هذان ويفعل برنامج الطالب ما يفعله هذا، يُكتب التعليق.</translation>
+        <translation>يُشغَّل برنامج الطالب الذي يجتاز إلى جانب هذا وإلى جانب الحل. حيث يختلف هذان ويفعل برنامج الطالب ما يفعله هذا، يُكتب التعقيب.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -10697,7 +10697,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>on %1 at %2</source>
-        <translation>في ⁨%1⁩ عند ⁨%2⁩</translation>
+        <translation>في ⁨%1⁩، الساعة ⁨%2⁩</translation>
     </message>
     <message>
         <source>That was the last step.</source>
@@ -10705,7 +10705,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Still open: %1</source>
-        <translation>لا يزال مفتوحًا: ⁨%1⁩</translation>
+        <translation>مراحل لم تُجتز بعد: ⁨%1⁩</translation>
     </message>
     <message>
         <source>Next step ▸</source>
@@ -10756,7 +10756,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>&amp;Duplicate circles</source>
-        <translation>مضاعفة الدوائر (&amp;D)</translation>
+        <translation>تكرار الدوائر (&amp;D)</translation>
     </message>
     <message>
         <source>Re&amp;move circles</source>
@@ -10794,7 +10794,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation>مضاعفة ⁨%1⁩</translation>
+        <translation>تكرار ⁨%1⁩</translation>
     </message>
     <message>
         <source>Remove %1</source>
@@ -11089,11 +11089,11 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>%1 · v √(m/m̄) · kT = %2 J</source>
-        <translation>%1 · v √(m/m̄) · kT = %2 J</translation>
+        <translation>⁨%1⁩ · ⁦v √(m/m̄)⁩ · ⁦kT = %2 J⁩</translation>
     </message>
     <message>
         <source>%1 · kT = %2 J</source>
-        <translation>%1 · kT = %2 J</translation>
+        <translation>⁨%1⁩ · ⁦kT = %2 J⁩</translation>
     </message>
     <message>
         <source>share per %1 m/s, mean of 1 s</source>
@@ -11113,7 +11113,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Histogram of the speeds, m/s</source>
-        <translation>مدرّج مقادير السرعات، ⁦m/s⁩</translation>
+        <translation>مدرّج تكراري لمقادير السرعات، ⁦m/s⁩</translation>
     </message>
     <message>
         <source>Distance from equilibrium</source>
@@ -11152,7 +11152,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>open</source>
-        <translation>مفتوحة</translation>
+        <translation>لم تُجتز بعد</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -11226,7 +11226,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>open</source>
-        <translation>مفتوحة</translation>
+        <translation>لم تُجتز بعد</translation>
     </message>
     <message>
         <source>Steps · %1 of %2</source>
@@ -11289,7 +11289,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Duplicate the step</source>
-        <translation>مضاعفة المرحلة</translation>
+        <translation>تكرار المرحلة</translation>
     </message>
     <message>
         <source>Remove the step</source>
@@ -11344,7 +11344,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Line %1: nothing here is called “%2”</source>
-        <translation>السطر ⁨%1⁩: لا شيء هنا اسمه “⁨%2⁩”</translation>
+        <translation>السطر ⁨%1⁩: لا شيء هنا اسمه «⁨%2⁩»</translation>
     </message>
     <message>
         <source>%1, and %2 more</source>
@@ -11505,7 +11505,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Stop</source>
-        <translation>توقف</translation>
+        <translation>إيقاف</translation>
     </message>
     <message>
         <source>Check</source>
@@ -11603,11 +11603,11 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>How fast it goes now: slower around a hit, if that is chosen</source>
-        <translation>كم يسير الآن: أبطأ حول التصادم إن اختير ذلك</translation>
+        <translation>ما سرعة السير الآن: أبطأ حول التصادم إن اختير ذلك</translation>
     </message>
     <message>
         <source>Simulated time per real time ([ slower, ] faster)</source>
-        <translation>الزمن المحاكى لكل زمن حقيقي ([ أبطأ، ] أسرع)</translation>
+        <translation>الزمن المحاكى لكل زمن حقيقي (⁦[⁩ أبطأ، ⁦]⁩ أسرع)</translation>
     </message>
     <message>
         <source>Time</source>
@@ -11649,7 +11649,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>%1: from %2 to %3, drawn</source>
-        <translation>⁨%1⁩: من ⁨%2⁩ إلى ⁨%3⁩، بالسحب</translation>
+        <translation>⁨%1⁩: من ⁨%2⁩ إلى ⁨%3⁩، بالقرعة</translation>
     </message>
     <message>
         <source>%1 (whole lab)</source>
@@ -11684,23 +11684,23 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Edit a value</source>
-        <translation>تعديل قيمة</translation>
+        <translation>تحرير قيمة</translation>
     </message>
     <message>
         <source>A name of letters, digits and underscores that means nothing else, as sin does, is right</source>
-        <translation>الصحيح اسم من أحرف وأرقام وشرطات سفلية لا يعني شيئًا آخر كما يعني sin</translation>
+        <translation>الصواب اسم من أحرف لاتينية وأرقام وشرطات سفلية لا يعني شيئًا آخر كما يعني sin</translation>
     </message>
     <message>
         <source>Another value has this name already</source>
-        <translation>قيمة أخرى تحمل هذا الاسم</translation>
+        <translation>لقيمة أخرى هذا الاسم بالفعل</translation>
     </message>
     <message>
         <source>There is a value %1 already</source>
-        <translation>توجد قيمة ⁨%1⁩ من قبل</translation>
+        <translation>توجد قيمة ⁨%1⁩ بالفعل</translation>
     </message>
     <message>
         <source>Edit the draw</source>
-        <translation>تعديل السحب</translation>
+        <translation>تحرير القرعة</translation>
     </message>
     <message>
         <source>Add a value</source>
@@ -11724,15 +11724,15 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>
-        <translation>لا عدد له اسم بعد. أضف واحدًا بعلامة الزائد واكتبه بين أقواس، مثل ⁦{{e}}⁩، حيث تحتاجه النصوص والبرامج والفحوص: فيقع في موضع واحد، وقد يختلف لكل طالب.</translation>
+        <translation>لا عدد له اسم بعد. أضف واحدًا بعلامة الزائد واكتبه بين أقواس معقوفة، مثل ⁦{{e}}⁩، حيث تحتاج إليه النصوص والبرامج والفحوص: فيقع في موضع واحد، وقد يختلف لكل طالب.</translation>
     </message>
     <message>
         <source>The same for all</source>
-        <translation>نفسها للجميع</translation>
+        <translation>واحدة للجميع</translation>
     </message>
     <message>
         <source>Drawn for each student</source>
-        <translation>مسحوبة لكل طالب</translation>
+        <translation>بالقرعة لكل طالب</translation>
     </message>
     <message>
         <source>In the whole lab</source>
@@ -11748,7 +11748,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Whether the value is drawn</source>
-        <translation>هل تُسحب القيمة</translation>
+        <translation>هل تُختار القيمة بالقرعة</translation>
     </message>
     <message>
         <source>Known</source>
@@ -11776,11 +11776,11 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Step</source>
-        <translation>المقدار</translation>
+        <translation>الخطوة</translation>
     </message>
     <message>
         <source>Letters, digits and underscores</source>
-        <translation>أحرف وأرقام وشرطات سفلية</translation>
+        <translation>أحرف لاتينية وأرقام وشرطات سفلية</translation>
     </message>
     <message>
         <source>A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses want</source>
@@ -11796,7 +11796,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Student number to try the draw with</source>
-        <translation>رقم طالب لتجربة السحب</translation>
+        <translation>رقم طالب لتجربة القرعة</translation>
     </message>
     <message>
         <source>To see what that student gets; it is kept nowhere</source>
@@ -11804,15 +11804,15 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Draw</source>
-        <translation>السحب</translation>
+        <translation>القرعة</translation>
     </message>
     <message>
         <source>Draw of the lab</source>
-        <translation>سحب المختبر</translation>
+        <translation>قرعة المختبر</translation>
     </message>
     <message>
         <source>Another text draws other values: change it every year</source>
-        <translation>نص آخر يسحب قيمًا أخرى: غيّره كل عام</translation>
+        <translation>نص آخر يعطي قيمًا أخرى: غيّره كل عام</translation>
     </message>
 </context>
 <context>
