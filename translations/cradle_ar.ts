@@ -586,7 +586,7 @@
     </message>
     <message>
         <source>Sideways</source>
-        <translation>جانبيًا</translation>
+        <translation>جانبيًّا</translation>
     </message>
     <message>
         <source>Speed to the right, drawn between the least and the most</source>
@@ -1384,7 +1384,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>this is no text in UTF-8, which would be right</source>
-        <translation>هذا ليس نصًا بترميز ⁦UTF-8⁩، وهو الصواب</translation>
+        <translation>هذا ليس نصًّا بترميز ⁦UTF-8⁩، وهو الصواب</translation>
     </message>
     <message>
         <source>of the pages and of what students are told, such as en or de; en without it</source>
@@ -1545,7 +1545,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>the name is too long</source>
-        <translation>الاسم طويل جدًا</translation>
+        <translation>الاسم طويل جدًّا</translation>
     </message>
     <message>
         <source>it is closed</source>
@@ -3713,7 +3713,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the result is too large</source>
-        <translation>النتيجة كبيرة جدًا</translation>
+        <translation>النتيجة كبيرة جدًّا</translation>
     </message>
     <message>
         <source>this is no result of a student: %1</source>
@@ -3921,7 +3921,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>الملف كبير جدًا؛ الصواب ⁨%1⁩ على الأكثر</translation>
+        <translation>الملف كبير جدًّا؛ الصواب ⁨%1⁩ على الأكثر</translation>
     </message>
     <message>
         <source>this unpacks to more than %1 times its size, as no honest file does</source>
@@ -3929,7 +3929,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>all of it is too large; at most %1 are right</source>
-        <translation>المجموع كبير جدًا؛ الصواب ⁨%1⁩ على الأكثر</translation>
+        <translation>المجموع كبير جدًّا؛ الصواب ⁨%1⁩ على الأكثر</translation>
     </message>
     <message>
         <source>the name is there twice (but for capital letters); a name of its own is right</source>
@@ -4007,7 +4007,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>الملف كبير جدًا؛ الصواب ⁨%1⁩ على الأكثر</translation>
+        <translation>الملف كبير جدًّا؛ الصواب ⁨%1⁩ على الأكثر</translation>
     </message>
     <message>
         <source>the lab is too large from here on; at most %1 files and %2 are right</source>
@@ -4019,7 +4019,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the name is too long; at most %1 characters are right</source>
-        <translation>الاسم طويل جدًا؛ الصواب ⁨%1⁩ حرفًا على الأكثر</translation>
+        <translation>الاسم طويل جدًّا؛ الصواب ⁨%1⁩ حرفًا على الأكثر</translation>
     </message>
     <message>
         <source>a name without \ : * ? &quot; &lt; &gt; | and without control characters is right</source>
@@ -4097,7 +4097,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>الملف كبير جدًا؛ الصواب ⁨%1⁩ على الأكثر</translation>
+        <translation>الملف كبير جدًّا؛ الصواب ⁨%1⁩ على الأكثر</translation>
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
@@ -4232,7 +4232,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The energy of the runs above in one chart, each as a part of what it started with. A law that keeps energy draws a straight line at 1; what lies above was made by the program, what lies below was lost.</source>
-        <translation>طاقة التشغيلات أعلاه في مخطط واحد، كلٌّ منها كجزء مما بدأ به. القانون الذي يحفظ الطاقة يرسم خطًا مستقيمًا عند 1؛ وما فوقه صنعه البرنامج، وما تحته فُقد.</translation>
+        <translation>طاقة التشغيلات أعلاه في مخطط واحد، كلٌّ منها كجزء مما بدأ به. القانون الذي يحفظ الطاقة يرسم خطًّا مستقيمًا عند 1؛ وما فوقه صنعه البرنامج، وما تحته فُقد.</translation>
     </message>
     <message>
         <source>Momentum of all circles, kg m/s</source>
@@ -5517,7 +5517,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the name is too long; at most %1 characters are right</source>
-        <translation>الاسم طويل جدًا؛ الصواب ⁨%1⁩ حرفًا على الأكثر</translation>
+        <translation>الاسم طويل جدًّا؛ الصواب ⁨%1⁩ حرفًا على الأكثر</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; one like #1e90ff is right</source>
@@ -5916,7 +5916,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the file is too large; at most %1 are right</source>
-        <translation>الملف كبير جدًا؛ الصواب ⁨%1⁩ على الأكثر</translation>
+        <translation>الملف كبير جدًّا؛ الصواب ⁨%1⁩ على الأكثر</translation>
     </message>
     <message>
         <source>a list of questions</source>
@@ -9803,7 +9803,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>the picture is too large; at most %1 × %1 pixels are right</source>
-        <translation>الصورة كبيرة جدًا؛ الصواب ⁦%1 × %1⁩ بكسل على الأكثر</translation>
+        <translation>الصورة كبيرة جدًّا؛ الصواب ⁦%1 × %1⁩ بكسل على الأكثر</translation>
     </message>
 </context>
 <context>
