@@ -80,7 +80,7 @@ void NoticeBar::closeFirst()
 void NoticeBar::showFirst()
 {
     for (QPushButton *button : m_buttons) {
-        button->hide();
+        button->hide(); // it goes later, and would stand beside the new ones until then
         button->deleteLater();
     }
     m_buttons.clear();
