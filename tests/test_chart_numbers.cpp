@@ -59,6 +59,11 @@ void TestChartNumbers::numbersAreWritten_data()
     QTest::newRow("small power") << withPower(shortNumber(1.234e-5)) << QStringLiteral("1.23·10⁻⁵");
     QTest::newRow("no power") << withPower(shortNumber(522.76)) << QStringLiteral("522.8");
     QTest::newRow("no number") << withPower(QStringLiteral("–")) << QStringLiteral("–");
+    QTest::newRow("label") << withNumber(QStringLiteral("sum p_x"), QStringLiteral("−33.5"))
+                           << QStringLiteral("sum p_x: −33.5");
+    QTest::newRow("label, Arabic")
+        << withNumber(QStringLiteral("المجموع p_x"), QStringLiteral("−33.5"))
+        << QStringLiteral("المجموع p_x: \u2066−33.5\u2069");
     QTest::newRow("tick, large") << tickNumber(1e7, 5e6) << QStringLiteral("10⁷");
     QTest::newRow("tick, large, below zero") << tickNumber(-1e7, 5e6) << QStringLiteral("−10⁷");
     QTest::newRow("tick, large too") << tickNumber(5e6, 5e6) << QStringLiteral("5·10⁶");

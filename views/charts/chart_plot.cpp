@@ -226,8 +226,7 @@ void ChartPlot::placeLabels()
         if (curve.isLabelled && curve.showsValue) {
             const double value = curve.samples->valueAt(m_moment.shown + curve.shift);
             withValues.back() =
-                tr("%1: %2", "curve, value")
-                    .arg(curve.label, withPower(shortNumber(value, m_moment.scale)));
+                withNumber(curve.label, withPower(shortNumber(value, m_moment.scale)));
             label.sizeWithValue = sizeOf(withValues.back());
             label.value = QPointF(xOf(m_moment.shown), yOf(value + curve.lift));
         }

@@ -4,6 +4,7 @@
 
 #include "views/theme.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -92,6 +93,14 @@ QString withPower(const QString &number)
     if (times == u'1' || times == QStringLiteral("−1"))
         return times.chopped(1) + power;
     return QStringLiteral("%1·%2").arg(times, power);
+}
+
+QString withNumber(const QString &label, const QString &number)
+{
+    // An isolate from left to right.
+    const QString shown = label.isRightToLeft() ? QChar(0x2066) + number + QChar(0x2069) : number;
+    return QCoreApplication::translate("cradle::ChartPlot", "%1: %2", "curve, value")
+        .arg(label, shown);
 }
 
 QString tickNumber(double value, double step)

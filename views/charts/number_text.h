@@ -24,6 +24,9 @@ namespace cradle {
 /// "2.96e+06" as "2.96·10⁶", for eyes only; other numbers stay as they are.
 [[nodiscard]] QString withPower(const QString &number);
 
+/// "label: −1.5"; where \p label is read from the right the number has its sign in front even so.
+[[nodiscard]] QString withNumber(const QString &label, const QString &number);
+
 /// For a tick of an axis whose ticks are \p step apart: no more decimals than the step needs.
 [[nodiscard]] QString tickNumber(double value, double step);
 

@@ -4,6 +4,8 @@
 
 #include <QFontMetricsF>
 
+#include <vector>
+
 namespace cradle {
 
 namespace {
@@ -33,18 +35,31 @@ QFont smaller(QFont font)
     return font;
 }
 
-/// Calls visit(part, isSubscript) for the parts of \p text from left to right.
-template <typename Visit>
-void forEachPart(const QString &text, Visit visit)
+struct Part {
+    QString text;
+    bool isSubscript = false;
+};
+
+/// The parts of \p text from the left. Of a text that is read from the right the last one comes
+/// first; a symbol and its subscript stay as they are.
+std::vector<Part> partsOf(const QString &text)
 {
+    std::vector<Part> parts;
+    const bool fromRight = text.isRightToLeft();
+    const auto add = [&parts, fromRight](const std::vector<Part> &group) {
+        parts.insert(fromRight ? parts.begin() : parts.end(), group.begin(), group.end());
+    };
     qsizetype from = 0;
     for (qsizetype at = nextSubscript(text, 0); at >= 0; at = nextSubscript(text, from)) {
-        visit(text.mid(from, at - from), false);
-        visit(text.mid(at + 1, 1), true);
+        if (fromRight) {
+            add({{text.mid(from, at - 1 - from), false}});
+            from = at - 1;
+        }
+        add({{text.mid(from, at - from), false}, {text.mid(at + 1, 1), true}});
         from = at + 2;
     }
-    if (from < text.size())
-        visit(text.mid(from), false);
+    add({{text.mid(from), false}});
+    return parts;
 }
 
 } // namespace
@@ -56,27 +71,26 @@ double subscriptWidth(const QFont &font, const QString &text)
     const QFontMetricsF normal(font);
     const QFontMetricsF small(smaller(font));
     double width = 0.0;
-    forEachPart(text, [&](const QString &part, bool isSubscript) {
-        width += (isSubscript ? small : normal).horizontalAdvance(part);
-    });
+    for (const Part &part : partsOf(text))
+        width += (part.isSubscript ? small : normal).horizontalAdvance(part.text);
     return width;
 }
 
 void drawSubscripted(QPainter &painter, QPointF baseline, const QString &text)
 {
-    if (!text.contains(u'_')) {
-        painter.drawText(baseline, text);
-        return;
-    }
+    const Qt::LayoutDirection direction = painter.layoutDirection();
+    if (text.isRightToLeft())
+        painter.setLayoutDirection(Qt::RightToLeft); // its colons and spaces, too
     const QFont font = painter.font();
     const QFont small = smaller(font);
     const double drop = subscriptDrop * QFontMetricsF(font).ascent();
-    forEachPart(text, [&](const QString &part, bool isSubscript) {
-        painter.setFont(isSubscript ? small : font);
-        painter.drawText(baseline + QPointF(0.0, isSubscript ? drop : 0.0), part);
-        baseline.rx() += QFontMetricsF(painter.font()).horizontalAdvance(part);
-    });
+    for (const Part &part : partsOf(text)) {
+        painter.setFont(part.isSubscript ? small : font);
+        painter.drawText(baseline + QPointF(0.0, part.isSubscript ? drop : 0.0), part.text);
+        baseline.rx() += QFontMetricsF(painter.font()).horizontalAdvance(part.text);
+    }
     painter.setFont(font);
+    painter.setLayoutDirection(direction);
 }
 
 } // namespace cradle
