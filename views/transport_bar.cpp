@@ -259,6 +259,8 @@ void TransportBar::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::LayoutDirectionChange)
+        turnOrder();
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
         measureReadout();
         // A new style sheet comes to the labels after the bar, and gives them their old font.

@@ -76,6 +76,7 @@ private:
     void showCheck();
     void showSearch();
     void collapse();
+    void turnOrder();
     void measureReadout();
 
     Simulation &m_simulation;
@@ -88,6 +89,7 @@ private:
     QAction *m_slower = nullptr;
     QAction *m_faster = nullptr;
     QAction *m_check = nullptr;
+    QHBoxLayout *m_order = nullptr;        ///< of what goes back and on in time
     std::vector<ActionButton *> m_buttons; ///< in the order in which they lose their text
     ActionButton *m_runButton = nullptr;
     ActionButton *m_checkButton = nullptr;

@@ -20,19 +20,23 @@ void TransportBar::makeLayout()
     row->setContentsMargins(12, 8, 12, 8);
     row->setSpacing(8);
     row->setSizeConstraint(QLayout::SetNoConstraint);
-    const auto add = [this, row](QAction *action, const QString &iconName, IconTint tint) {
+    m_order = new QHBoxLayout;
+    row->addLayout(m_order);
+    turnOrder();
+    const auto add = [this](QBoxLayout *place, QAction *action, const QString &iconName,
+                            IconTint tint) {
         auto *button = new ActionButton(action, this);
         button->setIconName(iconName, tint);
-        row->addWidget(button);
+        place->addWidget(button);
         return button;
     };
-    auto *restart = add(m_restart, QStringLiteral("restart"), IconTint::Text);
-    auto *stepBack = add(m_stepBack, QStringLiteral("step-back"), IconTint::Text);
-    m_runButton = add(m_run, QStringLiteral("run"), IconTint::OnAccent);
+    auto *restart = add(m_order, m_restart, QStringLiteral("restart"), IconTint::Text);
+    auto *stepBack = add(m_order, m_stepBack, QStringLiteral("step-back"), IconTint::Text);
+    m_runButton = add(m_order, m_run, QStringLiteral("run"), IconTint::OnAccent);
     setKind(m_runButton, "primary");
-    auto *step = add(m_step, QStringLiteral("step"), IconTint::Text);
-    auto *previousHit = add(m_previousHit, QStringLiteral("previous-hit"), IconTint::Text);
-    m_nextHitButton = add(m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
+    auto *step = add(m_order, m_step, QStringLiteral("step"), IconTint::Text);
+    auto *previousHit = add(m_order, m_previousHit, QStringLiteral("previous-hit"), IconTint::Text);
+    m_nextHitButton = add(m_order, m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
     row->addSpacing(8);
     addReadout(row);
     row->addStretch(1);
@@ -43,11 +47,17 @@ void TransportBar::makeLayout()
     row->addWidget(m_modes);
     connect(m_modeGroup, &QButtonGroup::idClicked, this, &TransportBar::modeChosen);
 
-    m_checkButton = add(m_check, QStringLiteral("check"), IconTint::OnAccent);
+    m_checkButton = add(row, m_check, QStringLiteral("check"), IconTint::OnAccent);
     setKind(m_checkButton, "success");
     m_progress = addProgress();
     m_searchProgress = addProgress();
     m_buttons = {previousHit, restart, stepBack, step, m_nextHitButton, m_runButton, m_checkButton};
+}
+
+/// The past stands left in every language, as on the timeline, under the arrow keys and in charts.
+void TransportBar::turnOrder()
+{
+    m_order->setDirection(isRightToLeft() ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
 }
 
 /// A thin line, placed by hand beneath the button whose work it tells of.
@@ -110,6 +120,7 @@ void TransportBar::collapse()
         if (layout()->minimumSize().width() <= width())
             break;
         button->setCollapsed(true);
+        m_order->invalidate();
         layout()->invalidate();
     }
     layout()->activate();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
+#include "views/action_button.h"
 #include "views/charts/chart_plot.h"
 #include "views/code/lua_area.h"
 #include "views/task_pane/step_dots.h"
 #include "views/timeline.h"
+#include "views/transport_bar.h"
 #include "views/values_table.h"
 
 using namespace cradle;
@@ -21,6 +23,8 @@ private slots:
     void panesAreMirrored_data();
     void panesAreMirrored();
     void physicsAndCodeAreNot();
+    void timeGoesToTheRight_data() { panesAreMirrored_data(); }
+    void timeGoesToTheRight();
     void dotsBeginAtTheRight();
     void languageTurnsTheWindow();
 
@@ -107,6 +111,20 @@ void TestMirroredRoom::physicsAndCodeAreNot()
         QCOMPARE(field->layoutDirection(), Qt::LeftToRight);
     for (const QTableView *table : window.findChild<ValuesPane *>()->findChildren<QTableView *>())
         QCOMPARE(table->layoutDirection(), Qt::LeftToRight);
+}
+
+/// As on the timeline: the buttons that go back stand left of those that go on.
+void TestMirroredRoom::timeGoesToTheRight()
+{
+    QFETCH(QString, language);
+    open(Mode::Explore);
+    speak(language);
+    QTest::qWait(150);
+    const auto *bar = m_open->window.findChild<TransportBar *>();
+    const QList<ActionButton *> buttons = bar->findChildren<ActionButton *>();
+    QCOMPARE(buttons.size(), 7); // Restart, Step back, Run, Step, Previous hit, Next hit; Check
+    for (qsizetype i = 1; i < 6; ++i)
+        QVERIFY(buttons[i - 1]->geometry().right() < buttons[i]->geometry().left());
 }
 
 void TestMirroredRoom::dotsBeginAtTheRight()
