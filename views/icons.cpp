@@ -100,4 +100,10 @@ QIcon icon(QStringView name, IconTint tint)
     return QIcon(new LineIconEngine(name.toString(), file.readAll(), tint));
 }
 
+QIcon openingIcon(bool isOpen)
+{
+    const bool isMirrored = QGuiApplication::isRightToLeft();
+    return icon(isOpen ? u"expanded" : isMirrored ? u"next-mirrored" : u"next", IconTint::Muted);
+}
+
 } // namespace cradle

@@ -14,4 +14,7 @@ enum class IconTint { Text, Muted, Accent, OnAccent, Success, Warning };
 /// force; muted where the widget is disabled. A null icon if there is none of that name.
 QIcon icon(QStringView name, IconTint tint = IconTint::Text);
 
+/// The muted arrow of what can be opened: down if it is open, else to where one reads on.
+QIcon openingIcon(bool isOpen);
+
 } // namespace cradle

@@ -309,7 +309,8 @@ QFont headingFont()
     font.setPixelSize(scaledByText(headingPixels));
     font.setWeight(QFont::DemiBold);
     font.setCapitalization(QFont::AllUppercase);
-    font.setLetterSpacing(QFont::PercentageSpacing, 106.0);
+    if (!QGuiApplication::isRightToLeft()) // Arabic letters would come apart
+        font.setLetterSpacing(QFont::PercentageSpacing, 106.0);
     return font;
 }
 

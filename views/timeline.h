@@ -82,7 +82,7 @@ private:
     /// Whether more than \p part of the columns of the bar have hits.
     [[nodiscard]] bool isFuller(const std::vector<HitColumn> &columns, double part) const;
     [[nodiscard]] QRectF bar() const;
-    [[nodiscard]] QFont smallFont() const;
+    [[nodiscard]] QFont fontOf(const QString &text) const;
     [[nodiscard]] std::vector<HitColumn> columns() const;
 
     Simulation &m_simulation;

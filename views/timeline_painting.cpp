@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/number_text.h"
+#include "views/text_direction.h"
 #include "views/theme.h"
 #include "views/timeline.h"
 
@@ -58,9 +59,10 @@ QRectF Timeline::bar() const
     return {sideRoom, barTop, std::max(1.0, width() - 2.0 * sideRoom), barHeight};
 }
 
-QFont Timeline::smallFont() const
+/// Arabic letters are not for columns: in a font for those they stand apart.
+QFont Timeline::fontOf(const QString &text) const
 {
-    QFont small = numericFont();
+    QFont small = text.isRightToLeft() ? font() : numericFont();
     small.setPixelSize(scaledByText(textPixels));
     return small;
 }
@@ -98,7 +100,7 @@ std::vector<Timeline::Label> Timeline::labelsAt(const std::vector<HitColumn> &co
 void Timeline::addLabel(std::vector<Label> &labels, double x, const QString &text,
                         const QColor &colour) const
 {
-    const QFontMetricsF metrics(smallFont());
+    const QFontMetricsF metrics(fontOf(text));
     const QSizeF size(std::ceil(metrics.horizontalAdvance(text)), std::ceil(metrics.height()));
     // Below its mark, or else ending or beginning there.
     for (const double part : {0.5, 1.0, 0.0}) {
@@ -277,10 +279,11 @@ void Timeline::paintEvent(QPaintEvent *)
     painter.setBrush(isSliderDown() ? colours.accentSoft : colours.panel);
     painter.drawEllipse(QPointF(x, bar().center().y()), knobRadius - 1.0, knobRadius - 1.0);
 
-    painter.setFont(smallFont());
-    const double ascent = std::round(QFontMetricsF(smallFont()).ascent());
     for (const Label &label : labelsAt(all)) {
+        painter.setFont(fontOf(label.text));
+        painter.setLayoutDirection(directionOf(label.text));
         painter.setPen(label.colour);
+        const double ascent = std::round(QFontMetricsF(painter.font()).ascent());
         painter.drawText(label.rect.topLeft() + QPointF(0.0, ascent), label.text);
     }
 }

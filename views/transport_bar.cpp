@@ -203,12 +203,11 @@ void TransportBar::showSpeed()
 /// Room for the longest text, so that nothing jumps as the numbers grow.
 void TransportBar::measureReadout()
 {
-    const QFont numbers = numericFont();
-    for (QLabel *label : {m_speedValue, m_time, m_stepCount})
-        label->setFont(numbers);
-    const QFontMetrics metrics(numbers);
     // Of a fixed height as well: a new text then leaves the layout of the window alone.
-    const auto fix = [&metrics](QLabel *label, const QString &longest) {
+    const auto fix = [this](QLabel *label, const QString &longest) {
+        // Arabic letters are not for columns: in a font for those they stand apart.
+        label->setFont(longest.isRightToLeft() ? font() : numericFont());
+        const QFontMetrics metrics(label->font());
         label->setFixedSize(metrics.horizontalAdvance(longest) + 4, metrics.height());
     };
     fix(m_speedValue, speedText(slowestPower));

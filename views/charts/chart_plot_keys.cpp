@@ -4,6 +4,7 @@
 #include "views/charts/chart_plot.h"
 
 #include "views/charts/number_text.h"
+#include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QKeyEvent>
@@ -102,6 +103,7 @@ void ChartPlot::drawFocus(QPainter &painter) const
                       size + QSizeF(2.0 * chipRoom, chipRoom));
     painter.fillRect(chip, theme().panel);
     painter.setPen(theme().text);
+    painter.setLayoutDirection(directionOf(told));
     painter.drawText(chip, Qt::AlignCenter, told);
     painter.setPen(QPen(theme().accent, 1.0));
     painter.drawRect(chip);

@@ -3,6 +3,7 @@
 #include "views/charts/chart_plot.h"
 #include "views/charts/number_text.h"
 #include "views/charts/subscript_text.h"
+#include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>
@@ -167,6 +168,7 @@ void ChartPlot::drawForeground(QPainter *painter, const QRectF &)
     } else {
         painter->setFont(font());
         painter->setPen(theme().mutedText);
+        painter->setLayoutDirection(directionOf(m_emptyText));
         painter->drawText(QRectF(viewport()->rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                           Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     }

@@ -5,6 +5,7 @@
 #include "views/charts/nice_scale.h"
 #include "views/charts/number_text.h"
 #include "views/charts/speed_distribution.h"
+#include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>
@@ -91,6 +92,7 @@ void SpeedPlot::paintEvent(QPaintEvent *)
     painter.fillRect(rect(), theme().panel);
     if (isEmpty()) {
         painter.setPen(theme().mutedText);
+        painter.setLayoutDirection(directionOf(m_emptyText));
         painter.drawText(QRectF(rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                          Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
         return;
@@ -204,6 +206,7 @@ void SpeedPlot::drawLegend(QPainter &painter) const
         else if (i == 1)
             painter.fillRect(QRectF(mark.left(), middle - 1.0, swatch, 2.0), theme().text);
         painter.setPen(theme().mutedText);
+        painter.setLayoutDirection(directionOf(lines[i]));
         painter.drawText(QPointF(left, top + std::round(metrics.ascent())), lines[i]);
     }
 }

@@ -5,6 +5,7 @@
 #include "views/scene/disc_stamps.h"
 #include "views/scene/scene_labels.h"
 #include "views/scene/stroke_geometry.h"
+#include "views/text_direction.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -129,6 +130,7 @@ void paintLabels(QPainter &painter, const DrawList &list, const Camera &camera, 
         }
         painter.setPen(label.colour);
         painter.setFont(label.strong ? strong : plain);
+        painter.setLayoutDirection(directionOf(label.text));
         painter.drawText(QPointF(rect.left(), rect.top() + metrics.ascent()), label.text);
     }
     painter.restore();

@@ -4,6 +4,7 @@
 
 #include "views/scene/raster_painter.h"
 #include "views/scene/scene_labels.h"
+#include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QPainter>
@@ -56,6 +57,7 @@ void paintChip(QPainter &painter, const Chip &chip, const ScenePicture &picture)
     painter.setFont(chipFont(chip, picture.font));
     const QRectF inner =
         rect.adjusted(padding.width(), padding.height(), -padding.width(), -padding.height());
+    painter.setLayoutDirection(directionOf(chip.text));
     if (chip.detail.isEmpty()) {
         painter.drawText(inner, textFlags, chip.text);
         return;

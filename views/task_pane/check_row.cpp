@@ -101,13 +101,13 @@ void CheckRow::addObserved(const CheckOutcome &outcome)
     m_expand = new QToolButton(this);
     m_expand->setAutoRaise(true);
     m_expand->setCheckable(true);
-    m_expand->setIcon(icon(u"next", IconTint::Muted));
+    m_expand->setIcon(openingIcon(false));
     m_expand->setToolTip(tr("Show what was observed"));
     m_expand->setAccessibleName(tr("Show what was observed: %1").arg(outcome.title));
     setKind(m_expand, "tiny");
     connect(m_expand, &QToolButton::toggled, observed, [this, observed](bool open) {
         observed->setVisible(open);
-        m_expand->setIcon(icon(open ? u"expanded" : u"next", IconTint::Muted));
+        m_expand->setIcon(openingIcon(open));
     });
     auto *grid = static_cast<QGridLayout *>(layout());
     grid->addWidget(m_expand, 0, 2, Qt::AlignTop);

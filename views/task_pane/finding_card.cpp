@@ -49,7 +49,7 @@ FindingCard::FindingCard(const Finding &finding, bool open, FormulaRenderer *ren
 
     const auto show = [this, rest](bool shown) {
         rest->setVisible(shown);
-        m_expand->setIcon(icon(shown ? u"expanded" : u"next", IconTint::Muted));
+        m_expand->setIcon(openingIcon(shown));
     };
     connect(m_expand, &QToolButton::toggled, rest, show);
     show(open);
