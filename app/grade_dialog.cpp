@@ -3,6 +3,7 @@
 #include "app/grade_dialog.h"
 
 #include "app/language.h"
+#include "views/mnemonics.h"
 
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -117,8 +118,7 @@ QLineEdit *GradeDialog::addPath(QFormLayout *form, const QString &label, const Q
     edit->setAccessibleDescription(about);
     auto *button = new QPushButton(tr("Choose…"), this);
     button->setAutoDefault(false);
-    QString name = label;
-    name.remove(QLatin1Char('&')).remove(QLatin1Char(':'));
+    const QString name = withoutMnemonic(label).remove(QLatin1Char(':'));
     edit->setAccessibleName(name);
     button->setAccessibleName(tr("Choose: %1").arg(name));
     auto *row = new QHBoxLayout;

@@ -7,6 +7,7 @@
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/inspector/inspector.h"
+#include "views/mnemonics.h"
 #include "views/scene/scene_view.h"
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"
@@ -60,31 +61,48 @@ QWidget *firstIn(QWidget *pane)
 
 using KeyRow = std::pair<QString, QString>;
 
+/// "Ctrl++" as it is, also where one reads from the right.
+QString isolated(const QString &keys)
+{
+    return QGuiApplication::isRightToLeft() ? QChar(0x2066) + keys + QChar(0x2069) : keys;
+}
+
 void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
 {
     for (const QAction *action : actions) {
         if (action->menu())
             addKeys(action->menu()->actions(), rows);
         else if (!action->shortcut().isEmpty() && !action->text().isEmpty())
-            rows.emplace_back(action->text().remove(QLatin1Char('&')),
-                              action->shortcut().toString(QKeySequence::NativeText));
+            rows.emplace_back(withoutMnemonic(action->text()),
+                              isolated(action->shortcut().toString(QKeySequence::NativeText)));
     }
+}
+
+/// Tables of Qt are not mirrored: where one reads from the right, so are the cells put in.
+QString rowOf(QStringList cells)
+{
+    if (QGuiApplication::isRightToLeft())
+        std::reverse(cells.begin(), cells.end());
+    return QStringLiteral("<tr>%1</tr>").arg(cells.join(QString()));
 }
 
 /// Keys stand beside what they do; what the mouse does takes more words, and stands below it.
 QString tableOf(const QString &title, const std::vector<KeyRow> &rows)
 {
     constexpr qsizetype widest = 24; // letters
-    const QString beside = QStringLiteral("<tr><td style='white-space: nowrap'>%1&nbsp;&nbsp;</td>"
-                                          "<td style='white-space: nowrap'><b>%2</b></td></tr>");
-    const QString below = QStringLiteral(
-        "<tr><td colspan='2' style='white-space: nowrap'>%1</td></tr><tr>"
-        "<td colspan='2' style='white-space: nowrap'>&nbsp;&nbsp;<b>%2</b></td></tr>");
+    const QString cell = QStringLiteral("<td style='white-space: nowrap'>%1</td>");
+    const QString wide = QStringLiteral("<td colspan='2' style='white-space: nowrap'>%1</td>");
+    const QString space = QStringLiteral("&nbsp;&nbsp;");
     QString text;
-    for (const auto &[what, how] : rows)
-        text +=
-            (how.size() > widest ? below : beside).arg(what.toHtmlEscaped(), how.toHtmlEscaped());
-    return QStringLiteral("<p><b>%1</b></p><table>%2</table>").arg(title.toHtmlEscaped(), text);
+    for (const auto &[what, how] : rows) {
+        const QString name = what.toHtmlEscaped();
+        const QString keys = QStringLiteral("<b>%1</b>").arg(how.toHtmlEscaped());
+        text += how.size() > widest ? rowOf({wide.arg(name)}) + rowOf({wide.arg(space + keys)})
+                                    : rowOf({cell.arg(name + space), cell.arg(keys)});
+    }
+    const QString direction = QGuiApplication::isRightToLeft() ? QStringLiteral("rtl") : QString();
+    return QStringLiteral("<p><b>%1</b></p><table dir='%3'>%2</table>")
+        .arg(title.toHtmlEscaped(), text, direction);
 }
 
 } // namespace
@@ -169,12 +187,12 @@ void MainWindow::showShortcuts()
     const QString cell = QStringLiteral("<td>%1</td><td>&nbsp;&nbsp;</td>");
     QMessageBox box(
         QMessageBox::NoIcon, tr("Keyboard shortcuts"),
-        QStringLiteral("<table><tr>%1%2%3</tr></table>")
-            .arg(cell.arg(tableOf(tr("Anywhere"), {menus.begin(), menus.begin() + half})),
-                 cell.arg(tableOf(QString(QChar::Nbsp), {menus.begin() + half, menus.end()})
-                          + tableOf(tr("On the timeline and the steps"), time)),
-                 cell.arg(tableOf(tr("In the program"), program)
-                          + tableOf(tr("In the scene"), scene))),
+        QStringLiteral("<table>%1</table>")
+            .arg(rowOf({cell.arg(tableOf(tr("Anywhere"), {menus.begin(), menus.begin() + half})),
+                        cell.arg(tableOf(QString(QChar::Nbsp), {menus.begin() + half, menus.end()})
+                                 + tableOf(tr("On the timeline and the steps"), time)),
+                        cell.arg(tableOf(tr("In the program"), program)
+                                 + tableOf(tr("In the scene"), scene))})),
         QMessageBox::Close, this);
     box.exec();
 }

@@ -94,7 +94,9 @@ void Tour::showStop()
 {
     const Stop &stop = m_stops[m_at];
     m_title->setText(tr("%1 of %2 · %3").arg(m_at + 1).arg(m_stops.size()).arg(stop.title));
-    m_text->setText(stop.text);
+    // Plain text that goes from the right is drawn a space too far to the left, and cut there.
+    m_text->setTextFormat(isRightToLeft() ? Qt::RichText : Qt::PlainText);
+    m_text->setText(isRightToLeft() ? stop.text.toHtmlEscaped() : stop.text);
     const bool last = m_at + 1 == m_stops.size();
     m_next->setText(last ? tr("Begin") : tr("Next ▸"));
     m_next->setAccessibleName(last ? tr("Begin") : tr("Next"));
