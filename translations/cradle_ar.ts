@@ -550,7 +550,7 @@
     </message>
     <message>
         <source>How far off centre they meet at most, in r₁ + r₂</source>
-        <translation>إلى أي حد يحيد لقاؤهما عن المركز على الأكثر، بوحدة ⁦r₁ + r₂⁩</translation>
+        <translation>إلى أي حد يحيد لقاؤهما عن المركز على الأكثر، بوحدة ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>Both move</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁ + r₂⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁ + r₂⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>The circles hit each other %1 times; at least %2 is right</source>
@@ -1560,15 +1560,15 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     <name>Findings</name>
     <message>
         <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
-        <translation>تتلامس الحافتان حين تكون المسافة بين المركزين ⁦r₁ + r₂⁩، وهي هنا ⁦%1 m⁩.</translation>
+        <translation>تتلامس الحافتان حين تكون المسافة بين المركزين ⁦r₁ + r₂⁩، وهي هنا ⁦%1 m⁩.</translation>
     </message>
     <message>
         <source>Only half of r₁ + r₂ counts in the test of contact</source>
-        <translation>لا يُحسب في اختبار التلامس إلا نصف ⁦r₁ + r₂⁩</translation>
+        <translation>لا يُحسب في اختبار التلامس إلا نصف ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation>لا يُحسب في اختبار التلامس إلا نصف قطر واحد، أو نصف ⁦r₁ + r₂⁩</translation>
+        <translation>لا يُحسب في اختبار التلامس إلا نصف قطر واحد، أو نصف ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>The circles answer only when their centres have met</source>
@@ -1596,7 +1596,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁ + r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
+        <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁ + r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
     </message>
     <message>
         <source>Diameters are added in the test of contact, not radii</source>
@@ -1604,7 +1604,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
-        <translation>يُختبر التلامس عند ⁨%1⁩، لا عند ⁦r₁ + r₂⁩</translation>
+        <translation>يُختبر التلامس عند ⁨%1⁩، لا عند ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
         <source>the larger radius</source>
@@ -1664,7 +1664,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation>يقوم عدد مقام ⁦r₁ + r₂⁩ في اختبار التلامس</translation>
+        <translation>يقوم عدد مقام ⁦r₁ + r₂⁩ في اختبار التلامس</translation>
     </message>
     <message>
         <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
@@ -1848,7 +1848,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ يزيد التقدم في الخطوة بمقدار ⁦%2 a Δt²⁩ على ⁦v Δt⁩. أويلر تحرّك بالسرعة القديمة، 0؛ وأويلر التماثلية بالجديدة، 1؛ والطرائق الدقيقة بـ ½.</translation>
+        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ يزيد التقدم في الخطوة بمقدار ⁦%2 a Δt²⁩ على ⁦v Δt⁩. أويلر تحرّك بالسرعة القديمة، 0؛ وأويلر التماثلية بالجديدة، 1؛ والطرائق الدقيقة بـ ½.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -1880,7 +1880,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
         <translation>كلٌّ من الدائرتين لها طريقة الأخرى
 
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
     </message>
     <message>
         <source>The circles move by different methods
@@ -1888,7 +1888,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
         <translation>تتحرك الدائرتان بطريقتين مختلفتين
 
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
     </message>
     <message>
         <source>Every step puts %who where circle %1 is</source>
@@ -1924,7 +1924,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
@@ -1940,11 +1940,11 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
-        <translation>دائرتان تبدآن ساكنتين وبينهما ⁦1 m⁩ تصير المسافة بينهما ⁦%1 m⁩ بعد خطوة مدتها ⁦%2 s⁩. يبقى الموضع القديم كما هو؛ وتُضاف إليه المسافة ⁦v Δt⁩: انظر إلى الأقواس.</translation>
+        <translation>دائرتان تبدآن ساكنتين وبينهما ⁦1 m⁩ تصير المسافة بينهما ⁦%1 m⁩ بعد خطوة مدتها ⁦%2 s⁩. يبقى الموضع القديم كما هو؛ وتُضاف إليه المسافة ⁦v Δt⁩: انظر إلى الأقواس.</translation>
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v Δt⁩ هو ⁦%4 m⁩.</translation>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v Δt⁩ هو ⁦%4 m⁩.</translation>
     </message>
     <message>
         <source>The x of %who never changes</source>
@@ -1960,7 +1960,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
@@ -1980,7 +1980,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The way of %who in a step is not v Δt</source>
-        <translation>مسافة %who في الخطوة ليست ⁦v Δt⁩</translation>
+        <translation>مسافة %who في الخطوة ليست ⁦v Δt⁩</translation>
     </message>
     <message>
         <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
@@ -2028,7 +2028,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>In every step its position gets v Δt added.</source>
-        <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع.</translation>
+        <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع.</translation>
     </message>
     <message>
         <source>The way of %who is subtracted instead of added</source>
@@ -2048,7 +2048,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
-        <translation>مسافة %who في الخطوة تساوي ⁦v Δt⁩ مضروبًا في ⁨%1⁩</translation>
+        <translation>مسافة %who في الخطوة تساوي ⁦v Δt⁩ مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>Look at the factors in the line that moves it.</source>
@@ -9368,7 +9368,7 @@ Your number:</source>
     </message>
     <message>
         <source>Ctrl+click, Shift+drag, Shift+arrows</source>
-        <translation>⁦Ctrl+⁩نقر، ⁦Shift+⁩سحب، ⁦Shift+⁩أسهم</translation>
+        <translation>‏Ctrl + نقر، Shift + سحب، Shift + أسهم</translation>
     </message>
     <message>
         <source>Move what is selected</source>
@@ -9376,7 +9376,7 @@ Your number:</source>
     </message>
     <message>
         <source>drag; Ctrl+arrows, finer with Shift</source>
-        <translation>سحب؛ ⁦Ctrl+⁩أسهم، وأدق مع Shift</translation>
+        <translation>سحب؛ Ctrl + أسهم، وأدق مع Shift</translation>
     </message>
     <message>
         <source>Drag free of the grid</source>
@@ -9416,7 +9416,7 @@ Your number:</source>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation>‏Left، Right</translation>
+        <translation>السهمان الأيسر والأيمن</translation>
     </message>
     <message>
         <source>The hit before or after</source>
@@ -9440,7 +9440,7 @@ Your number:</source>
     </message>
     <message>
         <source>Up, Down</source>
-        <translation>‏Up، Down</translation>
+        <translation>السهمان الأعلى والأسفل</translation>
     </message>
     <message>
         <source>Along the dots of the steps, and open</source>
@@ -9448,7 +9448,7 @@ Your number:</source>
     </message>
     <message>
         <source>Left, Right, Return</source>
-        <translation>‏Left، Right، Return</translation>
+        <translation>السهمان الأيسر والأيمن، وEnter</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -11439,7 +11439,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>The step shown. Left and Right go a step, Page Up and Page Down to the previous and the next hit.</source>
-        <translation>الخطوة المعروضة. Left وRight ينتقلان خطوة، و⁦Page Up⁩ و⁦Page Down⁩ إلى التصادم السابق والتالي.</translation>
+        <translation>الخطوة المعروضة. السهمان الأيسر والأيمن ينتقلان خطوة، و⁦Page Up⁩ و⁦Page Down⁩ إلى التصادم السابق والتالي.</translation>
     </message>
     <message>
         <source>Drag to any moment</source>
