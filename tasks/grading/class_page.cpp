@@ -40,23 +40,23 @@ body { max-width: 76rem; }
 .stand .in { fill: var(--bar-ink); font-size: 12px; text-anchor: middle; }
 .stand .p, .key .p { fill: var(--bar-good); } .stand .f, .key .f { fill: var(--bar-open); }
 .stand .m, .key .m { fill: var(--bar-quiet); } .stand .n, .key .n { fill: var(--bar-trouble); }
-.key { color: var(--muted); font-size: .875rem; } .key svg { vertical-align: -.1em; margin-left: 1rem; }
-.key svg:first-child { margin-left: 0; }
+.key { color: var(--muted); font-size: .875rem; } .key svg { vertical-align: -.1em; margin-inline-start: 1rem; }
+.key svg:first-child { margin-inline-start: 0; }
 .who { font-size: .875rem; } .who td { text-align: center; padding: .1rem .35rem; }
 .who th { padding: .15rem .35rem; } .who thead th { text-align: center; position: sticky; top: 0;
   background: var(--page); } .who tbody th { font-weight: 400; max-width: 18rem; }
-.who thead th:first-child { text-align: left; }
+.who thead th:first-child { text-align: start; }
 .who .p { background: var(--good-back); color: var(--good); }
 .who .f { background: var(--open-back); color: var(--open); }
 .who .m { color: var(--muted); } .who .n { background: var(--trouble-back); color: var(--trouble);
   font-weight: 700; }
 .heat td { text-align: center; min-width: 2.6rem; background: color-mix(in srgb, var(--heat) var(--part), var(--page)); }
 .heat td:empty { background: none; } .heat thead th { text-align: center; }
-.heat thead th:first-child { text-align: left; } .heat tbody th { font-weight: 400; white-space: nowrap; }
-.met { padding-left: 0; list-style: none; } .met > li { margin: .35rem 0; }
-.met .count { display: inline-block; min-width: 3.2rem; font-weight: 600; text-align: right;
-  margin-right: .75rem; font-variant-numeric: tabular-nums; }
-.met details { border: 0; margin: 0 0 .25rem 3.95rem; padding: 0; }
+.heat thead th:first-child { text-align: start; } .heat tbody th { font-weight: 400; white-space: nowrap; }
+.met { padding-inline-start: 0; list-style: none; } .met > li { margin: .35rem 0; }
+.met .count { display: inline-block; min-width: 3.2rem; font-weight: 600; text-align: end;
+  margin-inline-end: .75rem; font-variant-numeric: tabular-nums; }
+.met details { border: 0; margin: 0 0 .25rem; margin-inline-start: 3.95rem; padding: 0; }
 .met summary { font-weight: 400; padding: 0; color: var(--link); font-size: .875rem; }
 .pair { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 1rem; }
 .pair pre { white-space: pre-wrap; }

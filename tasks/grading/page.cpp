@@ -53,10 +53,10 @@ pre.program span { display: block; padding: 0 .75rem 0 6.5ch; text-indent: -5ch;
 pre.program span::before { content: attr(data-line); display: inline-block; width: 3.5ch;
   margin-right: 1.5ch; text-align: right; text-indent: 0; color: var(--muted); font-weight: 400; }
 pre.program .marked { background: var(--mark); font-weight: 600; }
-table { border-collapse: collapse; font-size: .9375rem; } caption { text-align: left; }
-th, td { text-align: left; vertical-align: top; padding: .3rem .6rem;
+table { border-collapse: collapse; font-size: .9375rem; } caption { text-align: start; }
+th, td { text-align: start; vertical-align: top; padding: .3rem .6rem;
   border-bottom: 1px solid var(--rule); }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.number, th.number { text-align: end; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .badge { display: inline-block; font-size: .8125rem; font-weight: 600; padding: .05rem .55rem;
   border-radius: 1rem; white-space: nowrap; }
 .good { color: var(--good); background: var(--good-back); }
@@ -68,7 +68,7 @@ details[open] { padding-bottom: .75rem; }
 summary { cursor: pointer; padding: .55rem 0; font-weight: 600; }
 summary:focus-visible, a:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 svg { max-width: 100%; height: auto; }
-pre, code, svg { direction: ltr; unicode-bidi: isolate; }
+pre, code, svg { direction: ltr; unicode-bidi: isolate; } pre.message { direction: inherit; }
 figure { margin: .75rem 0; } figcaption { color: var(--muted); font-size: .875rem; }
 figure.scene svg { display: block; border: 1px solid var(--rule); border-radius: 6px; }
 figure.scene svg rect[fill="#f0f8ff"] { fill: var(--scene); }

@@ -26,9 +26,9 @@ const QString style = QStringLiteral(R"css(
 .who { font-size: 1.05rem; margin: 0 0 1rem; }
 .sum { font-size: 1.25rem; font-weight: 600; margin: .75rem 0 .25rem; }
 .steps { width: 100%; } .steps td:first-child { white-space: nowrap; }
-.note { border-left: 4px solid var(--rule); padding: .1rem .9rem; margin: .75rem 0; }
+.note { border-inline-start: 4px solid var(--rule); padding: .1rem .9rem; margin: .75rem 0; }
 .checks { width: 100%; margin-top: .5rem; } .checks td:first-child { width: 1.6rem; }
-section > h2 .badge { margin-left: .4rem; vertical-align: .12em; }
+section > h2 .badge { margin-inline-start: .4rem; vertical-align: .12em; }
 .finding { display: grid; grid-template-columns: minmax(0, 1fr) auto; gap: 0 1.5rem; }
 .finding > figure { width: 300px; max-width: 100%; }
 @media (max-width: 44rem) { .finding { grid-template-columns: minmax(0, 1fr); } }
@@ -225,7 +225,7 @@ private:
                               .arg(number(error.time))
                         : StudentText::tr("The program does not load."));
         m_html +=
-            QStringLiteral("<pre>%1</pre>\n")
+            QStringLiteral("<pre class=\"message\">%1</pre>\n")
                 .arg(escaped(error.line > 0
                                  ? StudentText::tr("line %1: %2").arg(error.line).arg(error.message)
                                  : error.message));
