@@ -3246,7 +3246,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>By %1, with version %2 of the lab %3 (sha256 %4).</source>
-        <translation>بواسطة ⁨%1⁩، بالنسخة ⁨%2⁩ من المختبر ⁦%3 (sha256 %4)⁩.</translation>
+        <translation>بواسطة ⁨%1⁩، بالنسخة ⁨%2⁩ من المختبر ⁨%3⁩ (⁦sha256 %4⁩).</translation>
     </message>
     <message>
         <source>Programs were kept apart by: %1.</source>
@@ -3470,7 +3470,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 was passed over for %2</source>
-        <translation>تُجووز ⁨%1⁩ لصالح ⁨%2⁩</translation>
+        <translation>استُغني عن ⁨%1⁩ واعتُمد ⁨%2⁩</translation>
     </message>
     <message>
         <source>nothing that was handed in is a program</source>
