@@ -11463,7 +11463,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>hits %1–%2</source>
-        <translation>⁧التصادمات ⁦%1–%2⁩⁩</translation>
+        <translation>التصادمات ⁦%1–%2⁩</translation>
     </message>
 </context>
 <context>
