@@ -4236,11 +4236,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Momentum of all circles, kg m/s</source>
-        <translation>كمية حركة كل الدوائر، ⁦kg m/s⁩</translation>
+        <translation>⁧كمية حركة كل الدوائر، ⁦kg m/s⁩⁩</translation>
     </message>
     <message>
         <source>Energy of all circles, J</source>
-        <translation>طاقة كل الدوائر، J</translation>
+        <translation>⁧طاقة كل الدوائر، J⁩</translation>
     </message>
     <message>
         <source>kinetic</source>
