@@ -15,6 +15,7 @@ struct FormulaSource {
     bool display = false;
     QString before; ///< punctuation that touches it, from which no line break may part it
     QString after;
+    bool fromRight = false; ///< it stood isolated in Arabic text, which goes from the right
 };
 
 /// A Markdown text whose formulas have given way to marks that Markdown leaves alone.

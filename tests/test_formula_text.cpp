@@ -15,6 +15,7 @@ class TestFormulaText : public QObject
 private slots:
     void findsFormulas_data();
     void findsFormulas();
+    void findsWhatTouchesAnIsolate();
 };
 
 void TestFormulaText::findsFormulas_data()
@@ -45,6 +46,8 @@ void TestFormulaText::findsFormulas_data()
     row("two paragraphs", "a $x\n\ny$ b", {});
     row("two lines", "a $x\n+ y$ b", {"x\n+ y"});
     row("no end", "$$ a", {});
+    row("isolate", "قيمة \u2066$x$\u2069، و\u2066$y_1$\u2069.", {"x", "y_1"});
+    row("isolate with a unit", "عند \u2066$x = 2$ m\u2069، ثم", {"x = 2"});
     row("nothing inside", "$$$$ and $$ $$", {});
 }
 
@@ -64,6 +67,21 @@ void TestFormulaText::findsFormulas()
         restored.replace(mark, text.formulas[i].markdown);
     }
     QCOMPARE(restored, markdown);
+}
+
+/// No line may break between an Arabic "and" and its formula, nor between that and a comma.
+void TestFormulaText::findsWhatTouchesAnIsolate()
+{
+    const cradle::FormulaText text = findFormulas(
+        QStringLiteral("قيمة و\u2066$x$\u2069، ثم (\u2066$y$\u2069) عند \u2066$z$ m\u2069."));
+    QCOMPARE(text.formulas.size(), size_t(3));
+    QCOMPARE(text.formulas[0].before, QStringLiteral("و"));
+    QCOMPARE(text.formulas[0].after, QStringLiteral("،"));
+    QVERIFY(text.formulas[0].fromRight);
+    QCOMPARE(text.formulas[1].before, QStringLiteral("("));
+    QCOMPARE(text.formulas[1].after, QStringLiteral(")"));
+    QCOMPARE(text.formulas[2].before, QString()); // its unit needs the isolate
+    QVERIFY(!text.formulas[2].fromRight);
 }
 
 QTEST_MAIN(TestFormulaText)

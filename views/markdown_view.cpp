@@ -176,6 +176,7 @@ void MarkdownView::showFormula(QTextCursor &cursor, int index)
         picture.markdown = source.markdown;
         picture.before = source.before;
         picture.after = source.after;
+        picture.fromRight = source.fromRight;
         picture.font = textFont;
         return m_pictures->insertAtDepth(cursor, format, picture, formula->depth * ex);
     }
@@ -189,6 +190,8 @@ void MarkdownView::showFormula(QTextCursor &cursor, int index)
         format.setForeground(QColor(dark ? 0xff8a80 : 0xb3261e));
         text += QStringLiteral(" (%1)").arg(formula->error);
     }
+    if (source.fromRight)
+        text = QChar(0x2066) + text + QChar(0x2069);
     cursor.insertText(source.before + text + source.after, format);
 }
 

@@ -170,7 +170,9 @@ void PictureObjects::drawObject(QPainter *painter, const QRectF &rect, QTextDocu
 {
     Picture &picture = m_pictures.at(index(format));
     const double scale = rect.width() / picture.place().width();
-    const QRectF target(QPointF(picture.advance(picture.before), picture.above), picture.size);
+    const QString &left = picture.fromRight ? picture.after : picture.before;
+    const QString &right = picture.fromRight ? picture.before : picture.after;
+    const QRectF target(QPointF(picture.advance(left), picture.above), picture.size);
     QPointF corner = rect.topLeft();
     if (format.toCharFormat().verticalAlignment() == QTextCharFormat::AlignMiddle) {
         // AlignMiddle makes room as promised, but puts the object halfway up the line.
@@ -188,8 +190,9 @@ void PictureObjects::drawObject(QPainter *painter, const QRectF &rect, QTextDocu
     painter->scale(scale, scale);
     painter->setPen(colour);
     painter->setFont(picture.font);
-    painter->drawText(QPointF(0, picture.baseline), picture.before);
-    painter->drawText(QPointF(target.right(), picture.baseline), picture.after);
+    painter->setLayoutDirection(picture.fromRight ? Qt::RightToLeft : Qt::LeftToRight);
+    painter->drawText(QPointF(0, picture.baseline), left);
+    painter->drawText(QPointF(target.right(), picture.baseline), right);
     drawBeneath(*painter, target, picture);
     if (picture.svg.isEmpty())
         drawImage(*painter, target, picture);

@@ -33,6 +33,7 @@ struct Picture {
     /// of the empty space, its baseline. QTextDocument would break beside any object.
     QString before;
     QString after;
+    bool fromRight = false; ///< `before` stands at the right, as in Arabic
     QFont font;
     double baseline = 0.0;
 
