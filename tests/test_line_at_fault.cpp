@@ -119,6 +119,20 @@ void TestLineAtFault::findingMarksTheLine_data()
     row("test of approach the wrong way round", flat, "if u > w", "if u < w");
     row("contact too early", flat, "circle2.radius then", "circle2.radius + 0.1 then");
     row("missing wall", flat, "if by < -lim2 then by = -lim2 bvy = math.abs(bvy) end", "", false);
+    row("normal: one of two numbers", flat, "dx / d, dy / d", "dx / d, dy");
+    row("one coordinate for the distance", objects, "d:length() >=", "math.abs(d.x) >=");
+    row("speed of one circle for both", objects, "dot(a.velocity() - b.velocity(), n)",
+        "dot(a.velocity(), n)");
+    row("what is kept, for what is given", flat, "avx * nx + avy * ny",
+        "avx - (avx * nx + avy * ny)");
+    row("radii multiplied", flat, "circle1.radius + circle2.radius then",
+        "circle1.radius * circle2.radius then");
+    row("distance squared, sum not", objects, "d:length() >= a.radius() + b.radius()",
+        "d:length_squared() >= a.radius() + b.radius()");
+    row("degrees", flat, "local d = math.sqrt(dx * dx + dy * dy)",
+        "local d = math.sqrt(dx * dx + dy * dy) * 180 / math.pi");
+    row("second circle left out of the loop", objects, "for _, b in ipairs(balls) do b.move(h) end",
+        "for i = 1, 1 do balls[i].move(h) end");
     row("setter: approach inverted", objects, "if u <= 0", "if u >= 0");
     row("setter: contact", objects, ">= a.radius() + b.radius()", ">= a.radius()");
     row("setter: normal", objects, "d:normalized()", "d");

@@ -235,13 +235,15 @@ private:
             return 0;
         const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
         const std::vector<LawDeviation> before = besides(m_own, aspect);
-        return lineAtFault({*m_submission.script, m_task.solution, moment, ran, deviation.suspect,
-                            last, aspect != Aspect::Motion, [&](const QString &program) {
-                                const MeasuredLaws laws(&program, m_ground);
-                                return seesAsMuch(laws, aspect)
-                                           ? mendingOf(deviation, before, besides(laws, aspect))
-                                           : Mending::None;
-                            }});
+        const auto repair =
+            repairOf({*m_submission.script, m_task.solution, moment, ran, deviation.suspect, last,
+                      aspect != Aspect::Motion, [&](const QString &program) {
+                          const MeasuredLaws laws(&program, m_ground);
+                          return seesAsMuch(laws, aspect)
+                                     ? mendingOf(deviation, before, besides(laws, aspect))
+                                     : Mending::None;
+                      }});
+        return repair ? repair->line : 0;
     }
 
     /// What is said of an aspect, and of that beside it which a change may spoil.

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "tasks/judging/ran_lines.h"
+#include "tasks/judging/repairs.h"
 
 #include <functional>
+#include <optional>
 
 namespace cradle {
 
@@ -24,9 +26,9 @@ struct FaultQuery {
     std::function<Mending(const QString &)> mending;
 };
 
-/// The line in which one small change mends the program, proven by doing it: all of the fault, or
-/// what of it shows at the moment, where one line for each wall or circle is wrong; 0 if there is
-/// none among some hundred.
-[[nodiscard]] int lineAtFault(const FaultQuery &query);
+/// One small change that mends the program, proven by making it: all of the fault, or what of it
+/// shows at the moment, where one line for each wall or circle is wrong; nothing if there is none
+/// among some hundred. Its line is the line at fault.
+[[nodiscard]] std::optional<Repair> repairOf(const FaultQuery &query);
 
 } // namespace cradle

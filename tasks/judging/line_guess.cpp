@@ -98,6 +98,14 @@ int actingLine(const QStringList &rows, int last, const std::vector<int> &calls)
     return !calls.empty() && rows[last - 1].contains(setter) ? calls.back() : last;
 }
 
+/// Whether a line asks for a wall.
+bool asksForWall(const QString &row)
+{
+    static const QRegularExpression wall(
+        QStringLiteral("\\b(square|left|right|top|bottom|half_width)\\b"));
+    return row.contains(wall);
+}
+
 /// The question that leads to the first of \p special; without such lines the first of them all.
 int questionBefore(const std::vector<int> &special, const QStringList &rows, const RanLines &ran,
                    const Lines &within)
@@ -170,8 +178,11 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     const int acting = actingLine(rows, last, calls);
     const Lines within = functionOf(rows, acting);
     std::vector<int> special = ran.special();
+    const bool isOfPair =
+        deviation.aspect == Aspect::Contact || deviation.aspect == Aspect::Response;
     std::erase_if(special, [&](int line) {
-        return line < within.first || line > within.last || !isRow(line);
+        return line < within.first || line > within.last || !isRow(line)
+               || (isOfPair && asksForWall(rows[line - 1]));
     });
     const bool isQuestion = deviation.suspect == Suspect::Question;
     if (special.empty())

@@ -214,10 +214,13 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
                         MassText::tr("The masses do not only change places. Look at every place "
                                      "where one enters your answer."),
                         own.radii, right.radii)};
-        found.push_back(say(MassText::tr("Each circle answers with the mass of the other"),
-                            MassText::tr("The heavier one is pushed away faster. Look at which "
-                                         "mass stands where."),
-                            own.radii, right.radii));
+        LawDeviation exchange =
+            say(MassText::tr("Each circle answers with the mass of the other"),
+                MassText::tr("The heavier one is pushed away faster. Look at which "
+                             "mass stands where."),
+                own.radii, right.radii);
+        exchange.suspect = Suspect::Formula;
+        found.push_back(std::move(exchange));
         p.radius = -*p.radius;
         if (p.density)
             p.density = -*p.density;

@@ -36,7 +36,7 @@ void ProgramLines::note(std::size_t i)
     const ProgramToken &token = m_tokens[i];
     if (token.kind != ProgramToken::Kind::Name)
         return;
-    m_names.insert(token.text);
+    ++m_names[token.text];
     const bool field = is(i + 1, ".") && i + 2 < m_tokens.size()
                        && (m_tokens[i + 2].is("position") || m_tokens[i + 2].is("radius")
                            || m_tokens[i + 2].is("velocity"));
@@ -64,6 +64,20 @@ QStringList ProgramLines::bodiesNear(int line) const
         }
     }
     return found.mid(0, 3);
+}
+
+QStringList ProgramLines::forgotten(int line) const
+{
+    constexpr int near = 12;
+    QStringList found;
+    for (int at = std::max(1, line - near); at < line; ++at) {
+        const std::vector<std::size_t> &row = tokensOf(at);
+        if (row.size() > 2 && is(row[0], "local")
+            && m_tokens[row[1]].kind == ProgramToken::Kind::Name
+            && m_names.value(m_tokens[row[1]].text) == 1)
+            found.append(m_tokens[row[1]].text);
+    }
+    return found;
 }
 
 std::size_t ProgramLines::afterOperand(std::size_t i) const

@@ -4,6 +4,7 @@
 
 #include "tasks/script/program_tokens.h"
 
+#include <QHash>
 #include <QSet>
 #include <QStringList>
 
@@ -43,6 +44,9 @@ public:
     /// At most three circles that are named in a line or in those around it, the nearest first.
     [[nodiscard]] QStringList bodiesNear(int line) const;
 
+    /// The locals that are given a value in the lines before one and used nowhere.
+    [[nodiscard]] QStringList forgotten(int line) const;
+
     /// The token after the operand that begins at \p i; \p i if none begins there.
     [[nodiscard]] std::size_t afterOperand(std::size_t i) const;
     /// The token after the bracket that closes the one at \p i.
@@ -63,7 +67,7 @@ private:
     QStringList m_rows;
     std::vector<qsizetype> m_starts{};
     std::map<int, std::vector<std::size_t>> m_rowTokens{};
-    QSet<QString> m_names{};
+    QHash<QString, int> m_names{}; ///< how often each is named
     QSet<QString> m_timesteps{};
     std::map<int, std::set<QString>> m_bodies{}; ///< names of circles, by line
 };

@@ -51,7 +51,17 @@ void repairOmissions(RepairList &repairs, std::size_t i);
 void repairStatements(RepairList &repairs, std::size_t i);
 /// What is given, twice as much or upside down, at token \p i.
 void repairScales(RepairList &repairs, std::size_t i);
-/// The line left out, put behind the next, or said of another circle.
+/// What is meant for another circle, part or direction, at token \p i.
+void repairExchanges(RepairList &repairs, std::size_t i);
+/// Several factors or a first term too many, a bracket or a count that is wrong, at token \p i.
+void repairFactors(RepairList &repairs, std::size_t i);
+/// A factor that stands elsewhere in the program, at token \p i.
+void repairMissingFactors(RepairList &repairs, std::size_t i);
+/// What the line says of two, said the other way round or at once; a way out, not taken.
+void repairOrder(RepairList &repairs, int line);
+/// The line left out.
+void dropLine(RepairList &repairs, int line);
+/// The line put behind the next, or said of another circle.
 void repairLine(RepairList &repairs, int line);
 
 } // namespace cradle

@@ -144,10 +144,20 @@ void repairScales(RepairList &repairs, std::size_t i)
     const qsizetype from = repairs.tokens()[i + 1].start;
     const qsizetype end = repairs.tokens()[after - 1].end();
     const QString right = repairs.program().source().mid(from, end - from);
+    if (!returns && right.contains(QLatin1Char('+')))
+        repairs.replace(repairs.tokens()[i].line, from, end, QStringLiteral("(%1) / 2").arg(right));
     if (right.contains(QLatin1Char('*')))
         repairs.replace(
             repairs.tokens()[i].line, from, end,
             (returns ? QStringLiteral("1 / (%1)") : QStringLiteral("2 * (%1)")).arg(right));
+}
+
+void dropLine(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    if (isStatement(program, line))
+        repairs.replace(line, program.startOf(line),
+                        program.startOf(line) + program.row(line).size(), {});
 }
 
 void repairLine(RepairList &repairs, int line)
@@ -160,7 +170,6 @@ void repairLine(RepairList &repairs, int line)
         return;
     const QString row = program.row(line);
     const qsizetype from = program.startOf(line);
-    repairs.replace(line, from, from + row.size(), {});
     if (!isStatement(program, line + 1))
         return;
     const QString next = program.row(line + 1);

@@ -50,7 +50,11 @@ void addFactor(RepairList &repairs, std::size_t i)
         repairs.insertAfter(last, QStringLiteral(" * %1.radius").arg(body));
         repairs.insertAfter(last, QStringLiteral(" * %1.density").arg(body));
     }
-    if (last.kind == ProgramToken::Kind::Number || last.is("radius"))
+    const bool isCompared =
+        i > 0
+        && (repairs.tokens()[i - 1].is("<") || repairs.tokens()[i - 1].is(">")
+            || repairs.tokens()[i - 1].is("<=") || repairs.tokens()[i - 1].is(">="));
+    if (last.kind == ProgramToken::Kind::Number || last.is("radius") || isCompared)
         repairs.insertAfter(last, QStringLiteral(" ^ 2"));
 }
 

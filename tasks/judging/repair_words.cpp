@@ -44,7 +44,7 @@ void changeNumber(RepairList &repairs, std::size_t i)
 void changeSign(RepairList &repairs, std::size_t i)
 {
     static const QList<std::pair<const char *, const char *>> pairs{
-        {"+", "-"}, {"-", "+"}, {"*", "/"},   {"/", "*"},
+        {"+", "-"}, {"-", "+"}, {"*", "/"},   {"/", "*"},  {"*", "+"},
         {"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
     const ProgramToken &sign = repairs.tokens()[i];
     const bool binary = i > 0 && repairs.tokens()[i - 1].endsOperand();
@@ -106,7 +106,8 @@ void exchangeOwner(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &name = repairs.tokens()[i];
     if (name.kind != ProgramToken::Kind::Name || !repairs.is(i + 1, ".")
-        || !(repairs.is(i + 2, "radius") || repairs.is(i + 2, "mass")))
+        || !(repairs.is(i + 2, "radius") || repairs.is(i + 2, "mass")
+             || repairs.is(i + 2, "density")))
         return;
     for (const QString &body : repairs.program().bodiesNear(name.line))
         repairs.replace(name, body);

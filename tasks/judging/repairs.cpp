@@ -59,15 +59,20 @@ std::vector<Repair> repairsOf(const QString &source, const std::vector<int> &lin
             repairWords(repairs, i);
             repairTerms(repairs, i);
             repairStatements(repairs, i);
+            repairExchanges(repairs, i);
+            repairFactors(repairs, i);
         }
+        repairOrder(repairs, line);
         repairLine(repairs, line);
     }
     // What is missing may be put in at many places: first what is there is changed.
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairOmissions(repairs, i);
+            repairMissingFactors(repairs, i);
             repairScales(repairs, i);
         }
+        dropLine(repairs, line);
     }
     return repairs.take();
 }

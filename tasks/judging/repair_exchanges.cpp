@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repair_list.h"
+
+#include <QRegularExpression>
+
+namespace cradle {
+
+namespace {
+
+/// The locals that are given a value in the lines before \p line, the nearest first.
+QStringList localsBefore(const ProgramLines &program, int line)
+{
+    constexpr int near = 6;
+    static const QRegularExpression header(QStringLiteral("\\bfunction\\b"));
+    static const QRegularExpression local(QStringLiteral("^\\s*local\\s+(\\w+(\\s*,\\s*\\w+)*)"));
+    QStringList names;
+    for (int at = line - 1; at >= std::max(1, line - near); --at) {
+        if (program.row(at).contains(header))
+            break;
+        const QString list = local.match(program.row(at)).captured(1);
+        for (const QString &name : list.split(QLatin1Char(','), Qt::SkipEmptyParts))
+            names.append(name.trimmed());
+    }
+    return names;
+}
+
+/// What a direction or a length is taken of: another vector that is at hand.
+void exchangeObject(RepairList &repairs, std::size_t i)
+{
+    const ProgramLines &program = repairs.program();
+    const std::size_t after = program.afterOperand(i);
+    if (after < i + 4 || !repairs.is(after - 4, ":")
+        || !(repairs.is(after - 3, "normalized") || repairs.is(after - 3, "length")))
+        return;
+    const ProgramToken &first = repairs.tokens()[i];
+    if (i > 0 && (repairs.is(i - 1, ".") || repairs.is(i - 1, ":")))
+        return;
+    for (const QString &name : localsBefore(program, first.line))
+        repairs.replace(first.line, first.start, repairs.tokens()[after - 5].end(), name);
+}
+
+/// One coordinate for the distance.
+void restoreLength(RepairList &repairs, std::size_t i)
+{
+    if (!repairs.is(i, "math") || !repairs.is(i + 2, "abs") || !repairs.is(i + 3, "("))
+        return;
+    const std::size_t after = repairs.program().afterGroup(i + 3);
+    if (after != i + 8 || !repairs.is(i + 5, ".")
+        || !(repairs.is(i + 6, "x") || repairs.is(i + 6, "y")))
+        return;
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    repairs.replace(tokens[i].line, tokens[i].start, tokens[after - 1].end(),
+                    tokens[i + 4].text + QStringLiteral(":length()"));
+}
+
+/// A number where the other coordinate belongs: vec(-v.x, 0).
+void restoreCoordinate(RepairList &repairs, std::size_t i)
+{
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    if (!repairs.is(i, "vec") || !repairs.is(i + 1, "("))
+        return;
+    const std::size_t after = repairs.program().afterGroup(i + 1);
+    std::size_t comma = i + 2;
+    while (comma < after && !repairs.is(comma, ","))
+        comma = repairs.is(comma, "(") ? repairs.program().afterGroup(comma) : comma + 1;
+    if (comma + 2 >= after)
+        return;
+    const bool isSecond = comma + 3 == after;
+    const std::size_t number = isSecond ? comma + 1 : i + 2;
+    if (tokens[number].kind != ProgramToken::Kind::Number || (!isSecond && comma != i + 3))
+        return;
+    const QString &source = repairs.program().source();
+    const std::size_t from = isSecond ? i + 2 : comma + 1;
+    const std::size_t to = isSecond ? comma - 1 : after - 2;
+    QString other = source.mid(tokens[from].start, tokens[to].end() - tokens[from].start);
+    static const QRegularExpression end(QStringLiteral("[xy]$"));
+    if (!other.contains(end))
+        return;
+    other.chop(1);
+    if (other.startsWith(QLatin1Char('-')))
+        other.remove(0, 1);
+    repairs.replace(tokens[number], other + (isSecond ? QLatin1Char('y') : QLatin1Char('x')));
+}
+
+/// What both circles have, taken of one: v₁ in place of v₁ − v₂.
+void makeRelative(RepairList &repairs, std::size_t i)
+{
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    if (tokens[i].kind != ProgramToken::Kind::Name || !repairs.is(i + 1, ".")
+        || !(repairs.is(i + 2, "velocity") || repairs.is(i + 2, "position"))
+        || repairs.is(i + 3, "=") || (i > 0 && repairs.is(i - 1, ".")))
+        return;
+    const std::size_t after = repairs.program().afterOperand(i);
+    const QString rest = repairs.program().source().mid(
+        tokens[i + 1].start, tokens[after - 1].end() - tokens[i + 1].start);
+    for (const QString &body : repairs.program().bodiesNear(tokens[i].line)) {
+        if (body != tokens[i].text)
+            repairs.insertAfter(tokens[after - 1], QStringLiteral(" - ") + body + rest);
+    }
+}
+
+/// circles[1].density where c.density is meant.
+void exchangeElement(RepairList &repairs, std::size_t i)
+{
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    if (!repairs.is(i, "circles") || !repairs.is(i + 1, "[") || i + 3 >= tokens.size()
+        || !repairs.is(i + 3, "]"))
+        return;
+    for (const QString &body : repairs.program().bodiesNear(tokens[i].line))
+        repairs.replace(tokens[i].line, tokens[i].start, tokens[i + 3].end(), body);
+}
+
+/// The partner of a name: m2 for m1, mb for ma; empty if the program has none.
+QString partnerOf(const RepairList &repairs, const QString &name)
+{
+    static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
+                                                     {QLatin1Char('1'), QLatin1Char('2')}};
+    for (const auto &[one, two] : ends) {
+        QString partner = name;
+        if (partner.size() < 2 || (partner.back() != one && partner.back() != two))
+            continue;
+        partner.back() = partner.back() == one ? two : one;
+        if (repairs.program().hasName(partner))
+            return partner;
+    }
+    return {};
+}
+
+/// m1 for m2 and m2 for m1, wherever they stand in the line.
+void exchangePartners(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    QStringList done;
+    for (const std::size_t i : program.tokensOf(line)) {
+        const ProgramToken &token = repairs.tokens()[i];
+        if (token.kind != ProgramToken::Kind::Name || done.contains(token.text))
+            continue;
+        const QString partner = partnerOf(repairs, token.text);
+        if (partner.isEmpty())
+            continue;
+        done << token.text << partner;
+        QString row = program.row(line);
+        const QString mark(QChar(1));
+        row.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(token.text)), mark);
+        row.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(partner)), token.text);
+        row.replace(mark, partner);
+        repairs.replace(line, program.startOf(line),
+                        program.startOf(line) + program.row(line).size(), row);
+    }
+}
+
+/// a = b, then b = a, where both at once are meant.
+void assignAtOnce(RepairList &repairs, int line)
+{
+    static const QRegularExpression assignment(
+        QStringLiteral("^(\\s*)([\\w.\\[\\]]+)\\s*=\\s*([^=].*)$"));
+    const ProgramLines &program = repairs.program();
+    if (line >= program.count())
+        return;
+    const auto one = assignment.match(program.row(line));
+    const auto two = assignment.match(program.row(line + 1));
+    if (!one.hasMatch() || !two.hasMatch() || !two.captured(3).contains(one.captured(2)))
+        return;
+    const qsizetype from = program.startOf(line);
+    repairs.replace(line, from, program.startOf(line + 1) + program.row(line + 1).size(),
+                    QStringLiteral("%1%2, %3 = %4, %5")
+                        .arg(one.captured(1), one.captured(2), two.captured(2), one.captured(3),
+                             two.captured(3)));
+}
+
+/// A way out of a loop or a function that is taken too early.
+void goOn(RepairList &repairs, int line)
+{
+    static const QRegularExpression leave(
+        QStringLiteral("^\\s*(do\\s+)?(break|return)(\\s+end)?\\s*$"));
+    const ProgramLines &program = repairs.program();
+    const QString row = program.row(line);
+    if (row.contains(leave))
+        repairs.replace(line, program.startOf(line), program.startOf(line) + row.size(), {});
+}
+
+} // namespace
+
+void repairExchanges(RepairList &repairs, std::size_t i)
+{
+    exchangeObject(repairs, i);
+    restoreLength(repairs, i);
+    restoreCoordinate(repairs, i);
+    makeRelative(repairs, i);
+    exchangeElement(repairs, i);
+}
+
+void repairOrder(RepairList &repairs, int line)
+{
+    exchangePartners(repairs, line);
+    assignAtOnce(repairs, line);
+    goOn(repairs, line);
+}
+
+} // namespace cradle
