@@ -18,6 +18,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void faultsOfTwoAspectsAreBothNamed_data();
     void faultsOfTwoAspectsAreBothNamed();
+    void oneFaultIsToldOnce_data();
+    void oneFaultIsToldOnce();
     void aspectThatCannotBeMeasuredIsNotJudged_data();
     void aspectThatCannotBeMeasuredIsNotJudged();
     void mistakeOfOneAspectDoesNotExplainAnother();
@@ -149,6 +151,47 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
             f.mass = lab("c.density * c.radius ^ 2");
             f.answer.replace(lab("1 + restitution"), lab("1 + restitution ^ 2"));
         });
+}
+
+void TestFindings::oneFaultIsToldOnce_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<OtherForm>("form");
+    QTest::addColumn<QString>("said");
+    using namespace parts;
+    const auto row = [](const char *step, const char *name, const char *said,
+                        const Change &change) {
+        OtherForm form = otherForm(lab(step));
+        change(form);
+        QTest::addRow("%s %s", step, name) << lab(step) << form << text(said);
+    };
+    row("L42T7", "velocity of the other circle", "The velocity of circle 2 is taken from circle 1",
+        [](OtherForm &f) {
+            f.integrate = lab("c.velocity = circle1.velocity + gravity * h "
+                              "c.position = c.position + c.velocity * h");
+        });
+    row("L42T7", "slow ones are stopped",
+        "Away from every wall a low speed of both circles is taken away", [](OtherForm &f) {
+            f.integrate =
+                lab("c.velocity = c.velocity + gravity * h "
+                    "c.position = c.position + c.velocity * h "
+                    "if math.abs(c.velocity.y) < 2 then c.velocity = vec(c.velocity.x, 0) end");
+        });
+    row("L42T7", "gravity sideways, too", "Gravity pulls both circles in a wrong direction",
+        [](OtherForm &f) {
+            f.integrate = lab("c.velocity = c.velocity + vec(gravity.y, gravity.y) * h "
+                              "c.position = c.position + c.velocity * h");
+        });
+}
+
+void TestFindings::oneFaultIsToldOnce()
+{
+    QFETCH(QString, step);
+    QFETCH(OtherForm, form);
+    QFETCH(QString, said);
+    const CheckReport report = told(step, form);
+    QVERIFY(!report.passed);
+    QCOMPARE(headlinesOf(report), QStringList{said});
 }
 
 void TestFindings::faultsOfTwoAspectsAreBothNamed()

@@ -57,7 +57,9 @@ FaultLook::FaultLook(const QString &program, const QString &reference, const Mom
 {
     const qint64 steps = moment.step + (moment.isPosition ? 0 : later);
     for (auto *scene : {&m_first, &m_second}) {
-        *scene = sceneOf(scene == &m_first ? moment.stage : otherStage(), steps);
+        // One step more: two changes of sign make none.
+        *scene = scene == &m_first ? sceneOf(moment.stage, steps)
+                                   : sceneOf(otherStage(), isHit ? steps : steps + 1);
         if (*scene && isRightIn(**scene, program))
             scene->reset();
     }

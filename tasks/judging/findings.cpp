@@ -4,6 +4,7 @@
 
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/known_mistakes.h"
+#include "tasks/judging/last_assignment.h"
 #include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/measured_laws.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace cradle {
 
@@ -137,7 +139,7 @@ private:
 
     void take(Aspect aspect, const std::vector<LawDeviation> &deviations)
     {
-        if (deviations.empty() || !isAsked(aspect))
+        if (deviations.empty() || !isAsked(aspect) || isMendedBefore(deviations.front()))
             return;
         // What a mistake was named for before may show here, too.
         if (m_named && isLike(*m_named, m_own, aspect, m_known->ground()))
@@ -150,8 +152,29 @@ private:
             add(deviations.front(), mistake.name, mistake.message);
             return;
         }
-        for (const LawDeviation &deviation : deviations)
-            add(deviation, {}, deviation.message);
+        for (const LawDeviation &deviation : deviations) {
+            if (!isMendedBefore(deviation))
+                add(deviation, {}, deviation.message);
+        }
+    }
+
+    /// Whether the change that mends what was found before mends this, too: it is the same fault.
+    [[nodiscard]] bool isMendedBefore(const LawDeviation &deviation) const
+    {
+        if (deviation.aspect == Aspect::Start || m_mended.empty())
+            return false;
+        const Aspect aspect = aspectOf(deviation);
+        const std::vector<LawDeviation> before = besides(m_own, aspect);
+        return std::any_of(m_mended.begin(), m_mended.end(), [&](const auto &mended) {
+            const MeasuredLaws &laws = mended->laws;
+            return seesAsMuch(laws, aspect)
+                   && mendingOf(deviation, before, besides(laws, aspect)) == Mending::All;
+        });
+    }
+
+    static Aspect aspectOf(const LawDeviation &deviation)
+    {
+        return deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
     }
 
     void add(const LawDeviation &deviation, const QString &mistake, const QString &message)
@@ -161,59 +184,13 @@ private:
                         .mistake = mistake,
                         .message = message,
                         .check = failed ? failed->id : QString()};
-        mark(finding, deviation.moment);
+        markLastAssignment(finding, deviation.moment, m_task, m_submission);
         point(finding, deviation);
         m_findings.push_back(finding);
     }
 
-    /// The assignment that last changed what is wrong, and the calls that led there.
-    void mark(Finding &finding, const Moment &moment) const
-    {
-        if (moment.start)
-            return markStart(finding, moment);
-        if (!m_submission.script || moment.circles.empty())
-            return;
-        Probe probe(m_submission.program(), moment.stage);
-        for (qint64 k = 1; k < moment.step; ++k) {
-            if (!probe.step())
-                return;
-        }
-        const auto field =
-            moment.isPosition ? Assignment::Field::Position : Assignment::Field::Velocity;
-        bool changed = false;
-        for (const Assignment &assignment : probe.trace()) {
-            const bool isIt =
-                assignment.field == field
-                && std::find(moment.circles.begin(), moment.circles.end(), assignment.circle)
-                       != moment.circles.end();
-            if (!isIt || (changed && !assignment.changed))
-                continue;
-            changed = changed || assignment.changed;
-            finding.line = assignment.line;
-            finding.calls = assignment.calls;
-        }
-    }
-
-    /// The assignment that gave a circle or the scene a wrong value before the first step.
-    void markStart(Finding &finding, const Moment &moment) const
-    {
-        if (!m_submission.script)
-            return;
-        StudentScript script(*m_submission.script,
-                             {.quiet = true, .silent = true, .locked = m_task.locked});
-        const int circle = moment.circles.empty() ? -1 : moment.circles.front();
-        for (const Assignment &assignment : script.traceStart(m_submission.preset)) {
-            if (assignment.field != moment.start || assignment.circle != circle)
-                continue;
-            finding.line = assignment.line;
-            finding.calls = assignment.calls;
-        }
-        if (finding.line == 0 && circle < 0)
-            finding.line = hidingLine(*m_submission.script, *moment.start);
-    }
-
     /// A line in which a small change mends this very fault is better than the last that ran.
-    void point(Finding &finding, const LawDeviation &deviation) const
+    void point(Finding &finding, const LawDeviation &deviation)
     {
         if (!m_submission.script || deviation.moment.start)
             return;
@@ -228,12 +205,12 @@ private:
         finding.calls.clear();
     }
 
-    [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last) const
+    [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last)
     {
         const Moment &moment = deviation.moment;
         if (!m_provesLines || moment.circles.empty() || m_findings.size() >= mostProven)
             return 0;
-        const Aspect aspect = deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
+        const Aspect aspect = aspectOf(deviation);
         const std::vector<LawDeviation> before = besides(m_own, aspect);
         const auto repair =
             repairOf({*m_submission.script, m_task.solution, moment, ran, deviation.suspect, last,
@@ -243,7 +220,10 @@ private:
                                      ? mendingOf(deviation, before, besides(laws, aspect))
                                      : Mending::None;
                       }});
-        return repair ? repair->line : 0;
+        if (!repair)
+            return 0;
+        m_mended.push_back(std::make_unique<Mended>(repair->source, m_ground));
+        return repair->line;
     }
 
     /// What is said of an aspect, and of that beside it which a change may spoil.
@@ -276,6 +256,17 @@ private:
     /// Findings whose line is proven; those behind wait until the first are mended.
     static constexpr std::size_t mostProven = 2;
 
+    /// The student's program with a change that mends a finding.
+    struct Mended {
+        Mended(QString source, const Ground &ground)
+            : program(std::move(source))
+            , laws(&program, ground)
+        {
+        }
+        QString program;
+        MeasuredLaws laws;
+    };
+
     const Task &m_task;
     const Submission &m_submission;
     const std::vector<CheckOutcome> &m_checks;
@@ -286,6 +277,7 @@ private:
     const MeasuredLaws &m_right = m_known->right();
     const MeasuredLaws *m_named = nullptr; ///< of the known mistake that was found last
     std::vector<Finding> m_findings;
+    std::vector<std::unique_ptr<const Mended>> m_mended;
 };
 
 } // namespace

@@ -53,6 +53,11 @@ protected:
     }
     /// Of the reference, under the same conditions as flight(0).
     [[nodiscard]] const Flight &right() const { return m_right.at(gravity(), timestep(), m_i); }
+    /// Where a place pulls, its flights are not alike for that reason alone.
+    [[nodiscard]] bool hasPull() const
+    {
+        return flight(0).pull != Vec2{} || right().pull != Vec2{};
+    }
     /// How far a growth of the velocity that nobody asked for shows in a step, relative.
     [[nodiscard]] double growthBlur(std::size_t h) const
     {
@@ -113,6 +118,9 @@ protected:
     const Ground &m_ground;
     int m_i;
 };
+
+/// What is wrong with the way of a circle in a step; the first that is found.
+[[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 
 /// What is wrong with the fall of a circle under gravity; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> fallSaid(const FlightComparison &comparison);

@@ -11,8 +11,6 @@ namespace cradle {
 
 namespace {
 
-using Kind = TimestepPattern::Kind;
-
 /// Judges the flight of one circle.
 class FlightJudge : FlightComparison
 {
@@ -37,12 +35,6 @@ public:
     }
 
 private:
-    /// Where a place pulls, its flights are not alike for that reason alone.
-    [[nodiscard]] bool hasPull() const
-    {
-        return flight(0).pull != Vec2{} || right().pull != Vec2{};
-    }
-
     void judgeTurn(std::vector<FlightSaid> &said) const
     {
         const bool isWayRight = said.empty();
@@ -57,6 +49,8 @@ private:
         }
     }
 
+    [[nodiscard]] std::optional<FlightSaid> way() const { return waySaid(*this); }
+
     /// Velocity and place must follow from those before, and from the circle's own.
     [[nodiscard]] std::optional<FlightSaid> carriedOn() const
     {
@@ -69,6 +63,24 @@ private:
                                "own and goes on from those: look at what the lines for "
                                "one take from the other."),
                 true);
+        if (f.borrows >= 0 && right().borrows < 0)
+            return said(
+                FlightText::tr("The velocity of %who is taken from circle %1").arg(f.borrows + 1),
+                FlightText::tr("Whatever its own velocity was, one step later it has what "
+                               "circle %1 had, and what gravity adds: started with %2 "
+                               "m/s, it has %3 m/s. Each circle goes on from its own "
+                               "velocity: look at the names in the line that changes it.")
+                    .arg(f.borrows + 1)
+                    .arg(brief(f.startedWith), brief(f.turnedInto)),
+                false);
+        if (f.onlySlow && !right().onlySlow)
+            return said(FlightText::tr("Away from every wall a low speed of %who is taken away"),
+                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, far "
+                                       "from every wall and every other circle; a faster one "
+                                       "goes on. Look at the conditions in front of the "
+                                       "lines that change the velocity.")
+                            .arg(brief(f.startedWith), brief(f.turnedInto)),
+                        false);
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
@@ -114,73 +126,6 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] std::optional<FlightSaid> way() const
-    {
-        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear)
-            return oddWay();
-        const auto partX = [](const Flight &f) { return f.way.x; };
-        const auto partY = [](const Flight &f) { return f.way.y; };
-        const auto x = pattern(gravity(), partX);
-        const auto y = pattern(gravity(), partY);
-        if ((isRight(x) && isRight(y))
-            || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
-            return std::nullopt;
-        const std::size_t at = shownTimestep(isRight(x) ? y : x);
-        const double h = m_ground.timesteps[at];
-        const Flight &f = flight(at);
-        const bool isX = x.kind == Kind::Constant && x.value == 0.0;
-        const bool isY = y.kind == Kind::Constant && y.value == 0.0;
-        const auto seen = FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
-                                         "a step; v Δt is %4 m.")
-                              .arg(brief(f.turnedInto), briefTimestep(h), brief(f.wayMade),
-                                   brief(h * f.turnedInto));
-        // A part that nobody asks for may stay; what is wrong with the other is said first.
-        const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
-        if (isX != isY && isRight(other))
-            return said(isX ? FlightText::tr("The x of %who never changes")
-                            : FlightText::tr("The y of %who never changes"),
-                        seen
-                            + FlightText::tr(" Both parts of the position must change, each by "
-                                             "its own part of the velocity."),
-                        true);
-        const auto [headline, where] = wayWords(other);
-        FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
-        if (other.kind == Kind::Constant && other.value == 0.0)
-            fault.suspect = Suspect::Omission;
-        return fault;
-    }
-
-    /// A way that is no share of the own velocity.
-    [[nodiscard]] FlightSaid oddWay() const
-    {
-        const auto &[a, b] = flight(0).seen;
-        const double h = timestep();
-        const QString seen =
-            FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with "
-                           "%4 m/s %5 m; v Δt is %6 and %7 m.")
-                .arg(brief(a.velocity), briefTimestep(h), brief(a.way), brief(b.velocity),
-                     brief(b.way), brief(h * a.velocity), brief(h * b.velocity));
-        const auto tell = [&](const QString &headline, const QString &why) {
-            return said(headline, seen + QLatin1Char(' ') + why, true);
-        };
-        const QString own =
-            FlightText::tr("Each part of the position changes by its own part of the velocity.");
-        switch (flight(0).crossing) {
-        case Flight::Crossing::XMovesY:
-            return tell(FlightText::tr("The x part of the velocity moves %who in y"), own);
-        case Flight::Crossing::YMovesX:
-            return tell(FlightText::tr("The y part of the velocity moves %who in x"), own);
-        case Flight::Crossing::Exchanged:
-            return tell(FlightText::tr("x and y of the velocity are exchanged where %who moves"),
-                        own);
-        case Flight::Crossing::None:
-            break;
-        }
-        return tell(FlightText::tr("The way of %who in a step is not v Δt"),
-                    FlightText::tr("Look at what the line that changes the position takes, and at "
-                                   "the conditions in front of it."));
-    }
-
     /// A change of the velocity that depends on it otherwise than by a share.
     [[nodiscard]] FlightSaid oddTurn() const
     {
@@ -207,42 +152,6 @@ private:
                      brief(b.velocity), brief(b.turn), brief(asked(a.velocity)),
                      brief(asked(b.velocity))),
             false);
-    }
-
-    static std::pair<QString, QString> wayWords(const TimestepPattern &p)
-    {
-        switch (p.kind) {
-        case Kind::Forgotten:
-            return {FlightText::tr("The way of %who is not multiplied by the timestep"),
-                    FlightText::tr("A velocity says how far it gets in a whole second; a step "
-                                   "lasts only Δt.")};
-        case Kind::Squared:
-            return {FlightText::tr("The way of %who is multiplied by the timestep twice"),
-                    FlightText::tr("Count how often the timestep stands in the line that moves "
-                                   "it.")};
-        case Kind::Fixed:
-            return {FlightText::tr("A fixed number stands for the timestep in the way of %who"),
-                    FlightText::tr("Whatever Δt is, it goes as far as in %1 s. Take the parameter "
-                                   "of `on_update`.")
-                        .arg(briefTimestep(p.value))};
-        case Kind::Constant:
-            break;
-        case Kind::Other:
-            return {FlightText::tr("The way of %who in a step is not v Δt"),
-                    FlightText::tr("Look at the line that changes the position.")};
-        }
-        if (p.value == 0.0)
-            return {FlightText::tr("Nothing moves %who"),
-                    FlightText::tr("In every step its position gets v Δt added.")};
-        if (std::abs(p.value + 1.0) < wrong)
-            return {FlightText::tr("The way of %who is subtracted instead of added"),
-                    FlightText::tr("Look at the sign in the line that moves it.")};
-        if (std::abs(p.value - 2.0) < wrong)
-            return {FlightText::tr("Every step moves %who twice"),
-                    FlightText::tr("Count the lines that change the position in a step without a "
-                                   "hit.")};
-        return {FlightText::tr("The way of %who in a step is %1 times v Δt").arg(brief(p.value)),
-                FlightText::tr("Look at the factors in the line that moves it.")};
     }
 
     [[nodiscard]] std::optional<FlightSaid> growth() const

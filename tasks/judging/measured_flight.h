@@ -2,63 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/ground.h"
-#include "tasks/judging/probe.h"
+#include "tasks/judging/flight_reading.h"
 
 #include <algorithm>
-#include <array>
+#include <memory>
 
 namespace cradle {
-
-/// How a program moves one circle freely, under one gravity and with one timestep h:
-///
-///     x' = x + way ∘ v h + drift        v' = v + growth ∘ v h + acceleration h
-///
-/// with ∘ for the product part by part. Measured from the second step of a few short flights, so
-/// that what a program keeps from one step to the next has settled.
-struct Flight {
-    /// One step of a flight, as it was seen.
-    struct Step {
-        Vec2 velocity{}; ///< before it, m/s
-        Vec2 way{};      ///< m
-        Vec2 turn{};     ///< change of the velocity, m/s
-    };
-    /// A part of the velocity that moves the other part of the place.
-    enum class Crossing { None, XMovesY, YMovesX, Exchanged };
-
-    Vec2 way{1.0, 1.0};   ///< share of v h that the position changes by; 1 is right
-    Vec2 drift{};         ///< m in a step, what the acceleration adds
-    Vec2 acceleration{};  ///< m/s², of a circle at rest
-    Vec2 growth{};        ///< 1/s; negative where something brakes
-    Vec2 pull{};          ///< 1/s², what the place changes the acceleration by
-    bool isKnown = false; ///< it follows such a law
-    bool resets = false;  ///< the velocity after a step does not depend on that before
-    bool resetsX = false; ///< the same of one part of the velocity alone
-    bool resetsY = false;
-    double carried = 1.0;     ///< share of the old place that is in the new one; 1 is right
-    bool jumps = false;       ///< the place after a step does not depend on that before
-    int leader = -1;          ///< the circle whose velocity moves it, if it is not its own
-    int follows = -1;         ///< the circle at whose place it is after a step, wherever it started
-    bool isWayLinear = true;  ///< no flight contradicts that its way is such a share
-    bool isTurnLinear = true; ///< nor the change of its velocity
-    Crossing crossing = Crossing::None;
-    std::array<Step, 2> seen{}; ///< of two flights
-    Vec2 startedWith{};         ///< velocity, for words about it, m/s
-    Vec2 turnedInto{};          ///< what became of that in the first step, m/s
-    Vec2 wayMade{};             ///< and how far it went in the second, m
-
-    /// The state one step after \p c, if nothing is hit.
-    [[nodiscard]] Motion after(const Circle &c, double h) const;
-    /// c in the drift c a h², if there is an acceleration that shows it.
-    [[nodiscard]] std::optional<double> share(double h) const;
-};
-
-/// The flights of all circles of \p ground under \p gravity with the timestep \p h.
-[[nodiscard]] std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
-                                                 Vec2 gravity, double h);
-
-/// One scene of such a flight, to be shown: all circles move.
-[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h);
 
 /// All that is known of the free motion of a program.
 class MeasuredFlight

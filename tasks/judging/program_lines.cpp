@@ -80,6 +80,19 @@ QStringList ProgramLines::forgotten(int line) const
     return found;
 }
 
+bool ProgramLines::isCall(int line) const
+{
+    static const QRegularExpression call(QStringLiteral("^\\s*[\\w.:\\[\\]]+\\(.*\\)\\s*$"));
+    return row(line).contains(call);
+}
+
+bool ProgramLines::isNewName(std::size_t i) const
+{
+    while (i > 0 && (is(i - 1, ",") || m_tokens[i - 1].kind == ProgramToken::Kind::Name))
+        --i;
+    return i > 0 && is(i - 1, "local");
+}
+
 std::size_t ProgramLines::afterOperand(std::size_t i) const
 {
     if (i >= m_tokens.size())

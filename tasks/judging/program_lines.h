@@ -47,6 +47,11 @@ public:
     /// The locals that are given a value in the lines before one and used nowhere.
     [[nodiscard]] QStringList forgotten(int line) const;
 
+    /// Whether a line does nothing but call a function.
+    [[nodiscard]] bool isCall(int line) const;
+    /// Whether token \p i is a name that a local statement gives.
+    [[nodiscard]] bool isNewName(std::size_t i) const;
+
     /// The token after the operand that begins at \p i; \p i if none begins there.
     [[nodiscard]] std::size_t afterOperand(std::size_t i) const;
     /// The token after the bracket that closes the one at \p i.

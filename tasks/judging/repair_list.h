@@ -35,10 +35,13 @@ public:
     [[nodiscard]] std::vector<Repair> take() { return std::move(m_repairs); }
 
 private:
+    /// Once, also where several ways lead to it.
+    void add(const QString &source, int line, bool alone);
     void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
 
     const ProgramLines &m_program;
     std::vector<Repair> m_repairs{};
+    QSet<QString> m_known{};
 };
 
 /// A number, a sign or a name for another, at token \p i.

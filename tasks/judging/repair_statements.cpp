@@ -95,7 +95,9 @@ void changeRightSide(RepairList &repairs, std::size_t i)
     }
     if (returns)
         return;
-    repairs.replace(line, from, end, QStringLiteral("(%1):normalized()").arg(right));
+    static const QRegularExpression scalar(QStringLiteral("math\\.|radius|density|^[\\d.]+$"));
+    if (!right.contains(scalar))
+        repairs.replace(line, from, end, QStringLiteral("(%1):normalized()").arg(right));
     repairs.replace(line, from, end, QStringLiteral("-(%1)").arg(right));
 }
 

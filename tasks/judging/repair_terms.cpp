@@ -30,8 +30,8 @@ void addFactor(RepairList &repairs, std::size_t i)
     if (i > 0 && (repairs.tokens()[i - 1].is(".") || repairs.tokens()[i - 1].is(":")))
         return;
     const std::size_t after = repairs.program().afterOperand(i);
-    if (after == i || repairs.is(after, "=") || repairs.is(after, ",")
-        || repairs.tokens()[after - 1].line != token.line)
+    if (after == i || repairs.program().isCall(token.line) || repairs.is(after, "=")
+        || repairs.is(after, ",") || repairs.tokens()[after - 1].line != token.line)
         return;
     const ProgramToken &last = repairs.tokens()[after - 1];
     const bool isRate = last.is("velocity") || last.is("gravity") || last.is(")") || last.is("x")
@@ -45,7 +45,8 @@ void addFactor(RepairList &repairs, std::size_t i)
         i > 1 && repairs.tokens()[i - 1].is("-") && !repairs.tokens()[i - 2].endsOperand();
     if (isRate || isTurned)
         repairs.insertAfter(last, QStringLiteral(" * restitution"));
-    if (last.is("radius") && after >= 3) {
+    if (last.is("radius") && after >= 3
+        && repairs.tokens()[after - 3].kind == ProgramToken::Kind::Name) {
         const QString body = repairs.tokens()[after - 3].text;
         repairs.insertAfter(last, QStringLiteral(" * %1.radius").arg(body));
         repairs.insertAfter(last, QStringLiteral(" * %1.density").arg(body));
@@ -78,7 +79,8 @@ void addDensity(RepairList &repairs, std::size_t i)
         || repairs.tokens()[i + 1].line != token.line)
         return;
     for (const std::size_t at : repairs.program().tokensOf(token.line)) {
-        if (at > i + 1 && repairs.is(at, "radius") && repairs.is(at - 1, ".")) {
+        if (at > i + 1 && repairs.is(at, "radius") && repairs.is(at - 1, ".")
+            && repairs.tokens()[at - 2].kind == ProgramToken::Kind::Name) {
             repairs.insertAfter(token,
                                 QStringLiteral(" %1.density *").arg(repairs.tokens()[at - 2].text));
             return;

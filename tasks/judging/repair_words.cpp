@@ -21,8 +21,13 @@ void changeNumber(RepairList &repairs, std::size_t i)
         others.append(QStringLiteral("(1 + restitution)"));
     if (i > 0 && repairs.tokens()[i - 1].is("^"))
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
+    const bool isIndex = i > 0 && repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
+    if (isIndex)
+        others = {QStringLiteral("1"), QStringLiteral("2")};
     for (const QString &other : others)
         repairs.replace(number, other);
+    if (isIndex)
+        return;
     if (number.text.size() < 4) {
         for (const QString &body : repairs.program().bodiesNear(number.line))
             repairs.replace(number, body + QStringLiteral(".radius"));
@@ -65,7 +70,7 @@ void changeSign(RepairList &repairs, std::size_t i)
 void exchangeName(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &name = repairs.tokens()[i];
-    if (name.kind != ProgramToken::Kind::Name)
+    if (name.kind != ProgramToken::Kind::Name || repairs.program().isNewName(i))
         return;
     static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
                                                      {QLatin1Char('1'), QLatin1Char('2')},

@@ -27,7 +27,7 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
         return;
     QString changed = source;
     changed.replace(from, to - from, text);
-    m_repairs.push_back({changed, line, true});
+    add(changed, line, true);
     replaceInTwins(line, from, to, text);
 }
 
@@ -47,7 +47,15 @@ void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QS
     QString changed = m_program.source();
     for (const Edit &edit : edits)
         changed.replace(edit.from, edit.to - edit.from, edit.text);
-    m_repairs.push_back({changed, line, false});
+    add(changed, line, false);
+}
+
+void RepairList::add(const QString &source, int line, bool alone)
+{
+    if (m_known.contains(source))
+        return;
+    m_known.insert(source);
+    m_repairs.push_back({source, line, alone});
 }
 
 std::vector<Repair> repairsOf(const QString &source, const std::vector<int> &lines)

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_scenes.h"
+
+namespace cradle::flights {
+
+namespace {
+
+/// Velocities of the flights, m/s: no two have a part or a ratio in common.
+Vec2 velocityOf(int flight, std::size_t circle)
+{
+    static constexpr Vec2 velocities[][4] = {
+        {{1.13, 0.71}, {-0.83, 1.31}, {0.57, -1.07}, {-1.23, -0.61}},
+        {{-0.53, 0.97}, {1.19, 0.43}, {-0.91, -0.67}, {0.37, 1.41}}};
+    return velocities[flight][circle % 4];
+}
+
+/// How much faster the circles are in Scene::Fast than in Scene::First.
+constexpr double fast = 5.0;
+
+} // namespace
+
+Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, std::size_t mover)
+{
+    Preset preset = ground.stage();
+    preset.gravity = gravity;
+    preset.timestep = h;
+    for (std::size_t i = 0; i < preset.circles.size(); ++i) {
+        Circle &c = preset.circles[i].body;
+        if (scene == Scene::First || scene == Scene::Second)
+            c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
+        else if (scene == Scene::Fast)
+            c.velocity = fast * velocityOf(0, i);
+        else if (scene == Scene::Alone && i == mover)
+            c.velocity = velocityOf(0, i);
+        else if (scene == Scene::Shifted)
+            c.position += shift;
+    }
+    return preset;
+}
+
+Steps fly(const QString *program, const Preset &preset)
+{
+    Steps steps;
+    Probe probe(program, {preset, true});
+    steps.start = initialWorld(preset).circles;
+    if (!probe.step())
+        return steps;
+    steps.before = probe.world().circles;
+    if (!probe.step())
+        return steps;
+    steps.after = probe.world().circles;
+    steps.made = true;
+    return steps;
+}
+
+} // namespace cradle::flights

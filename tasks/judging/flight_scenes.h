@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/ground.h"
+#include "tasks/judging/probe.h"
+
+#include <vector>
+
+/// The short flights in which the free motion of a program is measured.
+namespace cradle::flights {
+
+/// From one place to another, m.
+inline constexpr Vec2 shift{0.31, -0.23};
+
+/// The states before and after the second step of a flight.
+struct Steps {
+    bool made = false;
+    std::vector<Circle> start{};
+    std::vector<Circle> before{};
+    std::vector<Circle> after{};
+};
+
+/// How the circles start: at rest, with two kinds of velocities that have nothing in common, in
+/// another place, one alone with a velocity, all with a high one.
+enum class Scene { Rest, First, Second, Shifted, Alone, Fast };
+
+/// \param mover  in Scene::Alone the only circle that moves
+[[nodiscard]] Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene,
+                                  std::size_t mover = 0);
+
+[[nodiscard]] Steps fly(const QString *program, const Preset &preset);
+
+} // namespace cradle::flights

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/last_assignment.h"
+
+#include "tasks/judging/line_guess.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// The assignment that gave a circle or the scene a wrong value before the first step.
+void markStart(Finding &finding, const Moment &moment, const Task &task,
+               const Submission &submission)
+{
+    StudentScript script(*submission.script,
+                         {.quiet = true, .silent = true, .locked = task.locked});
+    const int circle = moment.circles.empty() ? -1 : moment.circles.front();
+    for (const Assignment &assignment : script.traceStart(submission.preset)) {
+        if (assignment.field != moment.start || assignment.circle != circle)
+            continue;
+        finding.line = assignment.line;
+        finding.calls = assignment.calls;
+    }
+    if (finding.line == 0 && circle < 0)
+        finding.line = hidingLine(*submission.script, *moment.start);
+}
+
+} // namespace
+
+void markLastAssignment(Finding &finding, const Moment &moment, const Task &task,
+                        const Submission &submission)
+{
+    if (!submission.script)
+        return;
+    if (moment.start)
+        return markStart(finding, moment, task, submission);
+    if (moment.circles.empty())
+        return;
+    Probe probe(submission.program(), moment.stage);
+    for (qint64 k = 1; k < moment.step; ++k) {
+        if (!probe.step())
+            return;
+    }
+    const auto field =
+        moment.isPosition ? Assignment::Field::Position : Assignment::Field::Velocity;
+    bool changed = false;
+    for (const Assignment &assignment : probe.trace()) {
+        const bool isIt =
+            assignment.field == field
+            && std::find(moment.circles.begin(), moment.circles.end(), assignment.circle)
+                   != moment.circles.end();
+        if (!isIt || (changed && !assignment.changed))
+            continue;
+        changed = changed || assignment.changed;
+        finding.line = assignment.line;
+        finding.calls = assignment.calls;
+    }
+}
+
+} // namespace cradle

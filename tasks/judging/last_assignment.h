@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/check_report.h"
+#include "tasks/judging/deviation.h"
+#include "tasks/lab.h"
+#include "tasks/submission.h"
+
+namespace cradle {
+
+/// Marks in \p finding the assignment that last changed what is wrong at \p moment, and the calls
+/// that led there; nothing where none did.
+void markLastAssignment(Finding &finding, const Moment &moment, const Task &task,
+                        const Submission &submission);
+
+} // namespace cradle

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_comparison.h"
+
+namespace cradle {
+
+namespace {
+
+using Kind = TimestepPattern::Kind;
+
+/// Judges how far a circle goes in a step.
+class WayJudge : FlightComparison
+{
+public:
+    explicit WayJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+    {
+    }
+
+    [[nodiscard]] std::optional<FlightSaid> way() const
+    {
+        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear)
+            return oddWay();
+        const auto partX = [](const Flight &f) { return f.way.x; };
+        const auto partY = [](const Flight &f) { return f.way.y; };
+        const auto x = pattern(gravity(), partX);
+        const auto y = pattern(gravity(), partY);
+        if ((isRight(x) && isRight(y))
+            || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
+            return std::nullopt;
+        const std::size_t at = shownTimestep(isRight(x) ? y : x);
+        const double h = m_ground.timesteps[at];
+        const Flight &f = flight(at);
+        const bool isX = x.kind == Kind::Constant && x.value == 0.0;
+        const bool isY = y.kind == Kind::Constant && y.value == 0.0;
+        const auto seen = FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
+                                         "a step; v Δt is %4 m.")
+                              .arg(brief(f.turnedInto), briefTimestep(h), brief(f.wayMade),
+                                   brief(h * f.turnedInto));
+        // A part that nobody asks for may stay; what is wrong with the other is said first.
+        const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
+        if (isX != isY && isRight(other))
+            return said(isX ? FlightText::tr("The x of %who never changes")
+                            : FlightText::tr("The y of %who never changes"),
+                        seen
+                            + FlightText::tr(" Both parts of the position must change, each by "
+                                             "its own part of the velocity."),
+                        true);
+        const auto [headline, where] = wayWords(other);
+        FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
+        if (other.kind == Kind::Constant && other.value == 0.0)
+            fault.suspect = Suspect::Omission;
+        return fault;
+    }
+
+private:
+    /// A way that is no share of the own velocity.
+    [[nodiscard]] FlightSaid oddWay() const
+    {
+        const auto &[a, b] = flight(0).seen;
+        const double h = timestep();
+        const QString seen =
+            FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with "
+                           "%4 m/s %5 m; v Δt is %6 and %7 m.")
+                .arg(brief(a.velocity), briefTimestep(h), brief(a.way), brief(b.velocity),
+                     brief(b.way), brief(h * a.velocity), brief(h * b.velocity));
+        const auto tell = [&](const QString &headline, const QString &why) {
+            return said(headline, seen + QLatin1Char(' ') + why, true);
+        };
+        const QString own =
+            FlightText::tr("Each part of the position changes by its own part of the velocity.");
+        switch (flight(0).crossing) {
+        case Flight::Crossing::XMovesY:
+            return tell(FlightText::tr("The x part of the velocity moves %who in y"), own);
+        case Flight::Crossing::YMovesX:
+            return tell(FlightText::tr("The y part of the velocity moves %who in x"), own);
+        case Flight::Crossing::Exchanged:
+            return tell(FlightText::tr("x and y of the velocity are exchanged where %who moves"),
+                        own);
+        case Flight::Crossing::None:
+            break;
+        }
+        return tell(FlightText::tr("The way of %who in a step is not v Δt"),
+                    FlightText::tr("Look at what the line that changes the position takes, and at "
+                                   "the conditions in front of it."));
+    }
+
+    static std::pair<QString, QString> wayWords(const TimestepPattern &p)
+    {
+        switch (p.kind) {
+        case Kind::Forgotten:
+            return {FlightText::tr("The way of %who is not multiplied by the timestep"),
+                    FlightText::tr("A velocity says how far it gets in a whole second; a step "
+                                   "lasts only Δt.")};
+        case Kind::Squared:
+            return {FlightText::tr("The way of %who is multiplied by the timestep twice"),
+                    FlightText::tr("Count how often the timestep stands in the line that moves "
+                                   "it.")};
+        case Kind::Fixed:
+            return {FlightText::tr("A fixed number stands for the timestep in the way of %who"),
+                    FlightText::tr("Whatever Δt is, it goes as far as in %1 s. Take the parameter "
+                                   "of `on_update`.")
+                        .arg(briefTimestep(p.value))};
+        case Kind::Constant:
+            break;
+        case Kind::Other:
+            return {FlightText::tr("The way of %who in a step is not v Δt"),
+                    FlightText::tr("Look at the line that changes the position.")};
+        }
+        if (p.value == 0.0)
+            return {FlightText::tr("Nothing moves %who"),
+                    FlightText::tr("In every step its position gets v Δt added.")};
+        if (std::abs(p.value + 1.0) < wrong)
+            return {FlightText::tr("The way of %who is subtracted instead of added"),
+                    FlightText::tr("Look at the sign in the line that moves it.")};
+        if (std::abs(p.value - 2.0) < wrong)
+            return {FlightText::tr("Every step moves %who twice"),
+                    FlightText::tr("Count the lines that change the position in a step without a "
+                                   "hit.")};
+        return {FlightText::tr("The way of %who in a step is %1 times v Δt").arg(brief(p.value)),
+                FlightText::tr("Look at the factors in the line that moves it.")};
+    }
+};
+
+} // namespace
+
+std::optional<FlightSaid> waySaid(const FlightComparison &comparison)
+{
+    return WayJudge(comparison).way();
+}
+
+} // namespace cradle
