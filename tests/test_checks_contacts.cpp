@@ -129,7 +129,7 @@ void TestChecksContacts::missingHitsAreCounted()
     const Observation o =
         meeting([](Circles &c, double h) { rightWays[0].step(c, 1.0, h); }, 1.0, 0.0, 0.0, 0.2);
     const QJsonObject two{{QStringLiteral("contacts"), 2}};
-    VERIFY_REFUSED(judge(check("collides", {0, 1}, two), o), QStringLiteral("1 times"));
+    VERIFY_REFUSED(judge(check("collides", {0, 1}, two), o), QStringLiteral("answered: 1"));
     const Observation apart = observed(scene({{}, {.position = {2.0, 0.0}}}), 1.0, move);
     for (const char *kind :
          {"collides", "conserves", "after_contact", "loses_energy", "passes_through"})

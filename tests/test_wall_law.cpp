@@ -22,6 +22,7 @@ private slots:
     void wordsOfAStepWithoutLosesDoNotSpeakOfThem();
     void wrongMotionIsNoFaultOfTheWalls_data();
     void wrongMotionIsNoFaultOfTheWalls();
+    void wallInAWrongPlaceIsNamed();
     void wallsThatAreRightAreNotCalledWrong();
     void oneCircleIsNamedForItsOwnWalls();
 };
@@ -175,6 +176,21 @@ void TestWallLaw::wordsOfAStepWithoutLosesDoNotSpeakOfThem()
              QStringList(text("The walls give both circles 0.9 times the speed back")));
     QCOMPARE(said("2 / math.abs(v)"),
              QStringList(text("The walls give both circles a speed of their own")));
+}
+
+void TestWallLaw::wallInAWrongPlaceIsNamed()
+{
+    const LawBench step(task(QStringLiteral("L42T7")));
+    const QString program = QStringLiteral(
+        "function on_update(h) for _, c in ipairs(circles) do "
+        "c.velocity = c.velocity + gravity * h c.position = c.position + c.velocity * h "
+        "local p, v, r = c.position, c.velocity, c.radius "
+        "if v.x > 0 and p.x > 4 - r or v.x < 0 and p.x < r - 4 then v = vec(-v.x, v.y) end "
+        "if v.y > 0 and p.y > 4 - r or v.y < 0 and p.y < r then v = vec(v.x, -v.y) end "
+        "c.velocity = v end end");
+    const QStringList said = step.walls(program);
+    QVERIFY(!said.isEmpty());
+    QCOMPARE(said.front(), text("The floor does not turn both circles where it stands"));
 }
 
 void TestWallLaw::wallsThatAreRightAreNotCalledWrong()

@@ -116,21 +116,31 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double last = -restitution * (into + pull);
     if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
         return std::nullopt;
-    if (restitution == 1.0) {
+    const QString place = QString::number(step + 1);
+    const QString who = QString::number(circle + 1);
+    if (std::abs(pull) <= slack && restitution == 1.0)
         return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it "
                                     "with %5 m/s; %6 m/s is right")
-                         .arg(QString::number(step + 1), QString::number(circle + 1),
-                              motion::wallName(wall), motion::figure(into + pull),
+                         .arg(place, who, motion::wallName(wall), motion::figure(into),
                               motion::figureBeside(after, last), motion::figureBeside(last, after)),
                      last, after);
-    }
-    return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it with "
-                                "%5 m/s; −e times %4 m/s with e = %6 is %7 m/s")
-                     .arg(QString::number(step + 1), QString::number(circle + 1),
-                          motion::wallName(wall), motion::figure(into + pull),
-                          motion::figureBeside(after, last), motion::figure(restitution),
-                          motion::figureBeside(last, after)),
-                 last, after);
+    if (std::abs(pull) <= slack)
+        return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it "
+                                    "with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s")
+                         .arg(place, who, motion::wallName(wall), motion::figure(into),
+                              motion::figureBeside(after, last), motion::figure(restitution),
+                              motion::figureBeside(last, after)),
+                     last, after);
+    // Gravity of this step may act before the hit or after it.
+    return fault(
+        BounceText::tr("At step %1 the velocity of circle %2 into the %3 was %4 m/s before "
+                       "the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 "
+                       "m/s is right")
+            .arg(place, who, motion::wallName(wall), motion::figure(into),
+                 motion::figureBeside(after, last), motion::figure(restitution),
+                 motion::figureBeside(std::min(first, last), after),
+                 motion::figureBeside(std::max(first, last), after)),
+        last, after);
 }
 
 bool Turn::isHit() const

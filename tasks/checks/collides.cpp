@@ -117,6 +117,19 @@ std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
 Fault tooEarly(const Answer &answer)
 {
     const double gap = answer.contact.nearest;
+    const motion::Contact &c = answer.contact;
+    const bool keepsA = motion::isSame(c.afterA, c.beforeA, answer.tolerance);
+    if (keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance))
+        return {.message = CollideText::tr("At step %1 circle %2 changed its velocity although it "
+                                           "touched neither a wall nor the other circle: their "
+                                           "rims were still %3 m apart")
+                               .arg(QString::number(c.step + 1),
+                                    QString::number((keepsA ? answer.b : answer.a) + 1),
+                                    motion::figure(gap)),
+                .expected = 0.0,
+                .observed = gap,
+                .unit = QStringLiteral("m"),
+                .step = c.step + 1};
     return {.message = CollideText::tr("At step %1 the circles changed their velocities although "
                                        "their rims were still %2 m apart; they should touch first, "
                                        "at a distance of r₁ + r₂")
@@ -208,9 +221,12 @@ Fault missed(qint64 step)
 
 Fault tooFew(std::size_t observed, int wanted)
 {
-    return {.message = CollideText::tr("The circles hit each other %1 times; at least %2 is right")
-                           .arg(observed)
-                           .arg(wanted),
+    return {.message = observed == 0
+                           ? CollideText::tr("The circles did not answer a single hit")
+                           : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
+                                             "right")
+                                 .arg(observed)
+                                 .arg(wanted),
             .expected = wanted,
             .observed = static_cast<double>(observed),
             .step = 0};

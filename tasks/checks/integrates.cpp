@@ -145,26 +145,6 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
 /// Of a scene's duration: what must be seen of the free motion where the check says nothing.
 constexpr double leastShare = 0.1;
 
-/// What is missing to judge the motion of circle \p i, which was free for \p steps steps.
-std::optional<Fault> tooLittle(const CheckSpec &check, const Observation &o, int i, qint64 steps)
-{
-    const double seen = static_cast<double>(steps) * o.timestep();
-    const double wanted =
-        check.parameters.value(QStringLiteral("free")).toDouble(leastShare * o.variant.duration);
-    if (seen > wanted - o.timestep())
-        return std::nullopt;
-    return Fault{.message =
-                     IntegratorText::tr("Circle %1 was free of walls and other circles for "
-                                        "%2 s only; at least %3 s must be seen to judge its "
-                                        "motion")
-                         .arg(QString::number(i + 1), motion::figure(seen), motion::figure(wanted)),
-                 .expected = wanted,
-                 .observed = seen,
-                 .unit = QStringLiteral("s"),
-                 .step = 0,
-                 .circle = i};
-}
-
 /// How many steps of circle \p i nothing can meet it in.
 qint64 freeSteps(const CheckSpec &check, const Observation &o, int i, Vec2 gravity)
 {
@@ -172,6 +152,47 @@ qint64 freeSteps(const CheckSpec &check, const Observation &o, int i, Vec2 gravi
     for (qint64 k = 0; k < o.steps(); ++k)
         steps += motion::isFree(check, o, i, k, gravity) ? 1 : 0;
     return steps;
+}
+
+/// For how long a circle was near what it may hit, s.
+struct Nearness {
+    double wall = 0.0;
+    double circle = 0.0;
+};
+
+Nearness nearnessOf(const Observation &o, int i, Vec2 gravity)
+{
+    Nearness near;
+    for (qint64 k = 0; k < o.steps(); ++k) {
+        near.wall += motion::isNearWall(o, i, k, gravity) ? o.timestep() : 0.0;
+        near.circle += motion::isNearCircle(o, i, k, gravity) ? o.timestep() : 0.0;
+    }
+    return near;
+}
+
+/// What is missing to judge the motion of circle \p i, which was free for \p steps steps.
+std::optional<Fault> tooLittle(const CheckSpec &check, const Observation &o, int i, qint64 steps,
+                               Vec2 gravity)
+{
+    const double seen = static_cast<double>(steps) * o.timestep();
+    const double wanted =
+        check.parameters.value(QStringLiteral("free")).toDouble(leastShare * o.variant.duration);
+    if (seen > wanted - o.timestep())
+        return std::nullopt;
+    const Nearness near = nearnessOf(o, i, gravity);
+    return Fault{.message =
+                     IntegratorText::tr("Circle %1 was free of walls and other circles for "
+                                        "%2 s only; at least %3 s must be seen to judge its "
+                                        "motion")
+                         .arg(QString::number(i + 1), motion::figure(seen), motion::figure(wanted))
+                     + IntegratorText::tr(". It was close to a wall for %1 s, and to another "
+                                          "circle for %2 s: look at what it does there")
+                           .arg(motion::figure(near.wall), motion::figure(near.circle)),
+                 .expected = wanted,
+                 .observed = seen,
+                 .unit = QStringLiteral("s"),
+                 .step = 0,
+                 .circle = i};
 }
 
 } // namespace
@@ -226,7 +247,7 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
             if (left.empty() && !isSubstepped)
                 return wrongPlace(o, i, k, gravity, wanted.front());
         }
-        if (auto fault = tooLittle(check, o, i, seen))
+        if (auto fault = tooLittle(check, o, i, seen, gravity))
             return fault;
     }
     return std::nullopt;
@@ -237,7 +258,7 @@ std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o
     const Vec2 gravity = motion::gravityOf(check, o);
     std::vector<Integrator> first;
     for (const int i : check.circles) {
-        if (auto fault = tooLittle(check, o, i, freeSteps(check, o, i, gravity)))
+        if (auto fault = tooLittle(check, o, i, freeSteps(check, o, i, gravity), gravity))
             return fault;
         const std::vector<Integrator> own = matchingIntegrators(check, o, i, gravity);
         if (own.empty()) {
@@ -284,7 +305,7 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
                          .step = k + 1,
                          .circle = i};
         }
-        if (auto fault = tooLittle(check, o, i, k))
+        if (auto fault = tooLittle(check, o, i, k, gravity))
             return fault;
     }
     return std::nullopt;

@@ -83,6 +83,21 @@ void restoreCoordinate(RepairList &repairs, std::size_t i)
     repairs.replace(tokens[number], other + (isSecond ? QLatin1Char('y') : QLatin1Char('x')));
 }
 
+/// A radius where a wall and a radius belong.
+void restoreWall(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &token = repairs.tokens()[i];
+    const std::size_t after = repairs.program().afterOperand(i);
+    if (token.kind != ProgramToken::Kind::Name || i == 0 || after == i
+        || !(repairs.is(i - 1, "(") || repairs.is(i - 1, ","))
+        || !(repairs.is(after, ")") || repairs.is(after, ","))
+        || !repairs.program().row(token.line).contains(QLatin1String("square.")))
+        return;
+    for (const char *wall :
+         {"square.left + ", "square.bottom + ", "square.right - ", "square.top - "})
+        repairs.replace(token.line, token.start, token.start, QLatin1String(wall));
+}
+
 /// What both circles have, taken of one: v₁ in place of v₁ − v₂.
 void makeRelative(RepairList &repairs, std::size_t i)
 {
@@ -187,6 +202,7 @@ void repairExchanges(RepairList &repairs, std::size_t i)
     exchangeObject(repairs, i);
     restoreLength(repairs, i);
     restoreCoordinate(repairs, i);
+    restoreWall(repairs, i);
     makeRelative(repairs, i);
     exchangeElement(repairs, i);
 }

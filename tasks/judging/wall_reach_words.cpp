@@ -107,42 +107,57 @@ private:
         };
         return {
             {fixed(0.0), WallText::tr("At the walls the centre of %who is asked for, not the rim"),
-             WallText::tr("It turns only when its centre is past the wall, with its rim one "
+             WallText::tr("Circle %3 turns only when its centre is past the wall, with its rim one "
                           "radius, %1 m, outside. A wall meets a body where the body ends.")},
             {[](const WallHit &hit) { return hit.otherRadius; },
              WallText::tr("At the walls %who has the radius of another circle"),
-             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
+                          "from the wall: "
                           "the radius of the other circle in that scene. Look at whose radius "
                           "stands in the questions.")},
             {[](const WallHit &hit) { return 0.5 * hit.radius; },
              WallText::tr("The walls turn %who round too late"),
-             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
+                          "from the wall: "
                           "half of that. From the centre to the rim it is the whole radius.")},
             {fixed(0.2), WallText::tr("At the walls a number stands for the radius of %who"),
-             WallText::tr("Its radius is %1 m in that scene, and yet it turns when its centre is "
+             WallText::tr("The radius of circle %3 is %1 m in that scene, and yet it turns when "
+                          "its centre is "
                           "0.2 m from the wall. Take the radius that the circle has.")},
             {[](const WallHit &hit) { return 2.0 * hit.radius; },
              WallText::tr("The walls turn %who round too early"),
-             WallText::tr("Its radius is %1 m, and it turns when its centre is %2 m from the wall: "
+             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
+                          "from the wall: "
                           "twice the radius. From the centre to the rim it is one.")},
             {[](const WallHit &hit) { return -hit.radius; },
              WallText::tr("The walls turn %who round at the far side of the rim"),
-             WallText::tr("It turns when its centre is one radius, %1 m, past the wall. Of its two "
-                          "ends the near one touches first: look at the sign in front of the "
-                          "radius.")}};
+             WallText::tr(
+                 "Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two "
+                 "ends the near one touches first: look at the sign in front of the "
+                 "radius.")}};
     }
 
     [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
     {
         // Turned before it had flown a step: where it would have turned else is not seen.
+        if (hit.step == 1 && wrongWalls(circle).size() == 1 && isMirrored(hit))
+            return {WallText::tr("The %1 does not turn %who where it stands")
+                        .arg(motion::wallName(hit.wall)),
+                    WallText::tr("Thrown towards it, circle %1 was turned round in the first step, "
+                                 "from %2 to %3 m/s, with its centre still %4 m away from the "
+                                 "wall; its radius is %5 m. Look at the place that your program "
+                                 "takes for this wall.")
+                        .arg(QString::number(hit.circle + 1), brief(hit.came), brief(hit.left),
+                             brief(hit.before), brief(hit.radius))};
         if (hit.step == 1)
             return {WallText::tr("Something away from every wall changes the velocity of %who"),
-                    WallText::tr("Thrown towards the %1, its velocity changed from %2 to %3 m/s "
-                                 "in the first step, with its centre still %4 m from that wall; "
-                                 "its radius is %5 m. Look at the conditions: which of them is "
-                                 "true away from every wall?")
+                    WallText::tr("Thrown towards the %1, circle %6 changed its velocity from %2 to "
+                                 "%3 m/s in the first step, with its centre still %4 m from that "
+                                 "wall; its radius is %5 m. Look at the conditions: which of them "
+                                 "is true away from every wall?")
                         .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
-                             brief(hit.before), brief(hit.radius))};
+                             brief(hit.before), brief(hit.radius),
+                             QString::number(hit.circle + 1))};
         // What a step cannot tell apart is not told.
         const std::set<Wall> walls = wrongWalls(circle);
         std::vector<Reach> fitting = reaches();
@@ -151,9 +166,19 @@ private:
             QString body = fitting.front().body;
             body.replace(QLatin1String("%1"), brief(hit.radius));
             body.replace(QLatin1String("%2"), brief(fitting.front().distance(hit)));
+            body.replace(QLatin1String("%3"), QString::number(hit.circle + 1));
             return {atWalls(fitting.front().headline, walls), body};
         }
         return {atWalls(lateOrEarly(circle), walls), between(hit)};
+    }
+
+    /// Whether a hit turned the part into the wall round and left the other as it was.
+    [[nodiscard]] static bool isMirrored(const WallHit &hit)
+    {
+        const Vec2 n = outwardNormal(hit.wall);
+        const double along = dot(hit.came, perpendicular(n));
+        return dot(hit.came, n) > 0.0 && dot(hit.left, n) < 0.0
+               && std::abs(dot(hit.left, perpendicular(n)) - along) < 1e-6;
     }
 
     [[nodiscard]] QString lateOrEarly(int circle) const
