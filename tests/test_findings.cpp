@@ -177,6 +177,8 @@ void TestFindings::oneFaultIsToldOnce_data()
                     "c.position = c.position + c.velocity * h "
                     "if math.abs(c.velocity.y) < 2 then c.velocity = vec(c.velocity.x, 0) end");
         });
+    row("L42T9", "distance beside a square, near one radius", "The circles answer too late",
+        [](OtherForm &f) { f.reach = lab("(p.radius + q.radius) ^ 2"); });
     row("L42T7", "gravity sideways, too", "Gravity pulls both circles in a wrong direction",
         [](OtherForm &f) {
             f.integrate = lab("c.velocity = c.velocity + vec(gravity.y, gravity.y) * h "

@@ -166,12 +166,16 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
     if (isJudged != other.isJudged || contacts.size() != other.contacts.size()
         || modes.size() != other.modes.size())
         return false;
+    // Ways of a step that overlap: more apart are two distances.
+    constexpr double alikeWays = 1.01;
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered && a.held == b.held
                && (!a.answered
                    || (a.parting == b.parting
                        && std::abs(a.reached - b.reached)
-                              <= std::abs(a.before - a.reached) + std::abs(b.before - b.reached)));
+                              <= alikeWays
+                                     * std::max(std::abs(a.before - a.reached),
+                                                std::abs(b.before - b.reached))));
     };
     const auto answered = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered;
