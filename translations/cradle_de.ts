@@ -636,10 +636,6 @@
         <translation>In Schritt %1 sind die Kreise ineinander gelaufen und bewegen sich weiter, als wäre nichts geschehen; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
     </message>
     <message>
-        <source>The circles hit each other %1 times; at least %2 is right</source>
-        <translation>Die Kreise stießen %1-mal zusammen; richtig ist mindestens %2-mal</translation>
-    </message>
-    <message>
         <source>The circles never hit each other; they should</source>
         <translation>Die Kreise stießen nie zusammen; sie sollen es</translation>
     </message>
@@ -862,6 +858,26 @@
     <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
         <translation>Dein Programm bewegt die Kreise: Lass on_update weg, dann tun es die Gesetze der Szene</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
+        <translation>In Schritt %1 war die Geschwindigkeit von Kreis %2 in Richtung %3 vor dem Schritt %4 m/s und danach %5 m/s; mit e = %6 und der Schwerkraft sind %7 bis %8 m/s richtig</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
+        <translation>In Schritt %1 änderte Kreis %2 seine Geschwindigkeit, obwohl er weder eine Wand noch den anderen Kreis berührte: Ihre Ränder waren noch %3 m voneinander entfernt</translation>
+    </message>
+    <message>
+        <source>The circles did not answer a single hit</source>
+        <translation>Die Kreise haben keinen einzigen Stoß beantwortet</translation>
+    </message>
+    <message>
+        <source>Hits that the circles answered: %1; at least %2 is right</source>
+        <translation>Stöße, die die Kreise beantwortet haben: %1; richtig sind mindestens %2</translation>
+    </message>
+    <message>
+        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
+        <translation>. Nahe an einer Wand war er %1 s lang, nahe an einem anderen Kreis %2 s: Sieh nach, was er dort tut</translation>
     </message>
 </context>
 <context>
@@ -2399,40 +2415,20 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
         <translation>An den Wänden wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
     </message>
     <message>
-        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Der Kreis kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
-    </message>
-    <message>
         <source>At the walls %who has the radius of another circle</source>
         <translation>An den Wänden gilt für %who der Radius eines anderen Kreises</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>Der Radius ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene. Sieh nach, wessen Radius in den Fragen steht.</translation>
     </message>
     <message>
         <source>At the walls a number stands for the radius of %who</source>
         <translation>An den Wänden steht für %who eine Zahl statt des Radius</translation>
     </message>
     <message>
-        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>Der Radius ist in dieser Szene %1 m, und doch wird umgekehrt, wenn der Mittelpunkt 0.2 m von der Wand entfernt ist. Nimm den Radius, den der Kreis hat.</translation>
-    </message>
-    <message>
         <source>The walls turn %who round too early</source>
         <translation>Die Wände kehren %who zu früh um</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
-        <translation>Der Radius ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: das Doppelte des Radius. Vom Mittelpunkt zum Rand ist es einer.</translation>
-    </message>
-    <message>
         <source>The walls turn %who round at the far side of the rim</source>
         <translation>Die Wände kehren %who erst am hinteren Rand um</translation>
-    </message>
-    <message>
-        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
-        <translation>Der Kreis kehrt um, wenn sein Mittelpunkt einen Radius, %1 m, hinter der Wand ist. Von seinen beiden Enden berührt das nähere zuerst: Sieh dir das Vorzeichen vor dem Radius an.</translation>
     </message>
     <message>
         <source>The walls turn %who round too late</source>
@@ -2771,10 +2767,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Von den Wänden kommt für %who das %1 e-fache des Tempos zurück, nicht das e-fache</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
-        <translation>Sein Radius ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand ist: die Hälfte davon. Vom Mittelpunkt zum Rand ist es der ganze Radius.</translation>
-    </message>
-    <message>
         <source>None of the four walls turns %who round</source>
         <translation>Keine der vier Wände lässt %who umkehren</translation>
     </message>
@@ -2859,10 +2851,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Etwas ändert fern von jeder Wand die Geschwindigkeit von %who</translation>
     </message>
     <message>
-        <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
-        <translation>Geworfen wurde hierhin: %1. Im ersten Schritt wurde aus der Geschwindigkeit %2 m/s %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
-    </message>
-    <message>
         <source>A hit puts %who further out (%1)</source>
         <translation>Ein Stoß setzt %who weiter nach außen (an %1)</translation>
     </message>
@@ -2906,6 +2894,58 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
         <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken from circle %1</source>
+        <translation>Die Geschwindigkeit kommt von Kreis %1 (%who)</translation>
+    </message>
+    <message>
+        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Wie die eigene Geschwindigkeit auch war, einen Schritt später ist es die von Kreis %1 und was die Schwerkraft hinzufügt: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
+    </message>
+    <message>
+        <source>Away from every wall a low speed of %who is taken away</source>
+        <translation>Fern von jeder Wand wird eine kleine Geschwindigkeit weggenommen (%who)</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>Aus %1 m/s am Anfang werden einen Schritt später %2 m/s, fern von jeder Wand und jedem anderen Kreis; ein schnellerer läuft weiter. Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Kreis %3 kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene. Sieh nach, wessen Radius in den Fragen steht.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: die Hälfte davon. Vom Mittelpunkt zum Rand ist es der ganze Radius.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Der Radius von Kreis %3 ist in dieser Szene %1 m, und doch wird umgekehrt, wenn der Mittelpunkt 0.2 m von der Wand entfernt ist. Nimm den Radius, den der Kreis hat.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: das Doppelte des Radius. Vom Mittelpunkt zum Rand ist es einer.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation>Kreis %3 kehrt um, wenn sein Mittelpunkt einen Radius, %1 m, hinter der Wand ist. Von seinen beiden Enden berührt das nähere zuerst: Sieh dir das Vorzeichen vor dem Radius an.</translation>
+    </message>
+    <message>
+        <source>The %1 does not turn %who where it stands</source>
+        <translation>Umgekehrt wird nicht dort, wo die Wand steht (%1: %who)</translation>
+    </message>
+    <message>
+        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
+        <translation>Dorthin geworfen, kehrte Kreis %1 schon im ersten Schritt um, von %2 zu %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir den Ort an, den dein Programm für diese Wand nimmt.</translation>
+    </message>
+    <message>
+        <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
+        <translation>Geworfen wurde Kreis %6 hierhin: %1. Im ersten Schritt wurde aus der Geschwindigkeit %2 m/s %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
     </message>
 </context>
 <context>
