@@ -550,7 +550,7 @@
     </message>
     <message>
         <source>How far off centre they meet at most, in r₁ + r₂</source>
-        <translation>إلى أي حد يحيد لقاؤهما عن المركز على الأكثر، بوحدة ⁦r₁ + r₂⁩</translation>
+        <translation>إلى أي حد يحيد لقاؤهما عن المركز على الأكثر، بوحدة ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>Both move</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁ + r₂⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
@@ -677,11 +677,7 @@
     </message>
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁ + r₂⁩</translation>
-    </message>
-    <message>
-        <source>The circles hit each other %1 times; at least %2 is right</source>
-        <translation>عدد تصادمات الدائرتين ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
+        <translation>في الخطوة ⁨%1⁩ تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>The circles never hit each other; they should</source>
@@ -870,6 +866,26 @@
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
         <translation>أوقفه الجهاز: استغرق الفحص أكثر من ⁦%1 s⁩. ليس هذا حكمًا على البرنامج</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
+        <translation>في الخطوة ⁨%1⁩ كانت سرعة الدائرة ⁨%2⁩ نحو ⁨%3⁩ قبل الخطوة ⁦%4 m/s⁩ وبعدها ⁦%5 m/s⁩؛ ومع e = ⁨%6⁩ والجاذبية الصواب من ⁨%7⁩ إلى ⁦%8 m/s⁩</translation>
+    </message>
+    <message>
+        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
+        <translation>. كانت قريبة من جدار مدة ⁦%1 s⁩ ومن دائرة أخرى مدة ⁦%2 s⁩: انظر ماذا تفعل هناك</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
+        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرة ⁨%2⁩ سرعتها مع أنها لم تلمس جدارًا ولا الدائرة الأخرى: كانت حافتاهما لا تزالان على بعد ⁦%3 m⁩</translation>
+    </message>
+    <message>
+        <source>The circles did not answer a single hit</source>
+        <translation>لم تستجب الدائرتان لأي اصطدام</translation>
+    </message>
+    <message>
+        <source>Hits that the circles answered: %1; at least %2 is right</source>
+        <translation>الاصطدامات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
     </message>
 </context>
 <context>
@@ -1560,15 +1576,15 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     <name>Findings</name>
     <message>
         <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
-        <translation>تتلامس الحافتان حين تكون المسافة بين المركزين ⁦r₁ + r₂⁩، وهي هنا ⁦%1 m⁩.</translation>
+        <translation>تتلامس الحافتان حين تكون المسافة بين المركزين ⁦r₁&#xa0;+&#xa0;r₂⁩، وهي هنا ⁦%1 m⁩.</translation>
     </message>
     <message>
         <source>Only half of r₁ + r₂ counts in the test of contact</source>
-        <translation>لا يُحسب في اختبار التلامس إلا نصف ⁦r₁ + r₂⁩</translation>
+        <translation>لا يُحسب في اختبار التلامس إلا نصف ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation>لا يُحسب في اختبار التلامس إلا نصف قطر واحد، أو نصف ⁦r₁ + r₂⁩</translation>
+        <translation>لا يُحسب في اختبار التلامس إلا نصف قطر واحد، أو نصف ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>The circles answer only when their centres have met</source>
@@ -1596,7 +1612,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁ + r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
+        <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁&#xa0;+&#xa0;r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
     </message>
     <message>
         <source>Diameters are added in the test of contact, not radii</source>
@@ -1604,7 +1620,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
-        <translation>يُختبر التلامس عند ⁨%1⁩، لا عند ⁦r₁ + r₂⁩</translation>
+        <translation>يُختبر التلامس عند ⁨%1⁩، لا عند ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>the larger radius</source>
@@ -1664,7 +1680,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation>يقوم عدد مقام ⁦r₁ + r₂⁩ في اختبار التلامس</translation>
+        <translation>يقوم عدد مقام ⁦r₁&#xa0;+&#xa0;r₂⁩ في اختبار التلامس</translation>
     </message>
     <message>
         <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
@@ -1848,7 +1864,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ يزيد التقدم في الخطوة بمقدار ⁦%2 a Δt²⁩ على ⁦v Δt⁩. أويلر تحرّك بالسرعة القديمة، 0؛ وأويلر التماثلية بالجديدة، 1؛ والطرائق الدقيقة بـ ½.</translation>
+        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ يزيد التقدم في الخطوة بمقدار ⁦%2 a Δt²⁩ على ⁦v&#xa0;Δt⁩. أويلر تحرّك بالسرعة القديمة، 0؛ وأويلر التماثلية بالجديدة، 1؛ والطرائق الدقيقة بـ ½.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -1880,7 +1896,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
         <translation>كلٌّ من الدائرتين لها طريقة الأخرى
 
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v&#xa0;Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
     </message>
     <message>
         <source>The circles move by different methods
@@ -1888,7 +1904,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
 Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
         <translation>تتحرك الدائرتان بطريقتين مختلفتين
 
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v&#xa0;Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
     </message>
     <message>
         <source>Every step puts %who where circle %1 is</source>
@@ -1924,7 +1940,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v&#xa0;Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
@@ -1940,11 +1956,11 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
-        <translation>دائرتان تبدآن ساكنتين وبينهما ⁦1 m⁩ تصير المسافة بينهما ⁦%1 m⁩ بعد خطوة مدتها ⁦%2 s⁩. يبقى الموضع القديم كما هو؛ وتُضاف إليه المسافة ⁦v Δt⁩: انظر إلى الأقواس.</translation>
+        <translation>دائرتان تبدآن ساكنتين وبينهما ⁦1 m⁩ تصير المسافة بينهما ⁦%1 m⁩ بعد خطوة مدتها ⁦%2 s⁩. يبقى الموضع القديم كما هو؛ وتُضاف إليه المسافة ⁦v&#xa0;Δt⁩: انظر إلى الأقواس.</translation>
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v Δt⁩ هو ⁦%4 m⁩.</translation>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁦%4 m⁩.</translation>
     </message>
     <message>
         <source>The x of %who never changes</source>
@@ -1960,7 +1976,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
@@ -1980,7 +1996,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The way of %who in a step is not v Δt</source>
-        <translation>مسافة %who في الخطوة ليست ⁦v Δt⁩</translation>
+        <translation>مسافة %who في الخطوة ليست ⁦v&#xa0;Δt⁩</translation>
     </message>
     <message>
         <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
@@ -2028,7 +2044,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>In every step its position gets v Δt added.</source>
-        <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع.</translation>
+        <translation>في كل خطوة يُضاف ⁦v&#xa0;Δt⁩ إلى الموضع.</translation>
     </message>
     <message>
         <source>The way of %who is subtracted instead of added</source>
@@ -2048,7 +2064,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
-        <translation>مسافة %who في الخطوة تساوي ⁦v Δt⁩ مضروبًا في ⁨%1⁩</translation>
+        <translation>مسافة %who في الخطوة تساوي ⁦v&#xa0;Δt⁩ مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>Look at the factors in the line that moves it.</source>
@@ -2743,52 +2759,24 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>عند الجدران يُسأل عن مركز %who، لا عن الحافة</translation>
     </message>
     <message>
-        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>لا يأتي الارتداد إلا حين يتجاوز المركز الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
-    </message>
-    <message>
         <source>At the walls %who has the radius of another circle</source>
         <translation>عند الجدران لـ %who نصف قطر دائرة أخرى</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>نصف القطر ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد. انظر نصف قطر أيّ دائرة يرد في الأسئلة.</translation>
     </message>
     <message>
         <source>The walls turn %who round too late</source>
         <translation>الجدران تردّ %who متأخرة</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
-        <translation>نصف القطر ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: نصف ذلك. من المركز إلى الحافة نصف القطر كله.</translation>
-    </message>
-    <message>
         <source>At the walls a number stands for the radius of %who</source>
         <translation>عند الجدران يقوم عدد مقام نصف قطر %who</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>نصف القطر في ذلك المشهد ⁦%1 m⁩، ومع ذلك يأتي الارتداد حين يكون المركز على بعد ⁦0.2 m⁩ من الجدار. خذ نصف القطر الذي للدائرة.</translation>
     </message>
     <message>
         <source>The walls turn %who round too early</source>
         <translation>الجدران تردّ %who قبل الأوان</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
-        <translation>نصف القطر ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: ضعف نصف القطر. من المركز إلى الحافة نصف قطر واحد.</translation>
-    </message>
-    <message>
         <source>The walls turn %who round at the far side of the rim</source>
         <translation>الجدران تردّ %who عند الطرف البعيد من الحافة</translation>
-    </message>
-    <message>
-        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
-        <translation>يأتي الارتداد حين يتجاوز المركز الجدار بنصف قطر، ⁦%1 m⁩. من طرفي الدائرة يلامس القريبُ أولًا: انظر إلى الإشارة أمام نصف القطر.</translation>
-    </message>
-    <message>
-        <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
-        <translation>عند الرمي نحو ⁨%1⁩ تغيرت السرعة من ⁨%2⁩ إلى ⁦%3 m/s⁩ في الخطوة الأولى، والمركز لا يزال على بعد ⁦%4 m⁩ من ذلك الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى الشروط: أيّها صادق بعيدًا عن كل جدار؟</translation>
     </message>
     <message>
         <source>The walls turn %who round at the wrong place</source>
@@ -2914,6 +2902,58 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
         <translation>عند ⁨%1⁩ وُضعت على بعد ⁦%2 m⁩ من مسارها، في ⁦%3 m⁩. كل دائرة تعود إلى موضعها *هي*: انظر أيّ موضع تأخذ.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken from circle %1</source>
+        <translation>السرعة مأخوذة من الدائرة ⁨%1⁩ (%who)</translation>
+    </message>
+    <message>
+        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>أيًّا كانت السرعة نفسها، تصبح بعد خطوة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية تصير ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
+    </message>
+    <message>
+        <source>Away from every wall a low speed of %who is taken away</source>
+        <translation>بعيدًا عن كل جدار تُزال السرعة الصغيرة (%who)</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>من ⁦%1 m/s⁩ في البداية تصير السرعة ⁦%2 m/s⁩ بعد خطوة، بعيدًا عن كل جدار وكل دائرة أخرى؛ أما الأسرع فيمضي. انظر إلى الشروط التي قبل السطور التي تغيّر السرعة.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>لا ترتد الدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد. انظر نصف قطر أيّ دائرة يرد في الأسئلة.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: نصف ذلك. من المركز إلى الحافة نصف القطر كله.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ في ذلك المشهد ⁦%1 m⁩، ومع ذلك يأتي الارتداد حين يكون المركز على بعد ⁦0.2 m⁩ من الجدار. خذ نصف القطر الذي للدائرة.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: ضعف نصف القطر. من المركز إلى الحافة نصف قطر واحد.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation>ترتد الدائرة ⁨%3⁩ حين يتجاوز مركزها الجدار بنصف قطر، ⁦%1 m⁩. من طرفي الدائرة يلامس القريبُ أولًا: انظر إلى الإشارة أمام نصف القطر.</translation>
+    </message>
+    <message>
+        <source>The %1 does not turn %who where it stands</source>
+        <translation>لا يأتي الارتداد حيث يقوم الجدار (⁨%1⁩: %who)</translation>
+    </message>
+    <message>
+        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
+        <translation>عند الرمي نحوه ارتدت الدائرة ⁨%1⁩ في الخطوة الأولى من ⁨%2⁩ إلى ⁦%3 m/s⁩، والمركز لا يزال على بعد ⁦%4 m⁩ من الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى المكان الذي يأخذه برنامجك لهذا الجدار.</translation>
+    </message>
+    <message>
+        <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
+        <translation>عند رمي الدائرة ⁨%6⁩ نحو ⁨%1⁩ تغيرت سرعتها من ⁨%2⁩ إلى ⁦%3 m/s⁩ في الخطوة الأولى، والمركز لا يزال على بعد ⁦%4 m⁩ من ذلك الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى الشروط: أيّها صادق بعيدًا عن كل جدار؟</translation>
     </message>
 </context>
 <context>
@@ -5553,6 +5593,13 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>your progress could not be saved: %1</source>
         <translation>تعذّر حفظ تقدّمك: ⁨%1⁩</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>

@@ -672,10 +672,6 @@
         <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
     </message>
     <message>
-        <source>The circles hit each other %1 times; at least %2 is right</source>
-        <translation>Les cercles se sont heurtés %1 fois&#xa0;; il faut au moins %2 fois</translation>
-    </message>
-    <message>
         <source>The circles never hit each other; they should</source>
         <translation>Les cercles ne se sont jamais heurtés&#xa0;; ils doivent le faire</translation>
     </message>
@@ -862,6 +858,26 @@
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
         <translation>arrêtée par la machine&#xa0;: la vérification a pris plus de %1 s. Ce n&apos;est pas un verdict sur le programme</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
+        <translation>Au pas %1, la vitesse du cercle %2 vers %3 était de %4 m/s avant le pas et de %5 m/s après&#xa0;; avec e = %6 et la pesanteur, il faut de %7 à %8 m/s</translation>
+    </message>
+    <message>
+        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
+        <translation>. Il est resté près d&apos;une paroi pendant %1 s, et près d&apos;un autre cercle pendant %2 s&#xa0;: regardez ce qu&apos;il y fait</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
+        <translation>Au pas %1, le cercle %2 a changé de vitesse sans toucher ni une paroi ni l&apos;autre cercle&#xa0;: leurs bords étaient encore à %3 m l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>The circles did not answer a single hit</source>
+        <translation>Les cercles n&apos;ont répondu à aucun choc</translation>
+    </message>
+    <message>
+        <source>Hits that the circles answered: %1; at least %2 is right</source>
+        <translation>Chocs auxquels les cercles ont répondu&#xa0;: %1&#xa0;; il en faut au moins %2</translation>
     </message>
 </context>
 <context>
@@ -2735,52 +2751,24 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
         <translation>Aux parois, c&apos;est le centre qui est comparé, pas le bord, pour %who</translation>
     </message>
     <message>
-        <source>It turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Le demi-tour n&apos;a lieu que lorsque le centre a passé la paroi&#xa0;; le bord la dépasse alors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
-    </message>
-    <message>
         <source>At the walls %who has the radius of another circle</source>
         <translation>Aux parois, c&apos;est le rayon d&apos;un autre cercle qui sert, pour %who</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
     </message>
     <message>
         <source>The walls turn %who round too late</source>
         <translation>Les parois renvoient trop tard %who</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
-    </message>
-    <message>
         <source>At the walls a number stands for the radius of %who</source>
         <translation>Aux parois, un nombre tient lieu de rayon, pour %who</translation>
-    </message>
-    <message>
-        <source>Its radius is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>Le rayon est de %1 m dans cette scène, et pourtant le demi-tour a lieu quand le centre est à 0.2 m de la paroi. Prenez le rayon que possède le cercle.</translation>
     </message>
     <message>
         <source>The walls turn %who round too early</source>
         <translation>Les parois renvoient trop tôt %who</translation>
     </message>
     <message>
-        <source>Its radius is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
-        <translation>Le rayon est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: le double du rayon. Du centre au bord, c&apos;est une fois le rayon.</translation>
-    </message>
-    <message>
         <source>The walls turn %who round at the far side of the rim</source>
         <translation>Les parois renvoient %who au bord opposé</translation>
-    </message>
-    <message>
-        <source>It turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
-        <translation>Le demi-tour a lieu quand le centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première&#xa0;: regardez le signe devant le rayon.</translation>
-    </message>
-    <message>
-        <source>Thrown towards the %1, its velocity changed from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
-        <translation>Lancé vers %1, le cercle a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi&#xa0;; son rayon est de %5 m. Regardez les conditions&#xa0;: laquelle est vraie loin de toute paroi&#xa0;?</translation>
     </message>
     <message>
         <source>The walls turn %who round at the wrong place</source>
@@ -2906,6 +2894,58 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
         <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position&#xa0;: regardez quelle position il reçoit.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken from circle %1</source>
+        <translation>La vitesse vient du cercle %1 (%who)</translation>
+    </message>
+    <message>
+        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Quelle qu&apos;ait été sa propre vitesse, un pas plus tard elle est celle du cercle %1, plus ce que la pesanteur ajoute&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
+    </message>
+    <message>
+        <source>Away from every wall a low speed of %who is taken away</source>
+        <translation>Loin de toute paroi, une faible vitesse est supprimée (%who)</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
+        <translation>De %1 m/s au départ, la vitesse passe à %2 m/s un pas plus tard, loin de toute paroi et de tout autre cercle&#xa0;; un cercle plus rapide continue. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Le cercle %3 ne fait demi-tour que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Le rayon du cercle %3 est de %1 m dans cette scène, et pourtant le demi-tour a lieu quand le centre est à 0.2 m de la paroi. Prenez le rayon que possède le cercle.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: le double du rayon. Du centre au bord, c&apos;est une fois le rayon.</translation>
+    </message>
+    <message>
+        <source>Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two ends the near one touches first: look at the sign in front of the radius.</source>
+        <translation>Le cercle %3 fait demi-tour quand son centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première&#xa0;: regardez le signe devant le rayon.</translation>
+    </message>
+    <message>
+        <source>The %1 does not turn %who where it stands</source>
+        <translation>Le demi-tour n&apos;a pas lieu là où se trouve la paroi (%1&#xa0;: %who)</translation>
+    </message>
+    <message>
+        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
+        <translation>Lancé vers elle, le cercle %1 a fait demi-tour au premier pas, de %2 à %3 m/s, alors que son centre était encore à %4 m de la paroi&#xa0;; son rayon est de %5 m. Regardez la place que votre programme donne à cette paroi.</translation>
+    </message>
+    <message>
+        <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
+        <translation>Lancé vers %1, le cercle %6 a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi&#xa0;; son rayon est de %5 m. Regardez les conditions&#xa0;: laquelle est vraie loin de toute paroi&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -8415,7 +8455,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Replace “%1”</source>
-        <translation>Remplacer « %1 »</translation>
+        <translation>Remplacer «&#xa0;%1&#xa0;»</translation>
     </message>
     <message numerus="yes">
         <source>%n place(s) replaced; Undo brings them back</source>
