@@ -87,6 +87,19 @@ QString plainFormula(QString tex)
     return tex.simplified();
 }
 
+/// Whether every brace of a formula has its other; else it is none, and stands as it was written.
+bool isBalanced(const QString &tex)
+{
+    int open = 0;
+    for (qsizetype i = 0; i < tex.size() && open >= 0; ++i) {
+        if (tex[i] == QLatin1Char('\\'))
+            ++i;
+        else if (tex[i] == QLatin1Char('{') || tex[i] == QLatin1Char('}'))
+            open += tex[i] == QLatin1Char('{') ? 1 : -1;
+    }
+    return open == 0;
+}
+
 /// One paragraph without its marks; code spans keep theirs, they say what is code.
 QString plainParagraph(const QString &markdown, bool keepMarks)
 {
@@ -101,6 +114,8 @@ QString plainParagraph(const QString &markdown, bool keepMarks)
     return replaced(markdown, token, [&](const QRegularExpressionMatch &match) {
         const QString tex = match.captured(u"inline") + match.captured(u"display");
         if (!tex.isEmpty()) {
+            if (!isBalanced(tex))
+                return match.captured();
             QString formula = plainFormula(tex);
             return formula.size() > longestGlued || keepMarks
                        ? formula

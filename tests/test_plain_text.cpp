@@ -47,6 +47,8 @@ void TestPlainText::marksGiveWayToText_data()
     row("nested fraction", "$\\frac{1}{\\frac{2}{3}}$", "1/(2/3)");
     row("dot", "$(u_1 - u_2) \\cdot n$", "(u_1 - u_2) · n");
     row("unknown command", "$\\sin x$", "sin x");
+    row("brace not closed", "a $\\frac{$ b", "a $\\frac{$ b");
+    row("brace not opened", "$x}$", "$x}$");
     row("money", "$5 and $6", "$5 and $6");
     row("strong and emphasis", "the **whole** *old* place", "the whole old place");
     row("formula in strong", "**at $x_1$**", "at x_1");

@@ -149,7 +149,9 @@ void TestWorkspaceKeeping::passIsACommitOfTheLabsMessage()
     QCOMPARE(git(QStringLiteral("log --format=%s")),
              QStringLiteral("A Set it moving\nBegin lab-x"));
     QVERIFY(git(QStringLiteral("log -1 --format=%b"))
-                .contains(QLatin1String("Cradle-Verdict: passed\nCradle-Seed: 5\n")));
+                .contains(QStringLiteral("Cradle-Verdict: passed\nCradle-Seed: 5\n"
+                                         "Cradle-Lab-Hash: %1\n")
+                              .arg(lab().hash)));
     QVERIFY(QFile::exists(path("w/presets/A.json")));
     QVERIFY(git(QStringLiteral("status --porcelain")).isEmpty());
     QCOMPARE(workspace.history()->passes().size(), std::size_t(1));

@@ -143,17 +143,44 @@ private:
             m_picture.polyline(places, line.pen);
             names.emplace_back(places.back().y, &line);
         }
-        // Names stand at the ends of their curves, and never on each other.
+        drawNames(std::move(names));
+    }
+
+    /// Names stand at the ends of their curves, and never on each other: those that would are moved
+    /// apart from the middle of where they belong.
+    void drawNames(std::vector<std::pair<double, const ChartLine *>> names)
+    {
+        struct Cluster {
+            double middle; ///< of the places that its names should have, px
+            double count;
+            [[nodiscard]] double first() const { return middle - 0.5 * (count - 1.0) * fontSize; }
+            [[nodiscard]] double last() const { return middle + 0.5 * (count - 1.0) * fontSize; }
+        };
         std::stable_sort(names.begin(), names.end(),
                          [](const auto &a, const auto &b) { return a.first < b.first; });
+        std::vector<Cluster> clusters;
+        for (const auto &[y, line] : names) {
+            Cluster next{y + 3.5, 1.0};
+            while (!clusters.empty() && clusters.back().last() + fontSize > next.first()) {
+                const Cluster &before = clusters.back();
+                const double count = before.count + next.count;
+                next = {(before.middle * before.count + next.middle * next.count) / count, count};
+                clusters.pop_back();
+            }
+            clusters.push_back(next);
+        }
         const double most = topRoom + m_size.y + 4.0;
         double free = most - fontSize * static_cast<double>(names.size());
         double last = topRoom - fontSize;
-        for (auto &[y, line] : names) {
-            y = std::max(std::min(y + 3.5, free + fontSize), last + fontSize);
-            free += fontSize;
-            last = y;
-            m_picture.text({leftRoom + m_size.x + 6.0, y}, line->name, fontSize, line->pen.colour);
+        std::size_t at = 0;
+        for (const Cluster &cluster : clusters) {
+            for (double y = cluster.first(); y < cluster.last() + 0.5 * fontSize; y += fontSize) {
+                last = std::max(std::min(y, free + fontSize), last + fontSize);
+                free += fontSize;
+                const ChartLine &line = *names[at++].second;
+                m_picture.text({leftRoom + m_size.x + 6.0, last}, line.name, fontSize,
+                               line.pen.colour);
+            }
         }
     }
 
