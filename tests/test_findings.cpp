@@ -27,6 +27,7 @@ private slots:
     void wrongStartNamesTheLineThatSetsIt();
     void labOfAnotherKindGetsFindings_data();
     void labOfAnotherKindGetsFindings();
+    void crowdHasRoomWhereItIsMeasured();
     void measuredLawsAreThoseOfTheStepAsItIs();
     void measuringBeforehandChangesNoFinding();
 
@@ -320,6 +321,28 @@ void TestFindings::labOfAnotherKindGetsFindings()
     QVERIFY2(!report.error, report.error ? qPrintable(report.error->message) : "");
     QCOMPARE(report.passed, said.isEmpty());
     QCOMPARE(headlinesOf(report), said);
+}
+
+/// Checks may look at many circles; none may lie on another when flights are measured.
+void TestFindings::crowdHasRoomWhereItIsMeasured()
+{
+    Task crowd = task(QStringLiteral("L42T14"));
+    for (CheckSpec &check : crowd.checks) {
+        check.circles.clear();
+        for (int circle = 0; circle < 36; ++circle)
+            check.circles.push_back(circle);
+    }
+    const std::vector<PresetCircle> circles = Ground(crowd, crowd.preset).stage().circles;
+    QCOMPARE(circles.size(), std::size_t(36));
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        const Circle &a = circles[i].body;
+        QVERIFY(std::max(std::abs(a.position.x), std::abs(a.position.y)) + a.radius < 4.0);
+        for (std::size_t j = 0; j < i; ++j) {
+            const Circle &b = circles[j].body;
+            const double gap = length(a.position - b.position) - a.radius - b.radius;
+            QVERIFY2(gap > 0.1, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(j)));
+        }
+    }
 }
 
 void TestFindings::measuredLawsAreThoseOfTheStepAsItIs()

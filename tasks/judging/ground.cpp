@@ -107,6 +107,19 @@ void includePair(Ground &ground, const CheckSpec &check, const SceneSpec &scene)
     pair.densities.include(scene.densities.y);
 }
 
+/// Nowhere near a wall or another, and at no place that a program could know: four in the middle,
+/// and those of a crowd above and below.
+Vec2 placeOf(std::size_t circle)
+{
+    static constexpr Vec2 middle[] = {{-1.37, 0.83}, {1.21, -0.94}, {1.43, 1.58}, {-1.52, -1.71}};
+    static constexpr double rows[] = {3.17, -3.23, 2.51, -2.57};
+    constexpr std::size_t perRow = 8;
+    if (circle < std::size(middle))
+        return middle[circle];
+    const std::size_t i = circle - std::size(middle);
+    return {-3.07 + 0.89 * static_cast<double>(i % perRow), rows[(i / perRow) % std::size(rows)]};
+}
+
 } // namespace
 
 void Ground::Range::include(double value)
@@ -153,10 +166,8 @@ Preset Ground::stage() const
     preset.restitution = 1.0;
     preset.timestep = timesteps.empty() ? own.timestep : timesteps.front();
     preset.circles.resize(std::max(flights.size(), std::size_t{1}));
-    // Nowhere near a wall or each other, and at no place that a program could know.
-    const Vec2 places[] = {{-1.37, 0.83}, {1.21, -0.94}, {1.43, 1.58}, {-1.52, -1.71}};
     for (std::size_t i = 0; i < preset.circles.size(); ++i)
-        preset.circles[i].body = {.position = places[i % 4]};
+        preset.circles[i].body = {.position = placeOf(i)};
     return preset;
 }
 
