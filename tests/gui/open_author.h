@@ -12,6 +12,9 @@
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
+#include "views/code/code_editor.h"
+
+#include <Qsci/qsciscintilla.h>
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -76,10 +79,16 @@ public:
         }
         QFAIL(qPrintable(entry));
     }
+    /// The widget of that name; of several, the one that is seen.
     template <typename Widget>
     [[nodiscard]] Widget *find(const char *name)
     {
-        return window.findChild<Widget *>(QLatin1String(name));
+        const QList<Widget *> all = window.findChildren<Widget *>(QLatin1String(name));
+        for (Widget *each : all) {
+            if (each->isVisible())
+                return each;
+        }
+        return all.value(0);
     }
     /// Types into the line of a form instead of what stands there, and leaves it.
     void fill(const char *name, const QString &text)
@@ -181,6 +190,17 @@ public:
     QSettings settings;
     AuthorWindow window;
 };
+
+/// Types a program into an editor in place of what is there.
+inline void retype(CodeEditor &editor, const QString &program)
+{
+    QVERIFY(editor.isVisible());
+    auto *area = editor.findChild<QsciScintilla *>();
+    editor.selectAll();
+    QTest::keyClick(area, Qt::Key_Delete);
+    area->insert(program);
+    QTest::qWait(50); // the editor tells of an edit when it is through with it
+}
 
 /// Begins a lab of that title by the menu.
 inline void beginLab(OpenAuthor &author, const QString &title)

@@ -4,10 +4,6 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
-#include "views/code/code_editor.h"
-
-#include <Qsci/qsciscintilla.h>
-
 #include <QContextMenuEvent>
 #include <QDrag>
 #include <QDropEvent>
@@ -41,17 +37,6 @@ void verify(OpenAuthor &author)
     author.click(QStringLiteral("Verify this step"));
     QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
     QVERIFY(author.window.proofTab().result());
-}
-
-/// Types a program into an editor in place of what is there.
-void retype(CodeEditor &editor, const QString &program)
-{
-    QVERIFY(editor.isVisible());
-    auto *area = editor.findChild<QsciScintilla *>();
-    editor.selectAll();
-    QTest::keyClick(area, Qt::Key_Delete);
-    area->insert(program);
-    QTest::qWait(50); // the editor tells of an edit when it is through with it
 }
 
 QString titleOf(OpenAuthor &author, int step)

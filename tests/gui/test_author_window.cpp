@@ -205,8 +205,8 @@ void TestAuthorWindow::sceneIsEditedLockedAndTakenFromTheMoment()
     const QString step = author.document().step();
     SceneTab &tab = author.window.sceneTab();
     author.window.showTab(AuthorWindow::Scene);
-    QCOMPARE(tab.templates().actions().size(), 5);
-    tab.templates().actions().front()->trigger(); // head-on
+    QCOMPARE(tab.templates().actions().size(), 9); // five scenes, a line, three patterns
+    tab.templates().actions().front()->trigger();  // head-on
     QCOMPARE(presetOf(author.files(), step)->circles.size(), std::size_t{2});
 
     tab.simulation().goTo(60);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/arrangement.h"
 #include "views/author/author_document.h"
 #include "views/author/scene_visit.h"
 #include "views/preset_document.h"
@@ -67,6 +68,7 @@ private:
     void reload();
     void takePreset();
     void fillTemplates();
+    void arrange(Arrangement::Pattern pattern);
     void fillLocks();
     void showLocks();
     void setLocked(const QString &field, bool locked);

@@ -3,6 +3,7 @@
 #include "views/author/scene_tab.h"
 
 #include "tasks/locks.h"
+#include "views/author/arrangement_dialog.h"
 #include "views/author/scene_templates.h"
 
 #include <QMenu>
@@ -21,6 +22,25 @@ void SceneTab::fillTemplates()
             m_preset.edit(tr("Take the template %1").arg(titleOf(scene)), presetOf(scene));
         });
     }
+    m_templates->addSeparator();
+    using Pattern = Arrangement::Pattern;
+    const std::pair<QString, Pattern> patterns[] = {{tr("&Rack…"), Pattern::Rack},
+                                                    {tr("Gr&id…"), Pattern::Grid},
+                                                    {tr("Ri&ng…"), Pattern::Ring}};
+    for (const auto &[name, pattern] : patterns) {
+        QAction *action = m_templates->addAction(name);
+        connect(action, &QAction::triggered, this, [this, pattern = pattern] { arrange(pattern); });
+    }
+}
+
+/// Asks how many circles, and puts them into the scene.
+void SceneTab::arrange(Arrangement::Pattern pattern)
+{
+    ArrangementDialog dialog(pattern, this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (const Result<Preset> made = cradle::presetOf(dialog.arrangement()))
+        m_preset.edit(tr("Take the template %1").arg(dialog.windowTitle()), *made);
 }
 
 void SceneTab::fillLocks()
