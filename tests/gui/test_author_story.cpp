@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/open_author.h"
+
+#include "app/author_window.h"
+#include "app/code_desk.h"
+#include "tasks/authoring/lab_archive.h"
+#include "tasks/authoring/lab_edits.h"
+#include "tasks/values/lab_values.h"
+#include "tests/gui/open_window.h"
+#include "tests/gui/story_programs.h"
+#include "views/author/arrangement_dialog.h"
+#include "views/code/code_pane.h"
+
+#include <QDropEvent>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QSpinBox>
+#include <QStandardPaths>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// An author writes a lab of three steps from nothing, and two students do it; everything by
+/// widgets, no file by hand. A rack of seven balls; drag with a = −k v, where every student has a k
+/// of his own, judged by e^(−kt); a spring, judged by its period and its momentum.
+class TestAuthorStory : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void cleanupTestCase();
+    void rackIsWritten();
+    void dragIsWritten();
+    void springIsWritten();
+    void labIsProven();
+    void labIsExported();
+    void oneStudentPasses();
+    void anotherFailsWithTrueFindings();
+
+private:
+    void retitle(const char *id, const char *title, const char *text);
+    void addStep(const char *title);
+    void makeOwn(const char *program, const char *text);
+    void addMistake(const char *name, const story::Mistake &mistake);
+    void removePrograms();
+    void addCircle();
+    void typeCell(int row, int column, const char *text);
+    void beginCheck(const char *id, const char *title, const char *kind, const char *circles);
+    void writeScript(const char *script);
+    void removeSceneThatPasses();
+    void openLab(OpenWindow &student, const char *number);
+    void handIn(OpenWindow &student, const char *step, const QString &program);
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<OpenAuthor> m_author;
+    QString m_file;
+};
+
+namespace {
+
+QString utf8(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+} // namespace
+
+void TestAuthorStory::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QDir(userLabsFolder()).removeRecursively();
+    m_author = std::make_unique<OpenAuthor>(m_folder);
+    beginLab(*m_author, QStringLiteral("Three laws"));
+}
+
+void TestAuthorStory::cleanupTestCase()
+{
+    m_author.reset();
+    QDir(userLabsFolder()).removeRecursively();
+}
+
+/// Sets id, title, commit and instructions of the open step, and one hint less to think of.
+void TestAuthorStory::retitle(const char *id, const char *title, const char *text)
+{
+    m_author->window.showTab(AuthorWindow::Text);
+    m_author->fill("stepId", utf8(id));
+    QCOMPARE(m_author->document().step(), utf8(id));
+    m_author->fill("stepTitle", utf8(title));
+    m_author->fill("stepCommit", utf8(title));
+    auto *parts = m_author->find<QComboBox>("textPart");
+    parts->setCurrentIndex(0);
+    auto *editor = m_author->find<MarkdownEditor>("markdown");
+    editor->setFocus();
+    editor->selectAll();
+    editor->insertPlainText(utf8(text)); // as from the clipboard
+    QCOMPARE(textOf(m_author->files(), utf8(id) + QStringLiteral("/instructions.md")), utf8(text));
+}
+
+void TestAuthorStory::addStep(const char *title)
+{
+    m_author->choose(QStringLiteral("Add"));
+    m_author->typeInPlace(m_author->find<QListWidget>("authorSteps"), utf8(title));
+}
+
+/// Replaces the text of one of the step's own programs.
+void TestAuthorStory::makeOwn(const char *program, const char *text)
+{
+    m_author->window.showTab(AuthorWindow::Programs);
+    m_author->window.programsTab().openProgram(utf8(program));
+    retype(m_author->window.programsTab().editor(), utf8(text));
+    QCOMPARE(
+        textOf(m_author->files(), m_author->document().step() + QLatin1Char('/') + utf8(program)),
+        utf8(text));
+}
+
+/// The template's mistake is about gravity.
+void TestAuthorStory::removePrograms()
+{
+    m_author->window.showTab(AuthorWindow::Programs);
+    m_author->window.programsTab().openProgram(QStringLiteral("mistakes/upward.lua"));
+    m_author->click(QStringLiteral("Remove the program"));
+    QVERIFY(
+        knownNames(m_author->files(), m_author->document().step(), KnownKind::Mistake).isEmpty());
+}
+
+void TestAuthorStory::addMistake(const char *name, const story::Mistake &mistake)
+{
+    ProgramsTab &programs = m_author->window.programsTab();
+    programs.addMistake(); // an entry of the menu of the plus
+    auto *list = programs.findChild<QListWidget *>();
+    m_author->typeInPlace(list, utf8(name));
+    QCOMPARE(programs.program(), QStringLiteral("mistakes/%1.lua").arg(utf8(name)));
+    const QString solution =
+        textOf(m_author->files(), m_author->document().step() + QStringLiteral("/solution.lua"));
+    QVERIFY2(solution.count(utf8(mistake.right)) == 1, name);
+    retype(programs.editor(),
+           utf8(mistake.comment) + QLatin1Char('\n')
+               + QString(solution).replace(utf8(mistake.right), utf8(mistake.wrong)));
+}
+
+void TestAuthorStory::addCircle()
+{
+    m_author->click(QStringLiteral("Add circle"));
+}
+
+void TestAuthorStory::typeCell(int row, int column, const char *text)
+{
+    auto *table = m_author->window.sceneTab().findChild<QTableView *>();
+    table->setFocus();
+    table->setCurrentIndex(table->model()->index(row, column));
+    table->edit(table->currentIndex());
+    NumberField *field = nullptr;
+    for (auto *each : table->viewport()->findChildren<NumberField *>()) {
+        if (each->isVisible())
+            field = each;
+    }
+    QVERIFY(field);
+    field->selectAll();
+    QTest::keyClicks(field, utf8(text));
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+void TestAuthorStory::beginCheck(const char *id, const char *title, const char *kind,
+                                 const char *circles)
+{
+    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->click(QStringLiteral("Add a check"));
+    m_author->fill("checkId", utf8(id));
+    m_author->fill("checkTitle", utf8(title));
+    m_author->pick("checkKind", utf8(kind));
+    m_author->fill("checkCircles", utf8(circles));
+}
+
+void TestAuthorStory::writeScript(const char *script)
+{
+    CodeEditor &editor = m_author->window.checksTab().scriptEditor();
+    QTRY_VERIFY(editor.isVisible());
+    retype(editor, utf8(script));
+    QCOMPARE(editor.errorLine(), 0);
+}
+
+/// No scene with laws alone passes the checks of this lab.
+void TestAuthorStory::removeSceneThatPasses()
+{
+    m_author->window.showTab(AuthorWindow::Scene);
+    m_author->window.sceneTab().openSolution();
+    m_author->click(QStringLiteral("Remove this scene"));
+    m_author->window.sceneTab().openStart();
+}
+
+void TestAuthorStory::rackIsWritten()
+{
+    retitle("RACK", "Break the rack", story::rackText);
+    removeSceneThatPasses();
+    // Rows: three, a ball that comes from the left: seven.
+    OpenAuthor::inDialog<ArrangementDialog>([](ArrangementDialog *dialog) {
+        auto *rows = dialog->findChild<QSpinBox *>(QStringLiteral("arrangementRows"));
+        rows->setFocus();
+        rows->selectAll();
+        QTest::keyClicks(rows, QStringLiteral("3"));
+        QTest::keyClick(rows, Qt::Key_Return);
+        return true;
+    });
+    m_author->choose(QStringLiteral("Rack…"));
+    QCOMPARE(m_author->window.sceneTab().preset().own().circles.size(), std::size_t(7));
+    typeCell(0, CircleTableModel::Y, "1/20");
+    QCOMPARE(m_author->window.sceneTab().preset().own().circles[0].body.position.y, 0.05);
+
+    makeOwn("solution.lua", story::rackSolution);
+    makeOwn("starter.lua", story::rackStarter);
+    removePrograms();
+    addMistake("whole-velocity", story::wholeVelocity);
+    addMistake("one-sided", story::oneSided);
+
+    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->click(QStringLiteral("Remove the check")); // of the template: it falls
+    beginCheck("swap", "Two balls swap what goes along the line of centres", "collides", "1, 2");
+    m_author->pick("sceneKind", QStringLiteral("encounters"));
+    m_author->fill("count", QStringLiteral("8"));
+    m_author->fill("offset", QStringLiteral("0.6"));
+    beginCheck("momentum", "All seven keep momentum and energy", "script", "1, 2, 3, 4, 5, 6, 7");
+    m_author->fill("duration", QStringLiteral("2"));
+    writeScript(story::rackCheck);
+}
+
+void TestAuthorStory::dragIsWritten()
+{
+    addStep("Slow it down");
+    retitle("DRAG", "Slow it down", story::dragText);
+    removeSceneThatPasses();
+    typeCell(0, CircleTableModel::X, "-3");
+    typeCell(0, CircleTableModel::Y, "0");
+    typeCell(0, CircleTableModel::VelocityX, "3");
+    // k is another number for every student.
+    m_author->choose(QStringLiteral("Values of lab and step"));
+    m_author->click(QStringLiteral("Add a value"));
+    m_author->fill("valueName", QStringLiteral("k"));
+    auto *kind = m_author->find<QComboBox>("valueKind");
+    kind->setCurrentIndex(1);
+    emit kind->activated(1);
+    m_author->fill("valueFrom", QStringLiteral("0.4"));
+    m_author->fill("valueTo", QStringLiteral("0.8"));
+    m_author->fill("valueStep", QStringLiteral("1/10"));
+
+    makeOwn("solution.lua", story::dragSolution);
+    makeOwn("starter.lua", story::dragStarter);
+    removePrograms();
+    addMistake("square", story::square);
+    addMistake("speeds-up", story::speedsUp);
+    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->click(QStringLiteral("Remove the check"));
+    beginCheck("decays", "It slows down as exp(-kt)", "script", "1");
+    m_author->fill("duration", QStringLiteral("4"));
+    writeScript(story::dragCheck);
+}
+
+void TestAuthorStory::springIsWritten()
+{
+    addStep("A spring");
+    retitle("SPRING", "A spring", story::springText);
+    removeSceneThatPasses();
+    addCircle();
+    const char *const numbers[][4] = {{"-3/2", "0", "0", "0"}, {"3/2", "0", "1/2", "0"}};
+    const int columns[] = {CircleTableModel::X, CircleTableModel::Y, CircleTableModel::VelocityX,
+                           CircleTableModel::VelocityY};
+    for (int row = 0; row < 2; ++row) {
+        for (int i = 0; i < 4; ++i)
+            typeCell(row, columns[i], numbers[row][i]);
+    }
+    const Preset scene = m_author->window.sceneTab().preset().own();
+    QCOMPARE(scene.circles.size(), std::size_t(2));
+    QCOMPARE(scene.circles[1].body.position, (Vec2{1.5, 0.0}));
+
+    makeOwn("solution.lua", story::springSolution);
+    makeOwn("starter.lua", story::springStarter);
+    removePrograms();
+    addMistake("no-rest-length", story::noRestLength);
+    addMistake("one-end", story::oneEnd);
+    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->click(QStringLiteral("Remove the check"));
+    beginCheck("period", "It swings with the right period", "script", "1, 2");
+    m_author->fill("duration", QStringLiteral("6"));
+    writeScript(story::periodCheck);
+    beginCheck("momentum", "The momentum of both stays", "script", "1, 2");
+    m_author->fill("duration", QStringLiteral("6"));
+    writeScript(story::momentumCheck);
+}
+
+void TestAuthorStory::labIsProven()
+{
+    for (const char *step : {"RACK", "DRAG", "SPRING"}) {
+        auto *list = m_author->find<QListWidget>("authorSteps");
+        const auto row = static_cast<int>(m_author->document().steps().indexOf(utf8(step)));
+        QVERIFY2(row >= 0, step);
+        list->setCurrentRow(row);
+        m_author->window.showTab(AuthorWindow::Proof);
+        m_author->click(QStringLiteral("Verify this step"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_author->window.proofTab().isRunning(), 120'000);
+        const VerifiedTask *proof = m_author->window.proofTab().result();
+        QVERIFY(proof);
+        QStringList findings;
+        for (const LabFinding &finding : proof->findings)
+            findings.append(finding.program + QStringLiteral(": ") + finding.message);
+        QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+    }
+    m_author->document().readNow();
+    QVERIFY(m_author->document().lab().findings.empty());
+}
+
+void TestAuthorStory::labIsExported()
+{
+    OpenAuthor::answerDialog(m_folder.filePath(QStringLiteral("three-laws")));
+    m_author->choose(QStringLiteral("Save"));
+    QTRY_VERIFY(!m_author->document().isModified());
+    m_file = m_folder.filePath(QStringLiteral("lab.cradle"));
+    OpenAuthor::answerDialog(m_file);
+    m_author->choose(QStringLiteral("Export as one file…"));
+    QTRY_VERIFY(QFileInfo::exists(m_file));
+}
+
+/// Drops the file onto the student's window and tells his number.
+void TestAuthorStory::openLab(OpenWindow &student, const char *number)
+{
+    QVERIFY(QTest::qWaitForWindowActive(&student.window));
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(m_file)});
+    const QPoint centre = student.window.rect().center();
+    QDragEnterEvent enter(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&student.window, &enter);
+    QDropEvent drop(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&student.window, &drop);
+    QCOMPARE(student.bench.lab().title, QStringLiteral("Three laws"));
+    QTRY_VERIFY(student.window.findChild<QInputDialog *>());
+    auto *dialog = student.window.findChild<QInputDialog *>();
+    QTRY_VERIFY(dialog->findChild<QLineEdit *>() && dialog->findChild<QLineEdit *>()->isVisible());
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), QLatin1String(number));
+    QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Return);
+    QTRY_VERIFY(!student.bench.wantsNumber());
+    student.bench.setMode(Mode::Code);
+}
+
+/// Types a program and presses Check.
+void TestAuthorStory::handIn(OpenWindow &student, const char *step, const QString &program)
+{
+    const int row = student.bench.lab().indexOf(utf8(step));
+    QVERIFY(row >= 0);
+    const QListWidgetItem *item = student.steps()->item(row);
+    student.steps()->scrollToItem(item);
+    QTest::mouseClick(student.steps()->viewport(), Qt::LeftButton, {},
+                      student.steps()->visualItemRect(item).center());
+    QTRY_COMPARE(student.bench.task()->id, utf8(step));
+    retype(student.window.codePane().editor(), program);
+    QTRY_COMPARE(student.bench.code().text(), program);
+    student.check();
+}
+
+void TestAuthorStory::oneStudentPasses()
+{
+    const QTemporaryDir folder;
+    OpenWindow student(folder);
+    openLab(student, "4711");
+    handIn(student, "RACK", utf8(story::rackSolution));
+    QVERIFY2(student.bench.report()->passed, qPrintable(student.bench.code().text()));
+    // The number is on the page that he reads.
+    const double k = valuesOf(m_author->files(), QStringLiteral("DRAG"), QStringLiteral("4711"))
+                         .value(QStringLiteral("k"));
+    handIn(student, "DRAG",
+           utf8(story::dragSolution).replace(QStringLiteral("{{k}}"), QString::number(k)));
+    QVERIFY(student.bench.task()->instructions.contains(QString::number(k)));
+    QVERIFY(student.bench.report()->passed);
+    handIn(student, "SPRING", utf8(story::springSolution));
+    QVERIFY(student.bench.report()->passed);
+    for (int step = 0; step < 3; ++step)
+        QVERIFY(student.isTicked(step));
+}
+
+void TestAuthorStory::anotherFailsWithTrueFindings()
+{
+    const QTemporaryDir folder;
+    OpenWindow student(folder);
+    openLab(student, "1234");
+    // His own words, with the faults that the author knew, and one that nobody thought of.
+    const auto said = [&student] {
+        QStringList headlines;
+        for (const Finding &finding : student.bench.report()->findings)
+            headlines.append(finding.message.section(QLatin1Char('\n'), 0, 0));
+        return headlines;
+    };
+    handIn(student, "RACK", utf8(story::rackOfAStudent));
+    QVERIFY(!student.bench.report()->passed);
+    QCOMPARE(said(), QStringList{QStringLiteral("The balls swap all of their velocities")});
+    QVERIFY(student.says(QStringLiteral("The balls swap all of their velocities")));
+    const double k = valuesOf(m_author->files(), QStringLiteral("DRAG"), QStringLiteral("1234"))
+                         .value(QStringLiteral("k"));
+    handIn(student, "DRAG", utf8(story::dragOfAStudent).arg(2 * k));
+    QVERIFY(!student.bench.report()->passed);
+    QVERIFY2(!said().isEmpty(), qPrintable(student.bench.report()->checks.front().message));
+    QCOMPARE(said(), QStringList{QStringLiteral(
+                         "What acts on the velocity of circle 1 is 2 times as strong "
+                         "as it should be")});
+    handIn(student, "SPRING", utf8(story::springOfAStudent));
+    QVERIFY(!student.bench.report()->passed);
+    QCOMPARE(said(), QStringList{QStringLiteral("Only one ball feels the spring")});
+    for (int step = 0; step < 3; ++step)
+        QVERIFY(!student.isTicked(step));
+}
+
+QTEST_MAIN(TestAuthorStory)
+#include "test_author_story.moc"
