@@ -7,6 +7,7 @@
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/authoring/student_edition.h"
 #include "views/author/checks_tab.h"
 #include "views/author/difference_dialog.h"
 #include "views/author/figure.h"
@@ -190,18 +191,54 @@ bool AuthorWindow::mayExport()
     return box.clickedButton() == go;
 }
 
+/// \return an empty path if none was chosen
+QString AuthorWindow::askExportPath(const QString &title, const QString &name)
+{
+    QString path = QFileDialog::getSaveFileName(this, title, name + QLatin1String(archiveSuffix),
+                                                tr("Labs (*.cradle);;All files (*)"), nullptr,
+                                                QFileDialog::DontUseNativeDialog);
+    if (!path.isEmpty() && !isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
+        path += QLatin1String(archiveSuffix);
+    return path;
+}
+
+/// What students are to find for themselves stays here; what that costs them is said.
+void AuthorWindow::exportForStudents()
+{
+    if (!mayExport())
+        return;
+    const Result<StudentEdition> edition = studentEdition(m_document.files());
+    if (!edition) {
+        report(edition.error());
+        return;
+    }
+    const QString path =
+        askExportPath(tr("Export the lab for students"),
+                      nameFrom(m_document.lab().title) + QStringLiteral("-students"));
+    if (path.isEmpty())
+        return;
+    if (const auto error = cradle::exportLab(edition->files, path)) {
+        report(*error);
+        return;
+    }
+    m_offer = Offer::None;
+    QString said =
+        tr("Exported without %n file(s) that are yours: %1", nullptr, edition->left).arg(path);
+    if (!edition->unexplained.isEmpty())
+        said += QStringLiteral(". ")
+                + tr("In %1 students are told what checks saw, and not which law is wrong.")
+                      .arg(edition->unexplained.join(QStringLiteral(", ")));
+    m_notice->showNotice(said);
+}
+
 void AuthorWindow::exportLab()
 {
     if (!mayExport())
         return;
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the lab as one file"),
-        nameFrom(m_document.lab().title) + QLatin1String(archiveSuffix),
-        tr("Labs (*.cradle);;All files (*)"), nullptr, QFileDialog::DontUseNativeDialog);
+    const QString path =
+        askExportPath(tr("Export the lab as one file"), nameFrom(m_document.lab().title));
     if (path.isEmpty())
         return;
-    if (!isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
-        path += QLatin1String(archiveSuffix);
     if (const auto error = cradle::exportLab(m_document.files(), path)) {
         report(*error);
         return;

@@ -37,6 +37,8 @@ void AuthorWindow::fillMenus()
         &AuthorWindow::saveAs);
     add(lab, tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
         &AuthorWindow::exportLab);
+    add(lab, tr("Export &for students…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), this,
+        &AuthorWindow::exportForStudents);
     add(lab, tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return), this,
         &AuthorWindow::editProperties);
     lab->addSeparator();

@@ -59,9 +59,10 @@ public slots:
     void openLab();     ///< a folder
     void openLabFile(); ///< NAME.cradle
     void openDropped(const QString &path);
-    bool save();      ///< \return whether all is saved
-    bool saveAs();    ///< also makes the copy of a lab that is read-only
-    void exportLab(); ///< as one file
+    bool save();              ///< \return whether all is saved
+    bool saveAs();            ///< also makes the copy of a lab that is read-only
+    void exportLab();         ///< as one file
+    void exportForStudents(); ///< the same without solutions and mistakes
     void openAsStudent();
     void editProperties(); ///< of the lab: title, version, id
     void insertFigure();   ///< the scene as it is shown
@@ -94,6 +95,7 @@ private:
     void reload();
     void tellRefused();
     bool mayExport();
+    [[nodiscard]] QString askExportPath(const QString &title, const QString &name);
     void showVisit();
     void showDraft(const QDateTime &when);
     void offerUnsavedLab();

@@ -136,7 +136,7 @@ void readScripts(const LabSource &source, const QString &step, const QJsonObject
     task.solution = readIfThere(source, step + QStringLiteral("/solution.lua"), lab);
     task.starter = readIfThere(source, step + QStringLiteral("/starter.lua"), lab);
     if (task.starter.isEmpty() && !lab.tasks.empty())
-        task.starter = lab.tasks.back().solution;
+        task.starter = lab.forStudents ? lab.tasks.back().starter : lab.tasks.back().solution;
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();
     for (const QString &path : programsIn(source, step + QStringLiteral("/mistakes/"))) {
         if (const auto known = readKnown(source, path, task.solution, texts, lab))

@@ -80,6 +80,7 @@ struct Task {
     std::vector<Question> questions{};      ///< that are counted beside the checks
     std::optional<Laws> laws{};             ///< that it asks for: those of the scene that passes it
     std::optional<Preset> solutionScene{};  ///< that scene
+    bool forStudents = false;               ///< of an edition without solutions and mistakes
 };
 
 /// A lab; a plain value.
@@ -89,7 +90,8 @@ struct Lab {
     QString version;
     QString language;
     QString folder;
-    QString hash; ///< sha256 of its files
+    QString hash; ///< sha256 of its files; of an edition for students, that of the whole lab
+    bool forStudents = false; ///< without solutions and mistakes, see student_edition.h
     std::vector<Task> tasks{};
     std::vector<Error> findings{};           ///< what could not be read; the rest is there
     std::shared_ptr<const LabFiles> files{}; ///< what it was read from; null if it was not read

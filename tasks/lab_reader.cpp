@@ -19,6 +19,8 @@ namespace cradle {
 
 namespace {
 
+constexpr std::size_t mostCheckedCircles = 100; ///< as in task.schema.json
+
 struct ReaderText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
@@ -142,8 +144,10 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
         return;
     }
     const std::optional<Preset> solution = solutionOf(source, step, lab);
+    // Those that students add are in the scene that passes, which an edition for them has not.
     const std::size_t circles =
-        std::max(preset->circles.size(), solution ? solution->circles.size() : 0);
+        lab.forStudents ? mostCheckedCircles
+                        : std::max(preset->circles.size(), solution ? solution->circles.size() : 0);
     std::vector<Error> faults = findCheckFaults(*json, circles, source.fullPath(path));
     for (Error fault : questionFaults(*json)) {
         fault.file = source.fullPath(path);
@@ -179,6 +183,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     task.solutionScene = solution;
     if (solution)
         task.laws = solution->laws;
+    task.forStudents = lab.forStudents;
     task.locked = stringsOf(json->value(QStringLiteral("locked")));
     task.prediction = readPrediction(*json, words);
     task.questions = readQuestions(*json, words);
@@ -222,6 +227,8 @@ Result<Lab> readFrom(const LabSource &source, const QString &folder, const QStri
     lab.version = text("version");
     lab.language = text("language");
     lab.folder = folder;
+    lab.hash = text("edition");
+    lab.forStudents = !lab.hash.isEmpty();
     readTasks(source, *json, language, lab);
     for (const Error &fault : source.untold(lab.findings))
         lab.findings.push_back(fault);
@@ -241,7 +248,8 @@ Result<Lab> readWithValues(const LabFiles &files, const QString &folder, const Q
     Result<Lab> lab = readFrom(LabSource(put, folder, std::move(faults)), folder, language);
     if (!lab)
         return lab;
-    lab->hash = hashOf(files);
+    if (!lab->forStudents)
+        lab->hash = hashOf(files);
     lab->files = std::make_shared<const LabFiles>(files);
     lab->readIn = language;
     lab->drawsValues = drawsValues(files);
@@ -256,7 +264,8 @@ Result<ReadLab> readStep(LabFiles files, const QString &folder, const QString &l
         LabFiles alone = stepAlone(files, step);
         auto lab = readWithValues(alone, folder, language, {}, faults);
         if (lab && lab->indexOf(step) >= 0) {
-            lab->hash = hashOf(files);
+            if (!lab->forStudents)
+                lab->hash = hashOf(files);
             return ReadLab{std::move(alone), std::move(*lab)};
         }
     }

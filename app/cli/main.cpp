@@ -29,6 +29,7 @@ struct Entry {
 
 constexpr std::array subcommands{
     Entry{"check", "judges a program or a preset for one step of a lab", check},
+    Entry{"export", "writes a lab into one file, for students, too", exportLab},
     Entry{"grade", "judges a class", grade},
     Entry{"hand-in", "writes a student's work into one file", handIn},
     Entry{"report", "writes the report of a student's work", report},

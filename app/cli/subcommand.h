@@ -24,6 +24,7 @@ enum ExitCode {
 using Subcommand = ExitCode (*)(const QStringList &arguments);
 
 ExitCode check(const QStringList &arguments);
+ExitCode exportLab(const QStringList &arguments);
 ExitCode grade(const QStringList &arguments);
 ExitCode handIn(const QStringList &arguments);
 ExitCode report(const QStringList &arguments);

@@ -102,6 +102,9 @@ ExitCode verify(const QStringList &arguments)
         return complain(lab.error());
     for (const Error &finding : lab->findings)
         QTextStream(stderr) << finding.toString() << Qt::endl;
+    if (lab->forStudents)
+        return complain(VerifyText::tr("this is an edition for students, without the solutions and "
+                                       "mistakes that prove a lab; the whole lab is right"));
     if (parser.isSet(only) && lab->indexOf(parser.value(only)) < 0)
         return complain(VerifyText::tr("the lab has no step %1").arg(parser.value(only)));
     std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only), {}, seedCount);

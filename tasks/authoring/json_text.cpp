@@ -108,7 +108,7 @@ constexpr std::array keyOrder{
     "densities", "position", "velocity", "radius",     "density",    "colour",       "integrator",
     "rms_speed", "seed",     "hints",    "code_hints", "circles",    "points",       "parameters",
     "scene",     "checks",   "mistakes", "remarks",    "from",       "to",           "step",
-    "values",    "draw",     "steps",    "moves",      "extra",      "locked"};
+    "values",    "draw",     "edition",  "steps",      "moves",      "extra",        "locked"};
 
 } // namespace
 

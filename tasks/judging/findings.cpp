@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/findings.h"
 
+#include "tasks/judging/asked_laws.h"
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/last_assignment.h"
@@ -57,6 +58,7 @@ public:
         , m_checks(checks)
         , m_provesLines(provesLines)
         , m_ground(task, submission.preset)
+        , m_asked(task.forStudents ? std::optional(askedLaws(task)) : std::nullopt)
         , m_known(lawsOf(task))
         , m_own(submission.program(), m_ground)
     {
@@ -74,7 +76,7 @@ public:
             if (isAsked(aspect))
                 take(aspect, deviationsOf(m_own, aspect));
         }
-        if (m_findings.empty()) {
+        if (m_findings.empty() && !m_asked) {
             if (const auto e = restitutionDeviation(m_task, m_submission, m_checks))
                 take(Aspect::Start, {*e});
         }
@@ -113,8 +115,28 @@ private:
     [[nodiscard]] bool isAsked(Aspect aspect) const
     {
         return failedOf(aspect) && (aspect != Aspect::Walls || !m_ground.walls.circles.empty())
-               && ((aspect != Aspect::Contact && aspect != Aspect::Response)
-                   || m_ground.pair.asked);
+               && ((aspect != Aspect::Contact && aspect != Aspect::Response) || m_ground.pair.asked)
+               && isKnown(aspect);
+    }
+
+    /// Without a solution, what is right is what the checks themselves tell.
+    [[nodiscard]] bool isKnown(Aspect aspect) const
+    {
+        if (!m_asked)
+            return true;
+        switch (aspect) {
+        case Aspect::Start:
+            return true;
+        case Aspect::Motion:
+            return m_asked->motion;
+        case Aspect::Walls:
+        case Aspect::Course:
+            return m_asked->walls;
+        case Aspect::Contact:
+        case Aspect::Response:
+            break;
+        }
+        return m_asked->pair;
     }
 
     /// In what a program goes wrong in one aspect.
@@ -208,7 +230,7 @@ private:
     [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last)
     {
         const Moment &moment = deviation.moment;
-        if (!m_provesLines || moment.circles.empty() || m_findings.size() >= mostProven)
+        if (!m_provesLines || m_asked || moment.circles.empty() || m_findings.size() >= mostProven)
             return 0;
         const Aspect aspect = aspectOf(deviation);
         const std::vector<LawDeviation> before = besides(m_own, aspect);
@@ -272,6 +294,7 @@ private:
     const std::vector<CheckOutcome> &m_checks;
     bool m_provesLines;
     Ground m_ground;
+    std::optional<AskedLaws> m_asked;        ///< where there is no solution
     std::shared_ptr<const TaskLaws> m_known; ///< with the step's own preset
     MeasuredLaws m_own;
     const MeasuredLaws &m_right = m_known->right();
@@ -285,7 +308,7 @@ private:
 std::vector<Finding> findingsOf(const Task &task, const Submission &submission,
                                 const std::vector<CheckOutcome> &checks, bool provesLines)
 {
-    if (task.solution.isEmpty())
+    if (task.solution.isEmpty() && !task.forStudents)
         return {};
     return Judge(task, submission, checks, provesLines).find();
 }

@@ -3,6 +3,7 @@
 #include "tasks/judging/ground.h"
 
 #include "model/preset_json.h"
+#include "tasks/judging/asked_laws.h"
 #include "tasks/scene_spec.h"
 #include "tasks/script/student_script.h"
 
@@ -40,6 +41,8 @@ Vec2 ownGravity(const Task &task)
         if (!reference.begin(scene))
             return scene.gravity;
     }
+    if (task.forStudents)
+        return askedLaws(task).scene.gravity;
     return task.solutionScene ? task.solutionScene->gravity : task.preset.gravity;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/task_laws.h"
 
+#include "tasks/judging/asked_laws.h"
+
 #include <algorithm>
 
 namespace cradle {
@@ -24,6 +26,13 @@ bool isSame(const std::vector<KnownScript> &a, const std::vector<KnownScript> &b
         [](const KnownScript &p, const KnownScript &q) { return p.source == q.source; });
 }
 
+std::optional<Ground> askedGround(const Task &task)
+{
+    if (!task.forStudents)
+        return std::nullopt;
+    return Ground(task, askedLaws(task).scene);
+}
+
 /// Whether an update takes no more than that of a sound program.
 bool isQuick(const QString &program, const Ground &ground)
 {
@@ -40,7 +49,8 @@ bool isQuick(const QString &program, const Ground &ground)
 TaskLaws::TaskLaws(const Task &task)
     : m_task(task)
     , m_ground(m_task, m_task.preset)
-    , m_right(&m_task.solution, m_ground)
+    , m_asked(askedGround(m_task))
+    , m_right(m_asked ? nullptr : &m_task.solution, m_asked ? *m_asked : m_ground)
 {
     for (const KnownScript &mistake : m_task.mistakes)
         m_mistakes.push_back(std::make_unique<const MeasuredLaws>(&mistake.source, m_ground));
@@ -49,8 +59,9 @@ TaskLaws::TaskLaws(const Task &task)
 bool TaskLaws::areOf(const Task &task) const
 {
     return m_task.id == task.id && m_task.solution == task.solution && m_task.preset == task.preset
-           && m_task.solutionScene == task.solutionScene && m_task.locked == task.locked
-           && isSame(m_task.mistakes, task.mistakes) && m_task.checks == task.checks;
+           && m_task.forStudents == task.forStudents && m_task.solutionScene == task.solutionScene
+           && m_task.locked == task.locked && isSame(m_task.mistakes, task.mistakes)
+           && m_task.checks == task.checks;
 }
 
 void TaskLaws::measureAll() const

@@ -5,6 +5,7 @@
 #include "tasks/judging/measured_laws.h"
 
 #include <memory>
+#include <optional>
 
 namespace cradle {
 
@@ -30,6 +31,7 @@ public:
 private:
     Task m_task;
     Ground m_ground;
+    std::optional<Ground> m_asked{}; ///< with the laws of the checks, where there is no solution
     MeasuredLaws m_right;
     std::vector<std::unique_ptr<const MeasuredLaws>> m_mistakes{};
 };

@@ -6,6 +6,7 @@
 #include "app/code_desk.h"
 #include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/judgement.h"
 #include "tasks/values/lab_values.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/story_programs.h"
@@ -36,6 +37,7 @@ private slots:
     void springIsWritten();
     void labIsProven();
     void labIsExported();
+    void editionForStudentsHasNoSolutions();
     void oneStudentPasses();
     void anotherFailsWithTrueFindings();
 
@@ -318,6 +320,33 @@ void TestAuthorStory::labIsExported()
     OpenAuthor::answerDialog(m_file);
     m_author->choose(QStringLiteral("Export as one file…"));
     QTRY_VERIFY(QFileInfo::exists(m_file));
+}
+
+void TestAuthorStory::editionForStudentsHasNoSolutions()
+{
+    const QString file = m_folder.filePath(QStringLiteral("students.cradle"));
+    OpenAuthor::answerDialog(file);
+    m_author->choose(QStringLiteral("Export for students…"));
+    QTRY_VERIFY(QFileInfo::exists(file));
+    const Result<LabFiles> files = readLabArchive(file);
+    QVERIFY(files);
+    for (const QString &path : files->contents.keys())
+        QVERIFY2(!path.contains(QLatin1String("solution"))
+                     && !path.contains(QLatin1String("mistakes")),
+                 qPrintable(path));
+    // All of its steps have a check in Lua: what that wants as a law nobody can tell.
+    QVERIFY2(m_author->window.notice().text().contains(QLatin1String("In RACK, DRAG, SPRING")),
+             qPrintable(m_author->window.notice().text()));
+    const Result<Lab> lab = readLab(*files, {}, QStringLiteral("en"), QStringLiteral("4711"));
+    QVERIFY(lab->findings.empty());
+    const Task &rack = lab->tasks.front();
+    const auto judged = [&](const char *program) {
+        return *judgeTask(*lab, rack, Submission(rack.preset, utf8(program)), 1);
+    };
+    QVERIFY(judged(story::rackSolution).passed);
+    const CheckReport report = judged(story::rackOfAStudent);
+    QVERIFY(!report.passed && report.findings.empty());
+    QVERIFY(!report.checks.front().message.isEmpty());
 }
 
 /// Drops the file onto the student's window and tells his number.
