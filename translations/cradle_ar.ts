@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ar" sourcelanguage="en">
 <context>
+    <name>Arrangement</name>
+    <message>
+        <source>Rack</source>
+        <translation>مثلث</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>شبكة</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>حلقة</translation>
+    </message>
+    <message>
+        <source>%1 circles are too many: at most %2 are right</source>
+        <translation>%1 دائرة عدد كبير: %2 على الأكثر هو الصواب</translation>
+    </message>
+    <message>
+        <source>They do not fit into the square: fewer or smaller ones are right</source>
+        <translation>لا تتسع لها المساحة المربعة: الصواب عدد أقل أو دوائر أصغر</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -1413,6 +1436,41 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>of the report, such as en or de; without it that of the system</source>
         <translation>للتقرير، مثل en أو ar؛ ومن دونها لغة النظام</translation>
+    </message>
+    <message>
+        <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
+        <translation>يكتب مختبرًا في ملف واحد. للطلاب يترك الحلول والأخطاء والملاحظات والملفات التي لا تستعملها أي خطوة؛ ويبقى ما تطلبه الفحوص والأسئلة.</translation>
+    </message>
+    <message>
+        <source>leave out what students shall find</source>
+        <translation>ترك ما يُراد من الطلاب أن يجدوه</translation>
+    </message>
+    <message>
+        <source>the file to write; needed</source>
+        <translation>الملف الذي يُكتب؛ لازم</translation>
+    </message>
+    <message>
+        <source>--output is missing: the file to write</source>
+        <translation>‏--output مفقود: الملف الذي يُكتب</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) left out</source>
+        <translation>
+            <numerusform>لم يُترك أي ملف</numerusform>
+            <numerusform>تُرك ملف واحد</numerusform>
+            <numerusform>تُرك ملفان</numerusform>
+            <numerusform>تُركت %n ملفات</numerusform>
+            <numerusform>تُرك %n ملفًا</numerusform>
+            <numerusform>تُرك %n ملف</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
+        <translation>في %1 يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ: هذه الفحوص لا تذكر قانونًا</translation>
+    </message>
+    <message>
+        <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
+        <translation>هذه طبعة للطلاب بلا الحلول والأخطاء التي تثبت صحة المختبر؛ الصواب هو المختبر كله</translation>
     </message>
 </context>
 <context>
@@ -5990,6 +6048,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>نص من 200 حرف على الأكثر؛ ونص آخر يعطي قيمًا أخرى</translation>
     </message>
     <message>
+        <source>of an edition for students: the SHA-256 of the lab that it is of</source>
+        <translation>لطبعة الطلاب: بصمة ⁦SHA-256⁩ للمختبر الذي هي منه</translation>
+    </message>
+    <message>
         <source>a unit like m/s of at most 40 characters</source>
         <translation>وحدة مثل ⁦m/s⁩ من 40 حرفًا على الأكثر</translation>
     </message>
@@ -7140,6 +7202,56 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>cradle::ArrangementDialog</name>
+    <message>
+        <source>Rack</source>
+        <translation>مثلث</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>الصفوف</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>شبكة</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>الأعمدة</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>حلقة</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>الدوائر</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>نصف القطر</translation>
+    </message>
+    <message>
+        <source>Gap between rims</source>
+        <translation>الفجوة بين الحافتين</translation>
+    </message>
+    <message>
+        <source>One more comes from the left</source>
+        <translation>دائرة أخرى تأتي من اليسار</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circle(s)</source>
+        <translation>
+            <numerusform>لا دوائر</numerusform>
+            <numerusform>دائرة واحدة</numerusform>
+            <numerusform>دائرتان</numerusform>
+            <numerusform>%n دوائر</numerusform>
+            <numerusform>%n دائرة</numerusform>
+            <numerusform>%n دائرة</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorDocument</name>
     <message>
         <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
@@ -7431,6 +7543,29 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>&amp;Values of lab and step</source>
         <translation>قيم المختبر والمرحلة (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>تصدير المختبر للطلاب</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>صُدّر دون ترك أي ملف: %1</numerusform>
+            <numerusform>صُدّر دون ملف واحد يخصّك: %1</numerusform>
+            <numerusform>صُدّر دون ملفين يخصّانك: %1</numerusform>
+            <numerusform>صُدّر دون %n ملفات تخصّك: %1</numerusform>
+            <numerusform>صُدّر دون %n ملفًا يخصّك: %1</numerusform>
+            <numerusform>صُدّر دون %n ملف يخصّك: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>في %1 يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
+    </message>
+    <message>
+        <source>Export &amp;for students…</source>
+        <translation>التصدير للطلاب (&amp;F)…</translation>
     </message>
 </context>
 <context>
@@ -10975,6 +11110,18 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Unlock a field</source>
         <translation>فتح قفل حقل</translation>
+    </message>
+    <message>
+        <source>&amp;Rack…</source>
+        <translation>مثلث (&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Gr&amp;id…</source>
+        <translation>شبكة (&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ng…</source>
+        <translation>حلقة (&amp;N)…</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Arrangement</name>
+    <message>
+        <source>Rack</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>%1 circles are too many: at most %2 are right</source>
+        <translation>%1 Kreise sind zu viele: höchstens %2 sind richtig</translation>
+    </message>
+    <message>
+        <source>They do not fit into the square: fewer or smaller ones are right</source>
+        <translation>Sie passen nicht in das Quadrat: weniger oder kleinere sind richtig</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>Drawings (*.svg)</source>
@@ -1405,6 +1428,37 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>--seeds takes a whole number from 1 to 1000, not %1</source>
         <translation>--seeds nimmt eine ganze Zahl von 1 bis 1000, nicht %1</translation>
+    </message>
+    <message>
+        <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
+        <translation>Schreibt ein Lab in eine Datei. Für Studierende lässt es Lösungen, Fehler, Anmerkungen und Dateien weg, die kein Schritt verwendet; was Prüfungen und Fragen verlangen, bleibt.</translation>
+    </message>
+    <message>
+        <source>leave out what students shall find</source>
+        <translation>weglassen, was Studierende selbst finden sollen</translation>
+    </message>
+    <message>
+        <source>the file to write; needed</source>
+        <translation>die Datei, die geschrieben wird; nötig</translation>
+    </message>
+    <message>
+        <source>--output is missing: the file to write</source>
+        <translation>--output fehlt: die Datei, die geschrieben wird</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) left out</source>
+        <translation>
+            <numerusform>%n Datei weggelassen</numerusform>
+            <numerusform>%n Dateien weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
+        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist: diese Prüfungen nennen keines</translation>
+    </message>
+    <message>
+        <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
+        <translation>dies ist eine Ausgabe für Studierende, ohne die Lösungen und Fehler, die ein Lab beweisen; richtig ist das ganze Lab</translation>
     </message>
 </context>
 <context>
@@ -6206,6 +6260,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>ein Text von höchstens 200 Zeichen; ein anderer zieht andere Werte</translation>
     </message>
     <message>
+        <source>of an edition for students: the SHA-256 of the lab that it is of</source>
+        <translation>einer Ausgabe für Studierende: die SHA-256 des Labs, von dem sie ist</translation>
+    </message>
+    <message>
         <source>a unit like m/s of at most 40 characters</source>
         <translation>eine Einheit wie m/s von höchstens 40 Zeichen</translation>
     </message>
@@ -7116,6 +7174,52 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::ArrangementDialog</name>
+    <message>
+        <source>Rack</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Gap between rims</source>
+        <translation>Lücke zwischen den Rändern</translation>
+    </message>
+    <message>
+        <source>One more comes from the left</source>
+        <translation>Einer mehr kommt von links</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circle(s)</source>
+        <translation>
+            <numerusform>%n Kreis</numerusform>
+            <numerusform>%n Kreise</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorDocument</name>
     <message>
         <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
@@ -7407,6 +7511,25 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>&amp;Values of lab and step</source>
         <translation>&amp;Werte von Lab und Schritt</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>Lab für Studierende exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Ohne %n Datei exportiert, die nur für Sie ist: %1</numerusform>
+            <numerusform>Ohne %n Dateien exportiert, die nur für Sie sind: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
+    </message>
+    <message>
+        <source>Export &amp;for students…</source>
+        <translation>&amp;Für Studierende exportieren…</translation>
     </message>
 </context>
 <context>
@@ -10911,6 +11034,18 @@ Ihre Nummer:</translation>
     <message>
         <source>Which scene of the step</source>
         <translation>Welche Szene des Schritts</translation>
+    </message>
+    <message>
+        <source>&amp;Rack…</source>
+        <translation>&amp;Dreieck…</translation>
+    </message>
+    <message>
+        <source>Gr&amp;id…</source>
+        <translation>&amp;Gitter…</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ng…</source>
+        <translation>&amp;Ring…</translation>
     </message>
 </context>
 <context>

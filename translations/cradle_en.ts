@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>Cli</name>
+    <message numerus="yes">
+        <source>%n file(s) left out</source>
+        <translation>
+            <numerusform>%n file left out</numerusform>
+            <numerusform>%n files left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Grading</name>
     <message numerus="yes">
         <source>Checked %n time(s) while working on it.</source>
@@ -52,6 +62,26 @@
         <translation>
             <numerusform>a list of %n value</numerusform>
             <numerusform>a list of %n values</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::ArrangementDialog</name>
+    <message numerus="yes">
+        <source>%n circle(s)</source>
+        <translation>
+            <numerusform>%n circle</numerusform>
+            <numerusform>%n circles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Exported without %n file that is yours: %1</numerusform>
+            <numerusform>Exported without %n files that are yours: %1</numerusform>
         </translation>
     </message>
 </context>
