@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>Arrangement</name>
+    <message>
+        <source>Rack</source>
+        <translation>Triangle</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
+    </message>
+    <message>
+        <source>%1 circles are too many: at most %2 are right</source>
+        <translation>%1 cercles sont trop nombreux : %2 au plus conviennent</translation>
+    </message>
+    <message>
+        <source>They do not fit into the square: fewer or smaller ones are right</source>
+        <translation>Ils ne tiennent pas dans le carré : il en faut moins ou de plus petits</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -1405,6 +1428,37 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>this is no text in UTF-8, which would be right</source>
         <translation>ce n&apos;est pas du texte en UTF-8&#xa0;; il faut de l&apos;UTF-8</translation>
+    </message>
+    <message>
+        <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
+        <translation>Écrit un TP dans un seul fichier. Pour les étudiants, il laisse de côté solutions, erreurs, remarques et fichiers qu’aucune étape n’utilise ; ce que demandent contrôles et questions reste.</translation>
+    </message>
+    <message>
+        <source>leave out what students shall find</source>
+        <translation>laisser de côté ce que les étudiants doivent trouver</translation>
+    </message>
+    <message>
+        <source>the file to write; needed</source>
+        <translation>le fichier à écrire ; nécessaire</translation>
+    </message>
+    <message>
+        <source>--output is missing: the file to write</source>
+        <translation>--output manque : le fichier à écrire</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) left out</source>
+        <translation>
+            <numerusform>%n fichier laissé de côté</numerusform>
+            <numerusform>%n fichiers laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
+        <translation>dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse : ces contrôles n’en nomment aucune</translation>
+    </message>
+    <message>
+        <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
+        <translation>ceci est une édition pour étudiants, sans les solutions et les erreurs qui prouvent un TP ; il faut le TP entier</translation>
     </message>
 </context>
 <context>
@@ -6265,6 +6319,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>what the step is worth, a number from 0 to 1000</source>
         <translation>ce que vaut l&apos;étape, un nombre de 0 à 1000</translation>
     </message>
+    <message>
+        <source>of an edition for students: the SHA-256 of the lab that it is of</source>
+        <translation>d’une édition pour étudiants : le SHA-256 du TP dont elle vient</translation>
+    </message>
 </context>
 <context>
     <name>Script</name>
@@ -7116,6 +7174,52 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::ArrangementDialog</name>
+    <message>
+        <source>Rack</source>
+        <translation>Triangle</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Gap between rims</source>
+        <translation>Écart entre les bords</translation>
+    </message>
+    <message>
+        <source>One more comes from the left</source>
+        <translation>Un de plus vient de la gauche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circle(s)</source>
+        <translation>
+            <numerusform>%n cercle</numerusform>
+            <numerusform>%n cercles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorDocument</name>
     <message>
         <source>This lab ships with Cradle and stays as it is; make a copy of it to change that</source>
@@ -7407,6 +7511,25 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>&amp;Values of lab and step</source>
         <translation>&amp;Valeurs du TP et de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Export &amp;for students…</source>
+        <translation>Exporter pour les é&amp;tudiants…</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>Exporter le TP pour les étudiants</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Exporté sans %n fichier qui n’est que pour vous : %1</numerusform>
+            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous : %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>Dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse.</translation>
     </message>
 </context>
 <context>
@@ -10911,6 +11034,18 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Unlock a field</source>
         <translation>Déverrouiller un champ</translation>
+    </message>
+    <message>
+        <source>&amp;Rack…</source>
+        <translation>&amp;Triangle…</translation>
+    </message>
+    <message>
+        <source>Gr&amp;id…</source>
+        <translation>&amp;Grille…</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ng…</source>
+        <translation>&amp;Anneau…</translation>
     </message>
 </context>
 <context>
