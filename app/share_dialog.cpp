@@ -53,11 +53,6 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     showState({});
 }
 
-ShareDialog::~ShareDialog()
-{
-    m_sending.waitForFinished();
-}
-
 void ShareDialog::send()
 {
     if (const auto error = m_workspace.history()->setRemoteUrl(m_address->text())) {
@@ -66,7 +61,8 @@ void ShareDialog::send()
     }
     m_send->setEnabled(false);
     m_message->setText(tr("Sending…"));
-    // A history of its own: the network takes its time, and the student goes on working.
+    // A history of its own: the network takes its time, and the student goes on working. Who
+    // closes the dialog does not wait for a server that does not answer.
     m_sending.setFuture(
         QtConcurrent::run([folder = m_workspace.folder()]() -> std::optional<Error> {
             const auto history = History::openExisting(folder);

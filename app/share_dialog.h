@@ -24,9 +24,9 @@ class ShareDialog final : public QDialog
 {
     Q_OBJECT
 public:
-    /// \param workspace  with a history; outlives the dialog
+    /// \param workspace  with a history; outlives the dialog.
+    /// What is being sent when the dialog is closed goes on being sent.
     explicit ShareDialog(Workspace &workspace, QWidget *parent = nullptr);
-    ~ShareDialog() override;
 
 private:
     void send();
