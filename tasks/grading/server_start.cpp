@@ -8,11 +8,16 @@
 #include <QLibraryInfo>
 #include <QStandardPaths>
 
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace cradle {
@@ -74,6 +79,50 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
     return line;
 }
 
+/// Runs bubblewrap until it ends or the other end of \p serverControl is closed, and ends with it.
+/// The process that bubblewrap starts waits for it for ever where bubblewrap is killed early, or
+/// gives up; here all of them end.
+[[noreturn]] void guard(const std::vector<char *> &arguments)
+{
+    sigset_t children;
+    sigemptyset(&children);
+    sigaddset(&children, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &children, nullptr);
+    const int childEnds = signalfd(-1, &children, SFD_CLOEXEC);
+    const pid_t parent = getpid();
+    const pid_t child = childEnds < 0 ? -1 : fork();
+    if (child < 0)
+        _exit(1);
+    if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != parent)
+            _exit(1);
+        setpgid(0, 0);
+        sigprocmask(SIG_UNBLOCK, &children, nullptr);
+        execv(arguments.front(), arguments.data());
+        _exit(1);
+    }
+    setpgid(child, child); // whichever of the two comes first
+    close(serverLab);
+    int status = 0;
+    bool ended = false;
+    while (!ended) {
+        std::array<pollfd, 2> watched{pollfd{serverControl, 0, 0}, pollfd{childEnds, POLLIN, 0}};
+        if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR)
+            break;
+        if (watched[0].revents != 0)
+            break; // who asked for it is gone
+        signalfd_siginfo ignored{};
+        if (watched[1].revents != 0)
+            (void)!read(childEnds, &ignored, sizeof ignored);
+        ended = waitpid(child, &status, WNOHANG) == child;
+    }
+    kill(-child, SIGKILL);
+    if (!ended)
+        waitpid(child, &status, 0);
+    _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+}
+
 } // namespace
 
 pid_t startBubblewrapped(const QString &program, const QString &language, int control, int lab)
@@ -87,17 +136,12 @@ pid_t startBubblewrapped(const QString &program, const QString &language, int co
     for (QByteArray &part : line)
         arguments.push_back(part.data());
     arguments.push_back(nullptr);
-    const pid_t parent = getpid();
     const pid_t child = fork();
     if (child != 0)
         return child;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
-        _exit(1);
     setsid(); // what is typed at a terminal is for the parent
     keepOnly(control, lab);
-    execv(arguments.front(), arguments.data());
-    _exit(1);
+    guard(arguments);
 }
 
 pid_t startForked(const Lab &lab, int control)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
 
+#include <QStandardPaths>
+
 #include <algorithm>
 #include <csignal>
 
@@ -18,6 +20,8 @@ private slots:
     void killedWorkersCostNoVerdict();
     void killsInALoopLoseAndDoubleNothing();
     void stoppedGraderLeavesNoWorkers();
+    void graderKilledWhileBubblewrapStartsLeavesNothing();
+    void killedBubblewrapLeavesNobodyWaiting();
     void stopIsCleanAndResumable();
     void shardsMakeOneClass();
     void doublesAndTheMissingAreTold();
@@ -81,6 +85,17 @@ void fill(const GradedClass &made, int count)
 {
     for (int i = 0; i < count; ++i)
         made.putStudent(QStringLiteral("student%1").arg(i, 2, 10, QLatin1Char('0')));
+}
+
+/// An environment where bubblewrap is a script of ours.
+QProcessEnvironment withBubblewrap(const GradedClass &made, const QByteArray &script)
+{
+    const QString path = made.at(text("bin/bwrap"));
+    made.put(text("bin/bwrap"), "#!/bin/sh\n" + script);
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    auto environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(text("PATH"), made.at(text("bin")) + u':' + environment.value(text("PATH")));
+    return environment;
 }
 
 } // namespace
@@ -175,8 +190,6 @@ void TestCliGradeBrokenOff::stoppedGraderLeavesNoWorkers()
     process.start(cradle::cliProgram(), made.arguments(text("out")));
     QVERIFY(process.waitForStarted());
     std::vector<pid_t> workers;
-    // The server and its worker, whatever bubblewrap starts beside them. Killed before it has
-    // started them, bubblewrap leaves a process that waits for ever, as `kill -9` of bwrap does.
     while (judging(workers) < 2 && !process.waitForFinished(1))
         workers = descendantsOf(process.processId());
     process.kill();
@@ -184,6 +197,51 @@ void TestCliGradeBrokenOff::stoppedGraderLeavesNoWorkers()
     for (const pid_t worker : workers)
         QTRY_VERIFY_WITH_TIMEOUT(!isThere(worker), patience);
     QCOMPARE(resultsIn(made, text("out")), 0);
+}
+
+/// What bubblewrap starts waits for it. Here it does so for ever, at the worst of moments.
+void TestCliGradeBrokenOff::graderKilledWhileBubblewrapStartsLeavesNothing()
+{
+    const GradedClass made;
+    fill(made, 1);
+    const QString note = made.at(text("note"));
+    QProcess process;
+    process.setProcessEnvironment(withBubblewrap(
+        made, "sleep infinity &\necho $$ $! > '" + note.toUtf8() + "'\nsleep infinity\n"));
+    process.start(cradle::cliProgram(), made.arguments(text("out")));
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(contentOf(note).endsWith('\n'), patience);
+    const QByteArrayList started = contentOf(note).trimmed().split(' ');
+    QCOMPARE(started.size(), 2);
+    const auto all = descendantsOf(process.processId());
+    QVERIFY(all.size() >= 3);
+    process.kill();
+    process.waitForFinished(patience);
+    for (const pid_t one : all)
+        QTRY_VERIFY_WITH_TIMEOUT(!isThere(one), patience);
+    for (const QByteArray &one : started)
+        QTRY_VERIFY_WITH_TIMEOUT(!isThere(static_cast<pid_t>(one.toInt())), patience);
+}
+
+/// The first is killed, and what it has started keeps the line to the grader open.
+void TestCliGradeBrokenOff::killedBubblewrapLeavesNobodyWaiting()
+{
+    const GradedClass made;
+    fill(made, 2);
+    VERIFY_CODE(made.grade(text("whole")), 1);
+    const QByteArray note = made.at(text("note")).toUtf8();
+    const QString real = QStandardPaths::findExecutable(text("bwrap"));
+    QProcess process;
+    process.setProcessEnvironment(withBubblewrap(
+        made, "if [ ! -e '" + note + "' ]; then\nsleep infinity &\necho $! > '" + note
+                  + "'\nkill -9 $$\nfi\nexec '" + QFile::encodeName(real) + "' \"$@\"\n"));
+    process.start(cradle::cliProgram(), made.arguments(text("out")));
+    QVERIFY(process.waitForFinished(patience));
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(made.differing(text("out"), text("whole")), QStringList());
+    const auto waiting = static_cast<pid_t>(contentOf(made.at(text("note"))).trimmed().toInt());
+    QVERIFY(waiting > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!isThere(waiting), patience);
 }
 
 void TestCliGradeBrokenOff::stopIsCleanAndResumable()
