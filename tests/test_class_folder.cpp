@@ -30,6 +30,9 @@ private slots:
     void moodleIsUnderstood();
     void canvasFilesAreGathered();
     void lastBlackboardAttemptCounts();
+    void blackboardAccountsMayHaveUnderscores();
+    void rosterTellsBlackboardAccounts();
+    void blackboardAccountsThatAreGuessedAreTold();
     void classroomClonesLoseTheAssignment();
     void oneStudentsWorkIsNoClass();
     void zipInsideIsTold();
@@ -207,6 +210,55 @@ void TestClassFolder::lastBlackboardAttemptCounts()
     const HandedIn handedIn = readHandedIn(found.students[0], found.root, lab());
     QCOMPARE(handedIn.request.files.value(text("lab.lua")), QByteArray("new"));
     QVERIFY(!handedIn.remark.isEmpty());
+}
+
+/// Cut at the last `_` the first two would be one student, of whom one work counts.
+void TestClassFolder::blackboardAccountsMayHaveUnderscores()
+{
+    const Made made;
+    const QByteArray when = "_attempt_2026-11-02-10-15-30";
+    for (const char *account : {"ada_l", "bob_l", "cy"}) {
+        made.file(QByteArray("Lab_4_") + account + when + "_lab.lua", account);
+        made.file(QByteArray("Lab_4_") + account + when + ".txt");
+    }
+    const ClassFolder found = made.read();
+    QCOMPARE(idsOf(found), (QStringList{text("ada_l"), text("bob_l"), text("cy")}));
+    for (std::size_t i = 0; i < found.students.size(); ++i)
+        QCOMPARE(
+            readHandedIn(found.students[i], found.root, lab()).request.files.value(text("lab.lua")),
+            found.students[i].id.toUtf8());
+    QCOMPARE(found.remarks.size(), 1);
+    QVERIFY(found.remarks.front().contains(text("Lab_4_")));
+}
+
+/// Also where all accounts begin alike, and where there is but one.
+void TestClassFolder::rosterTellsBlackboardAccounts()
+{
+    const Made made;
+    const QByteArray end = "_attempt_2026-11-02-10-15-30_lab.lua";
+    made.file("Lab_st_1" + end);
+    const RosterRow one{.id = text("ST_1")};
+    QCOMPARE(idsOf(made.read({one})), QStringList{text("ST_1")});
+    made.file("Lab_st_2" + end);
+    const ClassFolder both = made.read({one, {.id = text("st_2")}});
+    QCOMPARE(idsOf(both), (QStringList{text("ST_1"), text("st_2")}));
+    QVERIFY(both.missing.empty());
+    QCOMPARE(both.remarks, QStringList());
+}
+
+void TestClassFolder::blackboardAccountsThatAreGuessedAreTold()
+{
+    const Made made;
+    const QByteArray end = "_attempt_2026-11-02-10-15-30_lab.lua";
+    made.file("Lab_4_ada" + end);
+    const ClassFolder one = made.read();
+    QCOMPARE(idsOf(one), QStringList{text("ada")});
+    QCOMPARE(one.remarks.size(), 1);
+    const Made plain;
+    plain.file("Lab 4_ada" + end);
+    plain.file("Lab 4_bob" + end);
+    QCOMPARE(idsOf(plain.read()), (QStringList{text("ada"), text("bob")}));
+    QCOMPARE(plain.read().remarks, QStringList());
 }
 
 void TestClassFolder::classroomClonesLoseTheAssignment()

@@ -11,6 +11,7 @@
 #include <QCryptographicHash>
 #include <QHash>
 #include <QMap>
+#include <QSet>
 
 #include <algorithm>
 
@@ -47,15 +48,17 @@ bool isOneStudents(const std::vector<FolderEntry> &entries)
 class ClassReader
 {
 public:
-    ClassReader(const QByteArray &root, const QString &labId)
+    ClassReader(const QByteArray &root, const QString &labId, const std::vector<RosterRow> &roster)
         : m_root(root)
         , m_labId(labId)
+        , m_roster(roster)
     {
     }
 
     ClassFolder read(const std::vector<FolderEntry> &entries)
     {
         const QString assignment = classroomAssignment();
+        findAccounts(entries);
         for (const FolderEntry &entry : entries) {
             if (!isNoise(entry.name))
                 take(entry, assignment);
@@ -81,6 +84,36 @@ private:
         return name.endsWith(end) ? name.chopped(end.size()) + u'-' : QString();
     }
 
+    void findAccounts(const std::vector<FolderEntry> &entries)
+    {
+        QSet<QString> known;
+        for (const RosterRow &row : m_roster)
+            known += {row.id.toCaseFolded(), row.number.toCaseFolded()};
+        QStringList heads;
+        for (const FolderEntry &entry : entries) {
+            const auto read = platformName(shownName(entry.name), false);
+            if (entry.kind == FolderEntry::Kind::File && !isNoise(entry.name) && read
+                && read->platform == Platform::Blackboard)
+                heads.append(headOf(*read));
+        }
+        m_accounts = blackboardAccounts(heads, known);
+        if (!m_accounts.isGuess)
+            return;
+        const QString &common = m_accounts.common;
+        m_class.remarks.append(
+            common.isEmpty()
+                ? ClassText::tr("of the names of Blackboard, what follows the last _ is taken for "
+                                "the account; a roster tells better")
+                : ClassText::tr("of the names of Blackboard, what follows %1 is taken for the "
+                                "account; a roster tells better")
+                      .arg(common));
+    }
+
+    static QString headOf(const PlatformName &blackboard)
+    {
+        return blackboard.assignment + u'_' + blackboard.student;
+    }
+
     void take(const FolderEntry &entry, const QString &assignment)
     {
         const QString name = shownName(entry.name);
@@ -93,12 +126,15 @@ private:
             return;
         }
         const bool isFolder = entry.kind == FolderEntry::Kind::Folder;
-        if (const auto platform = platformName(name, isFolder))
+        if (auto platform = platformName(name, isFolder)) {
+            if (platform->platform == Platform::Blackboard)
+                platform->student = platform->number = m_accounts.byHead.value(headOf(*platform));
             takeFromPlatform(*platform, path, name, isFolder);
-        else if (isFolder)
+        } else if (isFolder) {
             takeFolder(path, name, assignment);
-        else
+        } else {
             takeFile(path, name);
+        }
     }
 
     void takeFromPlatform(const PlatformName &platform, const QByteArray &path, const QString &name,
@@ -109,7 +145,7 @@ private:
         FoundStudent &student = m_students[key];
         if (student.id.isEmpty()) {
             ++m_platforms[platform.platform];
-            student.id = platform.number;
+            student.id = studentIdFrom(platform.number);
             student.name = platform.student;
             student.number = platform.number;
             student.platform = platform.platform;
@@ -169,6 +205,8 @@ private:
 
     QByteArray m_root;
     QString m_labId;
+    const std::vector<RosterRow> &m_roster;
+    BlackboardAccounts m_accounts{};
     ClassFolder m_class{};
     std::map<QString, FoundStudent> m_students{};
     QMap<QString, QString> m_attempts{};   ///< the latest, by student
@@ -236,7 +274,7 @@ Result<ClassFolder> readClassFolder(const QByteArray &path, const QString &labId
         return Error{.message = ClassText::tr("this is the work of one student; the folder that "
                                               "holds those of all is right"),
                      .file = shownName(path)};
-    ClassFolder found = ClassReader(root, labId).read(*entries);
+    ClassFolder found = ClassReader(root, labId, roster).read(*entries);
     std::erase_if(found.students, [&](const FoundStudent &student) {
         const bool empty = student.folder.isEmpty() && student.files.empty();
         if (empty)

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QHash>
+#include <QSet>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -16,6 +19,9 @@ struct PlatformName {
     Platform platform = Platform::None;
     QString student{}; ///< who it belongs to: the same for all files of one student
     QString number{};  ///< of the student on the platform: Moodle, Canvas; the account: Blackboard
+    /// Blackboard: what stands before the account, of which it may hold a part, as both may have
+    /// a `_`: what follows the last one is taken for it here.
+    QString assignment{};
     QString attempt{}; ///< Blackboard: its time; later ones sort later
     QString file{};    ///< as the student called it; empty for a folder, or what is no work
     bool late = false; ///< Canvas says so
@@ -29,6 +35,18 @@ struct PlatformName {
 ///     Blackboard  Lab 4.2_alovelace_attempt_2026-05-01-12-30-00_lab.lua (or ….txt, with the name)
 /// \return nothing if it is none of these
 [[nodiscard]] std::optional<PlatformName> platformName(const QString &name, bool isFolder);
+
+/// Where the accounts begin in Blackboard's ASSIGNMENT_ACCOUNT, as both may hold a `_`.
+struct BlackboardAccounts {
+    QHash<QString, QString> byHead{}; ///< by ASSIGNMENT_ACCOUNT
+    QString common{};                 ///< the words that all have in front
+    bool isGuess = false;             ///< some could begin elsewhere
+};
+
+/// Takes an account of \p known (in folded case) where there is one, else what follows the words
+/// that all \p heads have in front, else what follows the last `_`.
+[[nodiscard]] BlackboardAccounts blackboardAccounts(const QStringList &heads,
+                                                    const QSet<QString> &known);
 
 /// "Moodle", "Canvas", "Blackboard", "GitHub" or nothing; and back.
 [[nodiscard]] QString platformText(Platform platform);
