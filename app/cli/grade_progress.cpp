@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace cradle::cli {
@@ -25,7 +26,29 @@ struct ProgressText {
 
 constexpr qint64 betweenBars = 200;     ///< ms
 constexpr qint64 betweenLines = 15'000; ///< ms
-constexpr int barLetters = 24;
+constexpr qsizetype mostBarLetters = 24;
+constexpr qsizetype fewestBarLetters = 4;
+constexpr int usualColumns = 80;
+
+/// What fits on a line of the terminal: one that goes on below could not be wiped away.
+qsizetype lettersOfLine()
+{
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return (known ? size.ws_col : usualColumns) - 1;
+}
+
+/// The text, after a bar as long as there is room for.
+QString lineOf(const QString &text, int done, int total)
+{
+    const qsizetype most = lettersOfLine();
+    const qsizetype letters = std::min(mostBarLetters, most - text.size() - 3);
+    if (letters < fewestBarLetters)
+        return text.left(most);
+    const qsizetype filled = total > 0 ? letters * done / total : 0;
+    return u'[' + QString(filled, u'#') + QString(letters - filled, u'.') + QStringLiteral("] ")
+           + text;
+}
 
 QString timeText(double seconds)
 {
@@ -111,11 +134,7 @@ void GradeProgress::show(const ClassProgress &progress)
             QTextStream(stderr) << textOf(progress) << Qt::endl;
         return;
     }
-    const int filled = progress.students > 0 ? barLetters * progress.done / progress.students : 0;
-    QTextStream(stderr) << QStringLiteral("\r\x1b[K[") << QString(filled, u'#')
-                        << QString(barLetters - filled, u'.') << QStringLiteral("] ")
-                        << textOf(progress) << Qt::flush;
-    m_barStands = true;
+    showBar(textOf(progress), progress.done, progress.students);
 }
 
 void GradeProgress::tell(const ClassProgress &progress, const StudentResult &student)
@@ -132,16 +151,19 @@ void GradeProgress::tell(const ClassProgress &progress, const StudentResult &stu
     event(json);
 }
 
-void GradeProgress::stage(const char *what, int done, int total)
+void GradeProgress::showBar(const QString &text, int done, int total)
+{
+    QTextStream(stderr) << QStringLiteral("\r\x1b[K") << lineOf(text, done, total) << Qt::flush;
+    m_barStands = true;
+}
+
+void GradeProgress::writing(int done, int total)
 {
     if (m_form == Form::Events || (done < total && m_timer.elapsed() - m_shown < betweenBars))
         return;
     m_shown = m_timer.elapsed();
-    if (m_form != Form::Bar)
-        return;
-    QTextStream(stderr) << QStringLiteral("\r\x1b[K") << QString::fromUtf8(what)
-                        << QStringLiteral(" %1/%2").arg(done).arg(total) << Qt::flush;
-    m_barStands = true;
+    if (m_form == Form::Bar)
+        showBar(ProgressText::tr("writing, %1 of %2").arg(done).arg(total), done, total);
 }
 
 void GradeProgress::remark(const QString &text)

@@ -21,8 +21,8 @@ public:
     void start(int students, const QString &isolation);
     void show(const ClassProgress &progress);
     void tell(const ClassProgress &progress, const StudentResult &student);
-    /// \param what  "writing"
-    void stage(const char *what, int done, int total);
+    /// Pages and tables are being written.
+    void writing(int done, int total);
     /// The last word. \param outcome  "done", "stopped"
     void end(const ClassProgress &progress, const char *outcome);
     void remark(const QString &text);
@@ -32,6 +32,7 @@ public:
 private:
     void event(const QJsonObject &json);
     void clearBar();
+    void showBar(const QString &text, int done, int total);
     [[nodiscard]] QString textOf(const ClassProgress &progress) const;
 
     Form m_form;

@@ -40,9 +40,8 @@ std::optional<Error> writeResults(const GradeRequest &request, const Lab &lab,
                            .missing = manifest.missing,
                            .remarks = manifest.remarks,
                            .language = manifest.version.language};
-    return writeClassResults(request.results, lab, facts, [&progress](int done, int total) {
-        progress.stage("writing", done, total);
-    });
+    return writeClassResults(request.results, lab, facts,
+                             [&progress](int done, int total) { progress.writing(done, total); });
 }
 
 void speak(const QString &language)

@@ -6,6 +6,8 @@
 #include "tasks/hand_in/work_archive.h"
 #include "tasks/lab_reader.h"
 
+#include <QStandardPaths>
+
 #include <sys/stat.h>
 
 using namespace cradle::programs;
@@ -15,6 +17,7 @@ class TestCliGrade : public QObject
 {
     Q_OBJECT
 private slots:
+    void barFitsTheTerminal();
     void classIsGraded();
     void workFileIsJudgedWithItsHistory();
     void clonesTellTheirTime();
@@ -467,6 +470,26 @@ void TestCliGrade::wrongUsageIsRefused()
     made.putStudent(text("ada"));
     VERIFY_CODE(made.grade(text("out"), more), 2);
     VERIFY_CODE(runCli({text("grade"), made.at(text("class"))}), 2);
+}
+
+/// What goes on below the line could not be wiped away.
+void TestCliGrade::barFitsTheTerminal()
+{
+    const QString script = QStandardPaths::findExecutable(text("script"));
+    if (script.isEmpty())
+        QSKIP("needs script");
+    const GradedClass made;
+    for (int i = 0; i < 3; ++i)
+        made.putStudent(QStringLiteral("student%1").arg(i));
+    const QString command = text("stty cols 60; '") + cradle::cliProgram() + text("' '")
+                            + made.arguments(text("out")).join(text("' '"))
+                            + text("' --language de");
+    const Outcome outcome = run(script, {text("-qec"), command, text("/dev/null")});
+    VERIFY_CODE(outcome, 1);
+    const QStringList shown = outcome.out.split(text("\r\x1b[K"));
+    QVERIFY2(shown.size() > 2, outcome.toText());
+    for (const QString &line : shown.mid(1, shown.size() - 2))
+        QVERIFY2(line.size() < 60, line.toUtf8());
 }
 
 QTEST_GUILESS_MAIN(TestCliGrade)
