@@ -1472,6 +1472,10 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
         <translation>هذه طبعة للطلاب بلا الحلول والأخطاء التي تثبت صحة المختبر؛ الصواب هو المختبر كله</translation>
     </message>
+    <message>
+        <source>writing, %1 of %2</source>
+        <translation>تجري الكتابة، %1 من %2</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3848,6 +3852,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>it broke down</source>
         <translation>انهارت</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows the last _ is taken for the account; a roster tells better</source>
+        <translation>في أسماء ⁦Blackboard⁩ يُعدّ ما بعد آخر ⁦_⁩ اسمَ الحساب؛ وقائمة الصف أدقّ</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
+        <translation>في أسماء ⁦Blackboard⁩ يُعدّ ما بعد ⁨%1⁩ اسمَ الحساب؛ وقائمة الصف أدقّ</translation>
     </message>
 </context>
 <context>

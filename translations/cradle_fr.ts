@@ -1460,6 +1460,10 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
         <translation>ceci est une édition pour étudiants, sans les solutions et les erreurs qui prouvent un TP ; il faut le TP entier</translation>
     </message>
+    <message>
+        <source>writing, %1 of %2</source>
+        <translation>écriture, %1 sur %2</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3832,6 +3836,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>it broke down</source>
         <translation>il est tombé en panne</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows the last _ is taken for the account; a roster tells better</source>
+        <translation>dans les noms de Blackboard, ce qui suit le dernier _ est pris pour le compte&#x202f;; une liste de la classe le dit mieux</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
+        <translation>dans les noms de Blackboard, ce qui suit %1 est pris pour le compte&#x202f;; une liste de la classe le dit mieux</translation>
     </message>
 </context>
 <context>
