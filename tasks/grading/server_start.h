@@ -9,7 +9,9 @@
 namespace cradle {
 
 // Two ways to start the process that forks workers, see serveJudging(). It has nothing of the files
-// that are open here but \c control, and dies with this process. Both return its id, or -1.
+// that are open here but \c control, and dies with this process. Both return its id, or -1; what
+// startBubblewrapped() returns is a process that watches bubblewrap and ends as the other end of
+// \c control is closed.
 
 /// By bubblewrap, as the program \p program with the arguments judge-server and \p language; the
 /// lab's files are to be sent to the other end of \p lab.

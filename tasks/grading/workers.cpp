@@ -114,7 +114,10 @@ void Workers::stop()
     m_alive = false;
     m_control.close();
     if (m_server > 0) {
-        kill(m_server, SIGKILL); // with all that it has forked
+        // With all that it has forked. Who watches bubblewrap ends and collects that, then itself,
+        // as the line is closed.
+        if (!m_isolation.namespaces)
+            kill(m_server, SIGKILL);
         waitpid(m_server, nullptr, 0);
     }
     m_server = -1;
