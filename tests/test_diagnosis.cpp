@@ -117,7 +117,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     });
     row("L42T5", "switched", "switched",
         [](OtherForm &f) { edit(f.integrate, "c.index == 1", "c.index == 2"); });
-    row("L42T9", "a smaller margin", "margin-added",
+    row("L42T9", "a smaller margin", "The circles answer before they touch",
         [](OtherForm &f) { f.reach = lab("p.radius + q.radius + 0.06"); });
     row("L42T9", "a margin as a factor", "margin-added",
         [](OtherForm &f) { f.reach = lab("1.2 * (p.radius + q.radius)"); });

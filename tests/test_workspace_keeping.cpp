@@ -150,7 +150,7 @@ void TestWorkspaceKeeping::passIsACommitOfTheLabsMessage()
              QStringLiteral("A Set it moving\nBegin lab-x"));
     QVERIFY(git(QStringLiteral("log -1 --format=%b"))
                 .contains(QStringLiteral("Cradle-Verdict: passed\nCradle-Seed: 5\n"
-                                         "Cradle-Lab-Hash: %1\n")
+                                         "Cradle-Lab-Hash: %1")
                               .arg(lab().hash)));
     QVERIFY(QFile::exists(path("w/presets/A.json")));
     QVERIFY(git(QStringLiteral("status --porcelain")).isEmpty());

@@ -1476,6 +1476,10 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <source>writing, %1 of %2</source>
         <translation>تجري الكتابة، %1 من %2</translation>
     </message>
+    <message>
+        <source>there is nothing of that name; the name of something new must be UTF-8</source>
+        <translation>لا يوجد شيء بهذا الاسم؛ واسم كل جديد يجب أن يكون بترميز UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>

@@ -1460,6 +1460,14 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
         <translation>dies ist eine Ausgabe für Studierende, ohne die Lösungen und Fehler, die ein Lab beweisen; richtig ist das ganze Lab</translation>
     </message>
+    <message>
+        <source>there is nothing of that name; the name of something new must be UTF-8</source>
+        <translation>es gibt nichts, was so heißt; der Name von etwas Neuem muss UTF-8 sein</translation>
+    </message>
+    <message>
+        <source>writing, %1 of %2</source>
+        <translation>schreibt, %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>
@@ -3832,6 +3840,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>the roster has %1 more than once</source>
         <translation>%1 steht mehr als einmal auf der Liste</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows the last _ is taken for the account; a roster tells better</source>
+        <translation>in den Namen von Blackboard gilt als Konto, was auf das letzte _ folgt; eine Liste des Kurses weiß es besser</translation>
+    </message>
+    <message>
+        <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
+        <translation>in den Namen von Blackboard gilt als Konto, was auf %1 folgt; eine Liste des Kurses weiß es besser</translation>
     </message>
 </context>
 <context>

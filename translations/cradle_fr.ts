@@ -1464,6 +1464,10 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
         <source>writing, %1 of %2</source>
         <translation>écriture, %1 sur %2</translation>
     </message>
+    <message>
+        <source>there is nothing of that name; the name of something new must be UTF-8</source>
+        <translation>rien ne porte ce nom ; le nom de ce qui est nouveau doit être en UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/arguments.h"
 #include "app/cli/subcommand.h"
 
 #include "app/language.h"
@@ -70,8 +71,10 @@ int main(int argc, char **argv)
     const QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("cradle-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(CRADLE_VERSION));
-    QStringList arguments = QCoreApplication::arguments();
-    arguments.removeFirst();
+    const auto texts = textsOf(argc, argv);
+    if (!texts)
+        return complain(texts.error());
+    QStringList arguments = *texts;
     const QString name = arguments.value(0);
     if (name == QLatin1String("--help") || name == QLatin1String("-h")) {
         printUsage(stdout);

@@ -12,7 +12,10 @@ Vec2 velocityOf(int flight, std::size_t circle)
     static constexpr Vec2 velocities[][4] = {
         {{1.13, 0.71}, {-0.83, 1.31}, {0.57, -1.07}, {-1.23, -0.61}},
         {{-0.53, 0.97}, {1.19, 0.43}, {-0.91, -0.67}, {0.37, 1.41}}};
-    return velocities[flight][circle % 4];
+    const Vec2 v = velocities[flight][circle % 4];
+    // Those of a crowd have velocities of their own, too: else one would seem to be the other's.
+    const auto round = static_cast<double>(circle / 4);
+    return {v.x * (1.0 + 0.11 * round), v.y * (1.0 - 0.07 * round)};
 }
 
 /// How much faster the circles are in Scene::Fast than in Scene::First.

@@ -24,6 +24,8 @@ private slots:
     void exitZeroHidesOnlyTheVerdict();
     void seedChangesNothingButTheScenes();
     void ownLabIsRead();
+    void namesNeedNotBeText_data();
+    void namesNeedNotBeText();
     void wrongUsageIsSaid_data();
     void wrongUsageIsSaid();
     void unreadableInputNamesItsPlace_data();
@@ -210,6 +212,34 @@ void TestCliCheck::ownLabIsRead()
     const Outcome broken = runCli(QStringList{judge[0], text("S2")} + judge.mid(2, 2) + partly);
     VERIFY_CODE(broken, 2);
     QVERIFY(broken.error.startsWith(folder + text("unknown_check/S2/task.json: /checks/1/kind: ")));
+}
+
+void TestCliCheck::namesNeedNotBeText_data()
+{
+    QTest::addColumn<QString>("arguments"); // of a shell in which $d is a folder of that kind
+    QTest::addColumn<int>("code");
+    QTest::newRow("program") << text("S1 \"$d/P.lua\" --lab \"$d/../lab\"") << 0;
+    QTest::newRow("lab") << text("S1 \"$d/../P.lua\" --lab \"$d/lab\"") << 0;
+    QTest::newRow("lab, with =") << text("S1 \"$d/../P.lua\" --lab=\"$d/lab\"") << 0;
+    QTest::newRow("nothing") << text("S1 \"$d/Q.lua\" --lab \"$d/lab\"") << 2;
+}
+
+/// Folders of Linux are named by bytes: \351 alone is no UTF-8.
+void TestCliCheck::namesNeedNotBeText()
+{
+    QFETCH(QString, arguments);
+    QFETCH(int, code);
+    const QTemporaryDir folder;
+    const QString script = text("d=$(printf '%s/caf\\351' \"$2\") && mkdir \"$d\""
+                                " && cp -r \"$1\" \"$d/lab\" && cp -r \"$1\" \"$2/lab\""
+                                " && echo 'x = 1' | tee \"$d/P.lua\" >\"$2/P.lua\""
+                                " && exec \"$0\" check --exit-zero ");
+    const Outcome outcome =
+        run(text("/bin/sh"), {text("-c"), script + arguments, cradle::cliProgram(),
+                              cradle::fixturePath("labs/good"), folder.path()});
+    VERIFY_CODE(outcome, code);
+    QCOMPARE(outcome.out.isEmpty(), code != 0);
+    QCOMPARE(outcome.error.contains(text("there is nothing of that name")), code != 0);
 }
 
 void TestCliCheck::wrongUsageIsSaid_data()

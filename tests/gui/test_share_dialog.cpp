@@ -104,7 +104,8 @@ void TestShareDialog::whatIsSentIsSaid()
     QTRY_VERIFY_WITH_TIMEOUT(said(dialog).contains(QStringLiteral("All is sent.")), patience);
     QVERIFY2(said(dialog).contains(QStringLiteral("up to the commit of")),
              qPrintable(said(dialog)));
-    QVERIFY(GitHome::git(path("b.git"), {QStringLiteral("log"), QStringLiteral("--format=%s")})
+    QVERIFY(GitHome::git(path("b.git"), {QStringLiteral("log"), QStringLiteral("--format=%s"),
+                                         QStringLiteral("main")})
                 .contains(QStringLiteral("Begin lab-4.2")));
 }
 
