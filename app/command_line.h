@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/result.h"
-#include "tasks/mode.h"
+#include "model/world/result.h"
+#include "tasks/lab/mode.h"
 #include "views/theme.h"
 
 #include <QStringList>

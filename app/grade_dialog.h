@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/grade_run.h"
-#include "model/result.h"
-#include "tasks/lab.h"
+#include "model/world/result.h"
+#include "tasks/lab/lab.h"
 
 #include <QDialog>
 

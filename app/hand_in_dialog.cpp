@@ -4,7 +4,7 @@
 
 #include "app/language.h"
 #include "app/workbench.h"
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "views/report_printer.h"
 #include "views/theme.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lab_drop.h"
 
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/hand_in/work_archive.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/work/work_archive.h"
 
 #include <QApplication>
 #include <QDropEvent>

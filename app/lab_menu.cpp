@@ -4,8 +4,8 @@
 
 #include "app/language.h"
 #include "app/main_window.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/lab_list.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_list.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/workbench.h"
-#include "tasks/run_tables.h"
+#include "tasks/runs/run_tables.h"
 #include "views/charts/pinned_runs.h"
 #include "views/charts/run_curves.h"
 #include "views/charts/time_window.h"

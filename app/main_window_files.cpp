@@ -6,9 +6,9 @@
 #include "app/lab_drop.h"
 #include "app/language.h"
 #include "app/named_opening.h"
-#include "model/preset_json.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/hand_in/work_archive.h"
+#include "model/files/preset_json.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/work/work_archive.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>

@@ -5,10 +5,10 @@
 #include "app/author_window.h"
 #include "app/language.h"
 #include "app/main_window.h"
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/hand_in/hand_in.h"
-#include "tasks/lab_list.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_list.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -4,7 +4,7 @@
 
 #include "app/language.h"
 #include "app/workbench.h"
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "tasks/lab_report/ending_page.h"
 #include "views/drawing_object.h"
 #include "views/report_printer.h"

@@ -4,7 +4,7 @@
 
 #include "app/author_window.h"
 #include "app/main_window.h"
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "views/author/scene_tab.h"
 #include "views/markdown_view.h"
 

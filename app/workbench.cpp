@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
-#include "model/json_schema.h"
-#include "model/preset_json.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/lab_list.h"
-#include "tasks/lab_reader.h"
+#include "model/files/json_schema.h"
+#include "model/files/preset_json.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_list.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QFileInfo>
 

@@ -4,10 +4,10 @@
 
 #include "app/code_session.h"
 #include "app/examples.h"
-#include "tasks/checker.h"
-#include "tasks/mode.h"
-#include "tasks/progress.h"
+#include "tasks/judging/checker.h"
+#include "tasks/lab/mode.h"
 #include "tasks/questions/answers.h"
+#include "tasks/workspace/progress.h"
 #include "views/preset_document.h"
 
 #include <QTimer>

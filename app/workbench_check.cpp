@@ -3,7 +3,7 @@
 #include "app/workbench.h"
 
 #include "tasks/lab_report/lab_report.h"
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 #include <QDateTime>
 #include <QRandomGenerator>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
-#include "model/json_schema.h"
-#include "tasks/hand_in/student_work.h"
+#include "model/files/json_schema.h"
 #include "tasks/script/script_limits.h"
+#include "tasks/work/student_work.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/gas_engine.h"
-#include "model/world.h"
+#include "model/world/world.h"
 
 #include <algorithm>
 #include <limits>

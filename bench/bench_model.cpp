@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of two circles and of a heap at rest, and a verdict of the checks; bench_engines has
 // gases.
-#include "model/preset_json.h"
-#include "model/stepper.h"
-#include "tasks/checker.h"
-#include "tasks/lab_reader.h"
+#include "model/files/preset_json.h"
+#include "model/run/stepper.h"
+#include "tasks/judging/checker.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a student's program costs: one update, loading, and a verdict of the checks; with
 // CRADLE_PROGRAMS=FOLDER also verdicts on the programs there, named STEP-….lua or STEP/…/….lua.
-#include "tasks/checker.h"
+#include "tasks/judging/checker.h"
 #include "tasks/judging/task_laws.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/script/student_script.h"
 
 #include <QDirIterator>

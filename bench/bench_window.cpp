@@ -4,7 +4,7 @@
 // Start it under the display that is to be measured: bench_window [SECONDS [CIRCLES]].
 #include "app/main_window.h"
 #include "app/workbench.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/gas_engine.h"
-#include "model/stepper.h"
+#include "model/run/stepper.h"
 
 namespace cradle {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/gas.h"
 
-#include "model/world.h"
+#include "model/world/world.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/integrator.h"
-#include "model/preset.h"
+#include "model/world/integrator.h"
+#include "model/world/preset.h"
 
 #include <vector>
 

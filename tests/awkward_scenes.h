@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/random.h"
+#include "model/world/random.h"
 #include "tests/scenes.h"
 
 #include <vector>

@@ -4,9 +4,9 @@
 
 #include "tasks/grading/class_results.h"
 #include "tasks/grading/student_result_json.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QDir>
 

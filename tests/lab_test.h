@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/preset_json.h"
-#include "tasks/judgement.h"
-#include "tasks/lab_reader.h"
+#include "model/files/preset_json.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/world.h"
+#include "model/world/world.h"
 
 #include <cmath>
 #include <numbers>

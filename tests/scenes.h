@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/preset.h"
-#include "model/stepper.h"
-#include "model/world.h"
+#include "model/run/stepper.h"
+#include "model/world/preset.h"
+#include "model/world/world.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 #include "tests/test_paths.h"
 
 #include <QFile>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/lab_test.h"
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/bound_units.h"
 
-#include "tasks/formula_text.h"
+#include "tasks/text/formula_text.h"
 
 #include <QTest>
 #include <QTextBlock>

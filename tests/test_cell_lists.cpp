@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/cell_lists.h"
-#include "model/random.h"
+#include "model/exact/cell_lists.h"
+#include "model/world/random.h"
 
 #include <QTest>
 

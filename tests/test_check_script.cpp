@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
-#include "tasks/script/check_script.h"
+#include "tasks/checks/check_script.h"
 
 #include <QElapsedTimer>
 #include <QTest>

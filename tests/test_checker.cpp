@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/checker.h"
+#include "tasks/judging/checker.h"
 
-#include "model/preset_json.h"
-#include "tasks/lab_reader.h"
+#include "model/files/preset_json.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -4,7 +4,7 @@
 
 #include "full_disk.h"
 #include "git_home.h"
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QProcess>
 #include <QSignalSpy>

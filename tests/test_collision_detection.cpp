@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/collision_detection.h"
+#include "model/contacts/collision_detection.h"
 
 #include "tests/scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/contact_solver.h"
+#include "model/contacts/contact_solver.h"
 
 #include "tests/scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/continuous_step.h"
-#include "model/random.h"
+#include "model/continuous/continuous_step.h"
+#include "model/world/random.h"
 #include "tests/scenes.h"
 
 using namespace cradle;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/continuous_step.h"
+#include "model/continuous/continuous_step.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 #include "tests/continuous_scenes.h"
 #include "tests/scenes.h"
 

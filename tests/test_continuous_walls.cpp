@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/continuous_step.h"
+#include "model/continuous/continuous_step.h"
 
 #include "tests/continuous_scenes.h"
 #include "tests/scenes.h"

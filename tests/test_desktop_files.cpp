@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/result.h"
+#include "model/world/result.h"
 #include "tests/test_paths.h"
 
 #include <QDir>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/other_forms.h"
 
-#include "tasks/checker.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/checker.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/collision_detection.h"
-#include "model/collision_response.h"
+#include "model/contacts/collision_detection.h"
+#include "model/contacts/collision_response.h"
 #include "tests/scenes.h"
 
 using namespace cradle;

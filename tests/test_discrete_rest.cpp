@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/discrete_step.h"
+#include "model/run/discrete_step.h"
 
 #include "tests/scenes.h"
 

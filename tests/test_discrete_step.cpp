@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/discrete_step.h"
+#include "model/run/discrete_step.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 #include "tests/scenes.h"
 
 #include <algorithm>

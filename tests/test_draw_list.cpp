@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/simulation.h"
+#include "model/run/simulation.h"
 #include "tests/scene_lists.h"
 #include "views/circle_edits.h"
 #include "views/scene/handles.h"

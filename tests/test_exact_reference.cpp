@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/random.h"
+#include "model/world/random.h"
 #include "tests/reference_solver.h"
 #include "tests/scenes.h"
 

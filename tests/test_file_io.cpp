@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include "full_disk.h"
 

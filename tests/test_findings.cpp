@@ -3,7 +3,7 @@
 #include "tests/law_programs.h"
 
 #include "tasks/judging/task_laws.h"
-#include "tasks/lab_list.h"
+#include "tasks/reading/lab_list.h"
 #include "tests/other_forms.h"
 
 using namespace cradle;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "full_disk.h"
 
-#include "model/preset_json.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/progress.h"
-#include "tasks/run_tables.h"
+#include "model/files/preset_json.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/runs/run_tables.h"
+#include "tasks/workspace/progress.h"
 #include "tasks/workspace/workspace.h"
 
 #include <QDir>

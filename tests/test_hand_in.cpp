@@ -3,10 +3,10 @@
 #include "tasks/hand_in/hand_in.h"
 
 #include "git_home.h"
-#include "model/file_io.h"
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/lab_reader.h"
+#include "model/files/file_io.h"
 #include "tasks/lab_report/report_html.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/workspace/workspace.h"
 
 #include <QDir>

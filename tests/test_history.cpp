@@ -3,7 +3,7 @@
 #include "tasks/workspace/history.h"
 
 #include "git_home.h"
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QDir>
 #include <QTemporaryDir>

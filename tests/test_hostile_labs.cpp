@@ -5,8 +5,8 @@
 #include "tests/lab_breakers.h"
 #include "tests/zip_maker.h"
 
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QElapsedTimer>
 

@@ -4,8 +4,8 @@
 #include "tests/hostile_programs.h"
 #include "tests/script_run.h"
 
-#include "tasks/checker.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/checker.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

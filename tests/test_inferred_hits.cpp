@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/inferred_hits.h"
+#include "model/run/inferred_hits.h"
 #include "tests/scenes.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/json_patch.h"
 
-#include "model/random.h"
+#include "model/world/random.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

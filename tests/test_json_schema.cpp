@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 
 #include "tests/scenes.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/lab_test.h"
 
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 using namespace cradle;
 

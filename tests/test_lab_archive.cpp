@@ -3,7 +3,7 @@
 #include "tests/authoring_labs.h"
 #include "tests/zip_maker.h"
 
-#include "tasks/authoring/lab_archive.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QProcess>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include "tests/authoring_labs.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tests/test_paths.h"
 
 #include <QDir>

@@ -3,9 +3,9 @@
 #include "tests/other_forms.h"
 #include "tests/test_paths.h"
 
-#include "tasks/checker.h"
-#include "tasks/lab_reader.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/judging/checker.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QDir>
 #include <QFile>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/authoring_labs.h"
 
-#include "tasks/lab_reader.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/reading/lab_reader.h"
 
 using namespace cradle;
 using namespace cradle::authoring;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/grading/judging_request.h"
-#include "tasks/lab_reader.h"
 #include "tasks/lab_report/lab_report.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
 #include "tasks/questions/answers.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/values/put_values.h"
 #include "tasks/workspace/workspace_info.h"
 

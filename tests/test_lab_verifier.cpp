@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_verifier.h"
-#include "tasks/tolerance_margin.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/tolerance_margin.h"
 
 #include <QJsonArray>
 #include <QTest>

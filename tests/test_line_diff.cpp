@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/line_diff.h"
+#include "tasks/text/line_diff.h"
 
 #include <QStringList>
 #include <QTest>

@@ -3,9 +3,9 @@
 #include "tests/script_run.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/judgement.h"
-#include "tasks/lab_reader.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/measurements.h"
-#include "model/simulation.h"
+#include "model/run/simulation.h"
+#include "model/world/measurements.h"
 #include "tests/scenes.h"
 
 #include <QSignalSpy>

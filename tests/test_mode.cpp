@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/mode.h"
+#include "tasks/lab/mode.h"
 
-#include "tasks/known_scripts.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/known_scripts.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judgement.h"
-#include "tasks/report_json.h"
-#include "tasks/report_text.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/report/report_json.h"
+#include "tasks/report/report_text.h"
 
 #include "tests/lab_test.h"
 

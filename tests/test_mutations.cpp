@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/mutations.h"
-#include "tasks/known_scripts.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/known_scripts.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/script/program_tokens.h"
 #include "tasks/script/student_script.h"
 

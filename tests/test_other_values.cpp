@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/other_values.h"
+#include "tasks/proof/other_values.h"
 
 #include <QTest>
 

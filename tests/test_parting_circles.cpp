@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judgement.h"
+#include "tasks/judging/judgement.h"
 
 #include "tests/lab_test.h"
 #include "tests/other_forms.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/contact_solver.h"
-#include "model/measurements.h"
-#include "model/pile_contacts.h"
-#include "model/random.h"
+#include "model/contacts/contact_solver.h"
+#include "model/continuous/pile_contacts.h"
+#include "model/world/measurements.h"
+#include "model/world/random.h"
 #include "tests/scenes.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/prediction.h"
+#include "tasks/lab/prediction.h"
 
-#include "model/preset_json.h"
-#include "tasks/lab_reader.h"
-#include "tasks/observation.h"
+#include "model/files/preset_json.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/runs/observation.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/preset.h"
+#include "model/world/preset.h"
 
-#include "model/json_schema.h"
-#include "model/preset_json.h"
+#include "model/files/json_schema.h"
+#include "model/files/preset_json.h"
 #include "tests/scenes.h"
 
 using namespace cradle;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 
 #include "tests/scene_files.h"
 #include "tests/scenes.h"

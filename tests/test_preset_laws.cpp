@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tests/generators.h"
 
 #include <algorithm>

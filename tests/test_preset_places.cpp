@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/preset.h"
+#include "model/world/preset.h"
 
 #include "tests/scenes.h"
 

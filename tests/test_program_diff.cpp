@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/authoring_labs.h"
 
-#include "tasks/lab_reader.h"
-#include "tasks/program_diff.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/text/program_diff.h"
 
 using namespace cradle;
 using namespace cradle::authoring;

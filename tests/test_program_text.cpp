@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/program_text.h"
+#include "tasks/script/program_text.h"
 
 #include "tasks/script/script_limits.h"
 

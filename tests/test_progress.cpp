@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/progress.h"
+#include "tasks/workspace/progress.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -4,12 +4,12 @@
 #include "tasks/authoring/task_form.h"
 #include "tasks/grading/judging_request.h"
 #include "tasks/grading/points.h"
-#include "tasks/lab_reader.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
 #include "tasks/questions/answers.h"
 #include "tasks/questions/question_json.h"
 #include "tasks/questions/unit.h"
-#include "tasks/report_formats.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/report/report_formats.h"
 
 #include <QJsonArray>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/report_formats.h"
-#include "tasks/report_text.h"
+#include "tasks/report/report_formats.h"
+#include "tasks/report/report_text.h"
 #include "tests/reports.h"
 #include "tests/test_paths.h"
 

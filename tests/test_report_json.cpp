@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/report_json.h"
-#include "tasks/report_text.h"
+#include "tasks/report/report_json.h"
+#include "tasks/report/report_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "model/collision_response.h"
-#include "model/contact_solver.h"
-#include "model/measurements.h"
+#include "model/contacts/collision_response.h"
+#include "model/contacts/contact_solver.h"
+#include "model/world/measurements.h"
 #include "tests/generators.h"
 
 #include <algorithm>

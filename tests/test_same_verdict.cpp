@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/script_run.h"
 
-#include "tasks/judgement.h"
-#include "tasks/lab_list.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_list.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/lab_reader.h"
-#include "tasks/sensitivity.h"
+#include "tasks/proof/sensitivity.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QJsonArray>
 #include <QTest>

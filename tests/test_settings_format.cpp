@@ -3,8 +3,8 @@
 #include "app/settings_format.h"
 
 #include "full_disk.h"
-#include "model/file_io.h"
-#include "model/json_schema.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 
 #include <QDir>
 #include <QTemporaryDir>

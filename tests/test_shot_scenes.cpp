@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/variant.h"
+#include "tasks/runs/variant.h"
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 #include "tests/programs.h"
 #include "tests/scenes.h"

@@ -3,9 +3,9 @@
 #include "tasks/authoring/student_edition.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/judgement.h"
 #include "tasks/judging/asked_laws.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_reader.h"
 #include "tests/test_paths.h"
 
 #include <QJsonArray>

@@ -4,9 +4,9 @@
 #include "tasks/grading/moments.h"
 #include "tasks/grading/points.h"
 #include "tasks/grading/student_result_json.h"
-#include "tasks/judgement.h"
-#include "tasks/lab_reader.h"
-#include "tasks/plain_text.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/text/plain_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/script_run.h"
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 #include "tasks/script/student_script.h"
 
 #include <QProcess>

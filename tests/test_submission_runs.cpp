@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judgement.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/told_step_bytes.h"
 
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTest>
 

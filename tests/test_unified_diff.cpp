@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/unified_diff.h"
+#include "tasks/text/unified_diff.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/law_programs.h"
 
-#include "tasks/lab_list.h"
+#include "tasks/reading/lab_list.h"
 
 using namespace cradle;
 using namespace cradle::programs;

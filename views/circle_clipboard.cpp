@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/circle_clipboard.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/circle_edits.h"
 
-#include "model/collision_detection.h"
+#include "model/contacts/collision_detection.h"
 #include "views/circle_name.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/formula_text.h"
+#include "tasks/text/formula_text.h"
 
 #include <QTextBrowser>
 #include <QTextCharFormat>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/preset_document.h"
 
-#include "tasks/locks.h"
+#include "tasks/script/locks.h"
 
 #include <QUndoCommand>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulation.h"
+#include "model/run/simulation.h"
 
 #include <QStringList>
 #include <QUndoStack>
@@ -29,8 +29,8 @@ public:
     /// student has made of it; forgets the undo history.
     void open(const Preset &original, const std::optional<Preset> &edited = std::nullopt);
 
-    /// Fixes fields of the preset (tasks/locks.h): edits of them are refused with the reason. Only
-    /// the way back to the original is open.
+    /// Fixes fields of the preset (tasks/script/locks.h): edits of them are refused with the
+    /// reason. Only the way back to the original is open.
     void setLocked(const QStringList &fields);
     /// Keeps all of the preset as it is, for the reason \p why; with none it may be edited again.
     void setReadOnly(const QString &why);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/student_edition.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QCoreApplication>
 #include <QTextStream>

@@ -5,7 +5,7 @@
 
 #include "tasks/grading/class_zip.h"
 #include "tasks/grading/raw_folder.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -6,10 +6,10 @@
 #include "app/cli/grade_results.h"
 #include "app/cli/stop_signal.h"
 
-#include "model/file_io.h"
-#include "tasks/authoring/lab_archive.h"
+#include "model/files/file_io.h"
 #include "tasks/grading/raw_folder.h"
 #include "tasks/grading/student_seed.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QCoreApplication>
 #include <QFile>

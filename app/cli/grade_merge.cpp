@@ -3,10 +3,10 @@
 #include "app/cli/grade_class.h"
 #include "app/cli/grade_results.h"
 
-#include "model/json_schema.h"
-#include "tasks/authoring/lab_archive.h"
+#include "model/files/json_schema.h"
 #include "tasks/grading/class_merge.h"
 #include "tasks/grading/student_result_json.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -3,7 +3,7 @@
 #include "app/cli/grade_results.h"
 
 #include "app/language.h"
-#include "tasks/spoken_locale.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QDir>
 #include <QLocale>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/lab_at_hand.h"
 
-#include "tasks/authoring/lab_archive.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QTextStream>
 

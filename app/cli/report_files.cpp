@@ -3,8 +3,8 @@
 #include "app/cli/report_files.h"
 
 #include "app/language.h"
-#include "model/file_io.h"
-#include "model/json_schema.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

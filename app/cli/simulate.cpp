@@ -5,8 +5,8 @@
 #include "app/cli/simulate_progress.h"
 #include "app/cli/simulate_run.h"
 #include "app/cli/stop_signal.h"
-#include "model/shortest_number.h"
-#include "tasks/report_text.h"
+#include "model/world/shortest_number.h"
+#include "tasks/report/report_text.h"
 
 #include <QCoreApplication>
 #include <QTextStream>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/simulate_request.h"
 
-#include "model/preset_json.h"
-#include "model/shortest_number.h"
-#include "tasks/program_text.h"
+#include "model/files/preset_json.h"
+#include "model/world/shortest_number.h"
+#include "tasks/script/program_text.h"
 
 #include <QCoreApplication>
 

@@ -3,10 +3,10 @@
 #include "app/cli/simulate_run.h"
 
 #include "app/cli/subcommand.h"
-#include "model/inferred_hits.h"
-#include "model/measurements.h"
-#include "model/shortest_number.h"
-#include "tasks/plain_text.h"
+#include "model/run/inferred_hits.h"
+#include "model/world/measurements.h"
+#include "model/world/shortest_number.h"
+#include "tasks/text/plain_text.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

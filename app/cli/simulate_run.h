@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/cli/simulate_request.h"
-#include "model/stepper.h"
-#include "tasks/run_tables.h"
+#include "model/run/stepper.h"
+#include "tasks/runs/run_tables.h"
 #include "tasks/script/student_script.h"
 
 #include <array>

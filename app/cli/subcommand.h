@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/result.h"
+#include "model/world/result.h"
 
 #include <QCommandLineParser>
 #include <QStringList>

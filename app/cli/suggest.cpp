@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/mutations.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QCoreApplication>
 #include <QTextStream>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommand.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/mutations.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

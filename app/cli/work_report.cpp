@@ -5,13 +5,13 @@
 #include "app/cli/subcommand.h"
 #include "app/cli/told_in_cells.h"
 #include "app/language.h"
-#include "model/file_io.h"
-#include "model/json_schema.h"
-#include "tasks/authoring/lab_archive.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 #include "tasks/hand_in/hand_in.h"
-#include "tasks/lab_list.h"
-#include "tasks/lab_reader.h"
-#include "tasks/spoken_locale.h"
+#include "tasks/reading/lab_archive.h"
+#include "tasks/reading/lab_list.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QLocale>

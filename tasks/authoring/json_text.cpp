@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/json_text.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lab_files.h"
 #include "tasks/authoring/task_form.h"
+#include "tasks/lab_files/lab_files.h"
 
 namespace cradle {
 

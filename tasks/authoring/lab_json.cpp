@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_json.h"
 
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 #include "tasks/authoring/json_patch.h"
 
 #include <QCoreApplication>

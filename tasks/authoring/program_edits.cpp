@@ -3,7 +3,7 @@
 #include "tasks/authoring/lab_edits.h"
 
 #include "tasks/authoring/lab_json.h"
-#include "tasks/program_diff.h"
+#include "tasks/text/program_diff.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

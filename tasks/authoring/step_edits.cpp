@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/lab_edits.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tasks/authoring/json_patch.h"
 #include "tasks/authoring/lab_json.h"
 #include "tasks/values/put_values.h"

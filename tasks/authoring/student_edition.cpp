@@ -4,9 +4,9 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/lab_json.h"
-#include "tasks/authoring/step_alone.h"
 #include "tasks/judging/asked_laws.h"
-#include "tasks/lab_reader.h"
+#include "tasks/lab_files/step_alone.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>

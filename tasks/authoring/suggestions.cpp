@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/mutations.h"
 
-#include "tasks/observation.h"
-#include "tasks/report_text.h"
+#include "tasks/report/report_text.h"
+#include "tasks/runs/observation.h"
 
 #include <QCryptographicHash>
 #include <QJsonArray>

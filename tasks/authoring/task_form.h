@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/preset.h"
-#include "tasks/authoring/lab_files.h"
-#include "tasks/prediction.h"
-#include "tasks/questions/question.h"
+#include "model/world/preset.h"
+#include "tasks/lab/prediction.h"
+#include "tasks/lab/question.h"
+#include "tasks/lab_files/lab_files.h"
 
 #include <QJsonObject>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/values_form.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "tasks/authoring/lab_json.h"
 #include "tasks/values/lab_values.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 namespace cradle {
 
@@ -33,7 +33,7 @@ struct Fault {
 ///     loses_energy    the first contact takes kinetic energy
 ///     settles         comes to rest on the floor as the reference with the same integrator does
 ///     ends_at         positions and velocities at a moment
-///     script          what a program in Lua says of the run; see tasks/script/check_script.h
+///     script          what a program in Lua says of the run; see tasks/checks/check_script.h
 ///     bounce_heights  the n-th bounce off the floor reaches h_n = e^(2n) h_0
 /// \return nullopt if nothing is wrong
 [[nodiscard]] std::optional<Fault> judge(const CheckSpec &check, const Observation &observation);

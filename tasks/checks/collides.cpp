@@ -3,8 +3,8 @@
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
-#include "model/collision_response.h"
-#include "model/preset_json.h"
+#include "model/contacts/collision_response.h"
+#include "model/files/preset_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/integrator_matching.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 

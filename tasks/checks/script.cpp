@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/kinds.h"
 
-#include "tasks/script/check_script.h"
+#include "tasks/checks/check_script.h"
 
 #include <QCoreApplication>
 

@@ -5,7 +5,7 @@
 #include "tasks/grading/class_roster.h"
 #include "tasks/grading/platform_names.h"
 #include "tasks/grading/raw_folder.h"
-#include "tasks/hand_in/work_archive.h"
+#include "tasks/work/work_archive.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

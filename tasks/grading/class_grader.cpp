@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_grader.h"
 
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 #include "tasks/grading/handed_in.h"
 #include "tasks/grading/student_result_json.h"
 #include "tasks/grading/student_seed.h"

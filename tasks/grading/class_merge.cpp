@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_merge.h"
 
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 #include "tasks/grading/student_result_json.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_results.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 #include "tasks/grading/class_page.h"
 #include "tasks/grading/class_summary.h"
 #include "tasks/grading/gradebooks.h"

@@ -4,7 +4,7 @@
 
 #include "tasks/grading/page.h"
 #include "tasks/lab_report/lab_report.h"
-#include "tasks/report_json.h"
+#include "tasks/report/report_json.h"
 #include "tasks/script/lua_tokens.h"
 #include "tasks/values/lab_values.h"
 

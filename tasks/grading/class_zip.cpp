@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/class_zip.h"
 
-#include "tasks/authoring/zip_handles.h"
 #include "tasks/grading/descriptors.h"
 #include "tasks/grading/raw_folder.h"
+#include "tasks/lab_files/zip_handles.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/csv_text.h"
 
-#include "tasks/plain_text.h"
+#include "tasks/text/plain_text.h"
 
 namespace cradle {
 

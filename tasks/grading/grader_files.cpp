@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/grader_files.h"
 
-#include "model/file_io.h"
-#include "tasks/plain_text.h"
-#include "tasks/report_formats.h"
-#include "tasks/report_text.h"
+#include "model/files/file_io.h"
+#include "tasks/report/report_formats.h"
+#include "tasks/report/report_text.h"
+#include "tasks/text/plain_text.h"
 
 #include <QCoreApplication>
 #include <QFile>

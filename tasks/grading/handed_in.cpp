@@ -4,8 +4,8 @@
 
 #include "tasks/grading/handed_repository.h"
 #include "tasks/grading/raw_folder.h"
-#include "tasks/hand_in/work_archive.h"
 #include "tasks/script/script_limits.h"
+#include "tasks/work/work_archive.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/json_fields.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 
 #include <QCoreApplication>
 

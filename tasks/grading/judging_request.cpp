@@ -4,13 +4,13 @@
 
 #include "tasks/grading/lockdown.h"
 #include "tasks/grading/moments.h"
-#include "tasks/hand_in/work_archive.h"
-#include "tasks/judgement.h"
+#include "tasks/judging/judgement.h"
 #include "tasks/judging/task_laws.h"
-#include "tasks/lab_reader.h"
-#include "tasks/plain_text.h"
-#include "tasks/program_text.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/script/program_text.h"
+#include "tasks/text/plain_text.h"
 #include "tasks/values/lab_values.h"
+#include "tasks/work/work_archive.h"
 #include "tasks/workspace/kept_history.h"
 
 #include <QCoreApplication>

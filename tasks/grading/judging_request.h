@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/grading/student_result.h"
-#include "tasks/hand_in/student_work.h"
+#include "tasks/work/student_work.h"
 #include "tasks/workspace/git_objects.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/moments.h"
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/grading/student_result.h"
-#include "tasks/lab.h"
+#include "tasks/lab/lab.h"
 
 namespace cradle {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/page.h"
 
-#include "tasks/plain_text.h"
-#include "tasks/spoken_locale.h"
+#include "tasks/text/plain_text.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QStringList>

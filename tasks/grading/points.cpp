@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/points.h"
 
-#include "tasks/report_text.h"
+#include "tasks/report/report_text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/raw_folder.h"
 
-#include "tasks/plain_text.h"
+#include "tasks/text/plain_text.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "tasks/grading/descriptors.h"
 
 #include <QCoreApplication>

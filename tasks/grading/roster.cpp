@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/roster.h"
 
-#include "model/json_schema.h"
-#include "tasks/plain_text.h"
+#include "model/files/json_schema.h"
+#include "tasks/text/plain_text.h"
 
 #include <QCoreApplication>
 #include <QHash>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
 #include "tasks/grading/platform_names.h"
+#include "tasks/lab/check_report.h"
 #include "tasks/lab_report/drawn_moment.h"
 
 #include <QString>

@@ -3,7 +3,7 @@
 #include "tasks/grading/student_result_json.h"
 
 #include "tasks/grading/points.h"
-#include "tasks/report_json.h"
+#include "tasks/report/report_json.h"
 #include "tasks/values/lab_values.h"
 
 #include <QJsonArray>

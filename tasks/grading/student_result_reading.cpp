@@ -4,8 +4,8 @@
 #include "tasks/grading/moments.h"
 #include "tasks/grading/points.h"
 #include "tasks/grading/student_result_json.h"
-#include "tasks/report_json.h"
-#include "tasks/report_text.h"
+#include "tasks/report/report_json.h"
+#include "tasks/report/report_text.h"
 #include "tasks/script/script_limits.h"
 
 #include <QCoreApplication>

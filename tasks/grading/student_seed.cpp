@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/student_seed.h"
 
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 
 #include <QCoreApplication>
 #include <QMessageAuthenticationCode>

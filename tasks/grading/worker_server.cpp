@@ -5,7 +5,7 @@
 #include "tasks/grading/descriptors.h"
 #include "tasks/grading/judging_request.h"
 #include "tasks/grading/student_result_json.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QDataStream>
 #include <QtEndian>

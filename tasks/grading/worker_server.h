@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lab_files.h"
 #include "tasks/grading/lockdown.h"
-#include "tasks/lab.h"
+#include "tasks/lab/lab.h"
+#include "tasks/lab_files/lab_files.h"
 
 namespace cradle {
 

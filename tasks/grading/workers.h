@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lab_files.h"
 #include "tasks/grading/descriptors.h"
 #include "tasks/grading/judging_request.h"
 #include "tasks/grading/lockdown.h"
+#include "tasks/lab_files/lab_files.h"
 
 #include <map>
 #include <memory>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/hand_in/hand_in.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
-#include "tasks/authoring/lab_files.h"
-#include "tasks/plain_text.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
+#include "tasks/lab_files/lab_files.h"
+#include "tasks/text/plain_text.h"
 #include "tasks/workspace/history.h"
 
 #include <QCoreApplication>

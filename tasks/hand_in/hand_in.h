@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/hand_in/work_archive.h"
 #include "tasks/lab_report/lab_report.h"
+#include "tasks/work/work_archive.h"
 
 namespace cradle {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/asked_laws.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 
 #include <QJsonArray>
 

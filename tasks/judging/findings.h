@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
-#include "tasks/lab.h"
-#include "tasks/submission.h"
+#include "tasks/lab/check_report.h"
+#include "tasks/lab/lab.h"
+#include "tasks/runs/submission.h"
 
 namespace cradle {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/ground.h"
 
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tasks/judging/asked_laws.h"
-#include "tasks/scene_spec.h"
+#include "tasks/runs/scene_spec.h"
 #include "tasks/script/student_script.h"
 
 #include <QJsonArray>

@@ -4,7 +4,7 @@
 
 #include "tasks/judging/deviation.h"
 #include "tasks/judging/task_laws.h"
-#include "tasks/submission.h"
+#include "tasks/runs/submission.h"
 
 namespace cradle {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/stepper.h"
+#include "model/run/stepper.h"
 #include "tasks/script/student_script.h"
 
 #include <functional>

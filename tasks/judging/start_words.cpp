@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/start_words.h"
 
-#include "tasks/check_plan.h"
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/motion.h"
-#include "tasks/observation.h"
+#include "tasks/judging/check_plan.h"
+#include "tasks/runs/observation.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "tasks/judging/deviation.h"
-#include "tasks/lab.h"
-#include "tasks/submission.h"
+#include "tasks/lab/lab.h"
+#include "tasks/runs/submission.h"
 
 #include <optional>
 

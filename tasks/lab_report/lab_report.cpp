@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/lab_report.h"
 
-#include "tasks/judgement.h"
-#include "tasks/lab_reader.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/lab/mode.h"
 #include "tasks/lab_report/drawn_moment.h"
-#include "tasks/mode.h"
-#include "tasks/plain_text.h"
-#include "tasks/report_text.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/report/report_text.h"
+#include "tasks/text/plain_text.h"
 
 #include <QCoreApplication>
 #include <QtConcurrent>

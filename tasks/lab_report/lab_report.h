@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/hand_in/student_work.h"
 #include "tasks/lab_report/run_pictures.h"
 #include "tasks/lab_report/set_formulas.h"
-#include "tasks/line_diff.h"
+#include "tasks/text/line_diff.h"
+#include "tasks/work/student_work.h"
 
 #include <QDateTime>
 

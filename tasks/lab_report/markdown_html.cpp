@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/markdown_html.h"
 
-#include "tasks/formula_text.h"
-#include "tasks/plain_text.h"
+#include "tasks/text/formula_text.h"
+#include "tasks/text/plain_text.h"
 
 #include <QRegularExpression>
 #include <QStringList>

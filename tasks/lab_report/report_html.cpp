@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/report_html.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 #include "tasks/lab_report/markdown_html.h"
-#include "tasks/spoken_locale.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QFile>

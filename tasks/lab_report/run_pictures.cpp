@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/run_pictures.h"
 
-#include "model/inferred_hits.h"
-#include "model/measurements.h"
+#include "model/run/inferred_hits.h"
+#include "model/world/measurements.h"
 #include "tasks/lab_report/chart_svg.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/observation.h"
+#include "tasks/runs/observation.h"
 
 #include <QByteArray>
 #include <QString>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/set_formulas.h"
 
-#include "tasks/formula_text.h"
 #include "tasks/lab_report/lab_report.h"
+#include "tasks/text/formula_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/questions/answers.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "tasks/questions/unit.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/questions/question_json.h"
 
-#include "model/expression.h"
+#include "model/files/expression.h"
 #include "tasks/questions/unit.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/result.h"
-#include "tasks/questions/question.h"
+#include "model/world/result.h"
+#include "tasks/lab/question.h"
 
 #include <QJsonObject>
 

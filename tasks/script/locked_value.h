@@ -9,7 +9,7 @@ struct lua_State;
 namespace cradle {
 
 /// Raises an error at the line of the program that would change a value which the step fixes.
-/// \param field  as in tasks/locks.h: "gravity", "circles/1/velocity"
+/// \param field  as in tasks/script/locks.h: "gravity", "circles/1/velocity"
 void refuseIfLocked(lua_State *L, const QString &field);
 
 /// The same for a field of circle \p circle, counted from 0; radius and density are fixed by

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/student_script.h"
 
-#include "tasks/locks.h"
 #include "tasks/script/error_message.h"
+#include "tasks/script/locks.h"
 #include "tasks/script/lua_library.h"
 #include "tasks/script/sandbox.h"
 #include "tasks/script/script_source.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/values/lab_values.h"
 
-#include "model/expression.h"
+#include "model/files/expression.h"
 #include "tasks/values/put_values.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lab_files.h"
+#include "tasks/lab_files/lab_files.h"
 
 #include <QJsonObject>
 

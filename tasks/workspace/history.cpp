@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/history.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "tasks/workspace/history_parts.h"
 
 #include <QDir>

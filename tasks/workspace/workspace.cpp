@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
-#include "tasks/program_text.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
+#include "tasks/script/program_text.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
-#include "tasks/lab.h"
+#include "tasks/lab/check_report.h"
+#include "tasks/lab/lab.h"
 #include "tasks/workspace/history.h"
 #include "tasks/workspace/workspace_info.h"
 #include "tasks/workspace/workspace_lock.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
-#include "model/preset_json.h"
-#include "tasks/program_text.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
+#include "model/files/preset_json.h"
+#include "tasks/script/program_text.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace_info.h"
 
-#include "model/json_schema.h"
+#include "model/files/json_schema.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/workspace_lock.h"
 
-#include "model/file_io.h"
-#include "model/json_schema.h"
+#include "model/files/file_io.h"
+#include "model/files/json_schema.h"
 
 #include <QCoreApplication>
 #include <QFile>

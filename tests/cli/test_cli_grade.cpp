@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
 
-#include "tasks/hand_in/student_work.h"
-#include "tasks/hand_in/work_archive.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
+#include "tasks/work/student_work.h"
+#include "tasks/work/work_archive.h"
 
 #include <QStandardPaths>
 

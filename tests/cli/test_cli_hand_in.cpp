@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_run.h"
 
-#include "model/file_io.h"
-#include "tasks/hand_in/work_archive.h"
+#include "model/files/file_io.h"
+#include "tasks/work/work_archive.h"
 
 #include <QDir>
 #include <QProcess>

@@ -3,8 +3,8 @@
 #include "tests/cli/program_run.h"
 #include "tests/test_paths.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QDirIterator>
 #include <QSize>

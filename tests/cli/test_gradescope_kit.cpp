@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_run.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QDir>
 #include <QJsonArray>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulation.h"
+#include "model/run/simulation.h"
 #include "tests/scene_lists.h"
 #include "views/preset_document.h"
 #include "views/scene/scene_view.h"

@@ -4,7 +4,7 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QLabel>
 

@@ -4,7 +4,7 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 #include "views/author/difference_dialog.h"
 #include "views/author/lab_dialog.h"
 #include "views/inspector/inspector.h"

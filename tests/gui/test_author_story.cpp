@@ -4,9 +4,9 @@
 
 #include "app/author_window.h"
 #include "app/code_desk.h"
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/judgement.h"
+#include "tasks/judging/judgement.h"
+#include "tasks/reading/lab_archive.h"
 #include "tasks/values/lab_values.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/story_programs.h"

@@ -3,7 +3,7 @@
 #include "views/author/parameter_text.h"
 #include "views/author/text_names.h"
 
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 #include "tests/gui/open_inspector.h"
 
 #include <QJsonArray>

@@ -5,8 +5,8 @@
 #include "app/author_window.h"
 #include "tests/gui/open_window.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/reading/lab_archive.h"
 #include "views/code/code_editor.h"
 #include "views/markdown_view.h"
 

@@ -6,7 +6,7 @@
 #include "views/charts/momentum_chart.h"
 #include "views/charts/number_text.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 
 #include <QAction>
 #include <QLineSeries>

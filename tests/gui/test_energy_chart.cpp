@@ -4,7 +4,7 @@
 #include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/grade_dialog.h"
-#include "model/file_io.h"
-#include "tasks/lab_reader.h"
+#include "model/files/file_io.h"
+#include "tasks/reading/lab_reader.h"
 #include "tests/test_paths.h"
 
 #include <QDir>

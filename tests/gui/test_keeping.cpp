@@ -8,7 +8,7 @@
 #include "tests/full_disk.h"
 #include "tests/git_home.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/code/versions_pane.h"

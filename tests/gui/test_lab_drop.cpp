@@ -6,8 +6,8 @@
 #include "tests/gui/open_window.h"
 #include "tests/test_paths.h"
 
-#include "tasks/authoring/lab_archive.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/reading/lab_archive.h"
 
 #include <QDropEvent>
 #include <QMimeData>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"

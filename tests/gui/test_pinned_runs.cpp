@@ -8,7 +8,7 @@
 #include "views/charts/momentum_chart.h"
 #include "views/charts/pin_legend.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 
 #include <QMenuBar>
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
-#include "model/preset_json.h"
+#include "model/files/preset_json.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/scene_fixture.h"
 #include "views/code/code_editor.h"

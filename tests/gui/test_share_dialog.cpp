@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/share_dialog.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/workspace/workspace.h"
 #include "tests/git_home.h"
 

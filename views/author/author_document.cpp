@@ -3,7 +3,7 @@
 #include "views/author/author_document.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/lab_reader.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>

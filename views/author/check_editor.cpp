@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/check_editor.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "tasks/checks/check_kinds.h"
 #include "views/author/circles_line.h"
 #include "views/author/form_rows.h"

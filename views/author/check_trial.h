@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/checker.h"
+#include "tasks/judging/checker.h"
 #include "views/author/author_document.h"
 
 #include <QWidget>

@@ -3,7 +3,7 @@
 #include "views/author/difference_dialog.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/unified_diff.h"
+#include "tasks/text/unified_diff.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/parameter_text.h"
 
-#include "model/expression.h"
-#include "model/shortest_number.h"
+#include "model/files/expression.h"
+#include "model/world/shortest_number.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/prediction.h"
+#include "tasks/lab/prediction.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/preview_folder.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/program_page.h"
 
-#include "tasks/line_diff.h"
-#include "tasks/program_diff.h"
 #include "tasks/script/student_script.h"
+#include "tasks/text/line_diff.h"
+#include "tasks/text/program_diff.h"
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/program_files.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/authoring/mutations.h"
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
 
 #include <QFutureWatcher>
 #include <QObject>

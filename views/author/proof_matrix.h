@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab_verifier.h"
+#include "tasks/proof/lab_verifier.h"
 
 #include <QTableWidget>
 

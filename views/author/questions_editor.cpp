@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/questions_editor.h"
 
-#include "model/expression.h"
-#include "model/shortest_number.h"
+#include "model/files/expression.h"
+#include "model/world/shortest_number.h"
 #include "tasks/authoring/free_name.h"
 #include "tasks/questions/answers.h"
 #include "tasks/questions/unit.h"

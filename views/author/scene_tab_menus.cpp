@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/scene_tab.h"
 
-#include "tasks/locks.h"
+#include "tasks/script/locks.h"
 #include "views/author/arrangement_dialog.h"
 #include "views/author/scene_templates.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/preset.h"
+#include "model/world/preset.h"
 
 namespace cradle {
 

@@ -3,7 +3,7 @@
 #include "views/author/text_tab.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/mode.h"
+#include "tasks/lab/mode.h"
 #include "tasks/values/put_values.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"

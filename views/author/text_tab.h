@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/questions/question.h"
+#include "tasks/lab/question.h"
 #include "views/author/author_document.h"
 #include "views/author/preview_folder.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/values_editor.h"
 
-#include "model/expression.h"
-#include "model/shortest_number.h"
+#include "model/files/expression.h"
+#include "model/world/shortest_number.h"
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/tool_buttons.h"

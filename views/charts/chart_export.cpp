@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/chart_export.h"
 
-#include "model/file_io.h"
+#include "model/files/file_io.h"
 
 #include <QBuffer>
 #include <QClipboard>

@@ -3,7 +3,7 @@
 // What leaves a ChartPane: its picture and its numbers.
 #include "views/charts/chart_pane.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "views/charts/pin_legend.h"
 #include "views/theme.h"
 

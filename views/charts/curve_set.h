@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/measurements.h"
-#include "model/recording.h"
+#include "model/run/recording.h"
+#include "model/world/measurements.h"
 #include "views/charts/min_max_pyramid.h"
 
 #include <QFlags>

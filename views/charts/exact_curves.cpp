@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/exact_curves.h"
 
-#include "model/measurements.h"
-#include "model/simulation.h"
+#include "model/run/simulation.h"
+#include "model/world/measurements.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/result.h"
-#include "model/simulation.h"
+#include "model/run/simulation.h"
+#include "model/world/result.h"
 #include "views/charts/chart_export.h"
 #include "views/charts/min_max_pyramid.h"
 #include "views/charts/nice_scale.h"

@@ -3,7 +3,7 @@
 // Menus of PhaseChart: what is drawn, how near, and what leaves it.
 #include "views/charts/phase_chart.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "views/charts/frame_throttle.h"
 #include "views/charts/phase_plot.h"
 #include "views/theme.h"

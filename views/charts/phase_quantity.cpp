@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/phase_quantity.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/program_notes.h"
+#include "model/run/program_notes.h"
 #include "views/charts/min_max_pyramid.h"
 
 #include <QColor>

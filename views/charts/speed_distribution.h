@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/circle.h"
+#include "model/world/circle.h"
 
 #include <cstddef>
 #include <span>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/measurements.h"
-#include "model/simulation.h"
+#include "model/run/simulation.h"
+#include "model/world/measurements.h"
 
 #include <QAbstractTableModel>
 #include <QFont>

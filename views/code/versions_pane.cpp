@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/code/versions_pane.h"
 
-#include "tasks/line_diff.h"
+#include "tasks/text/line_diff.h"
 #include "views/code/code_editor.h"
 #include "views/theme.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/circle_table_model.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "views/circle_name.h"
 #include "views/theme.h"
 

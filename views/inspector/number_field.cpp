@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/number_field.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "views/inspector/number_text.h"
 #include "views/theme.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/vec2.h"
+#include "model/world/vec2.h"
 
 #include <QColor>
 #include <QPointF>

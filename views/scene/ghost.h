@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/recording.h"
+#include "model/run/recording.h"
 #include "views/scene/scene_builder.h"
 #include "views/scene/scene_draft.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/momentum_inset.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 #include "views/scene/free_corner.h"
 #include "views/scene/scene_labels.h"
 #include "views/theme.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_builder.h"
 
-#include "model/simulation.h"
+#include "model/run/simulation.h"
 #include "views/circle_name.h"
 #include "views/scene/ghost.h"
 #include "views/scene/handles.h"

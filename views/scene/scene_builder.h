@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/program.h"
-#include "model/recording.h"
+#include "model/run/program.h"
+#include "model/run/recording.h"
 #include "views/scene/camera.h"
 #include "views/scene/draw_list.h"
 

@@ -3,7 +3,7 @@
 // How SceneView is looked at: the part of the scene that it shows.
 #include "views/scene/scene_view.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 
 namespace cradle {
 

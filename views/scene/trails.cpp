@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/trails.h"
 
-#include "model/measurements.h"
+#include "model/world/measurements.h"
 #include "views/scene/program_drawings.h"
 #include "views/theme.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulation.h"
+#include "model/run/simulation.h"
 #include "views/sound/tone.h"
 
 #include <QObject>

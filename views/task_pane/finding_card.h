@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
+#include "tasks/lab/check_report.h"
 
 #include <QFrame>
 

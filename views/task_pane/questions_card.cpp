@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/questions_card.h"
 
-#include "model/shortest_number.h"
+#include "model/world/shortest_number.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/message_text.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/check_report.h"
-#include "tasks/progress.h"
+#include "tasks/lab/check_report.h"
+#include "tasks/workspace/progress.h"
 
 #include <QWidget>
 

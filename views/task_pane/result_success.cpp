@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/report_text.h"
+#include "tasks/report/report_text.h"
 #include "views/icons.h"
 #include "views/task_pane/result_cards.h"
 #include "views/task_pane/result_pane.h"

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/contacts/collision_detection.h"
+#include "model/contacts/contact_solver.h"
+#include "model/contacts/disc_grid.h"
+#include "model/world/rules.h"
+#include "model/world/world.h"
+
+namespace cradle {
+
+/// A step that finds every time of impact inside it and spends the rest of the step after it.
+/// Each circle has its own clock and is split only at its own hits. Contacts at the same moment
+/// are resolved together. From its first hit in a step on a circle follows its parabola. A circle
+/// whose rebound would last less than a step (2 e u / a < Δt) comes to rest; what rests is held by
+/// contact forces until something moves it.
+///
+/// Where e < 1, circles that lie on each other end the step at velocities v' that no longer close
+/// faster than their gaps allow,
+///     v' = v + a h + Σ J n / m,   0 ≤ J ⊥ gap/h − (closing speed of v') ≥ 0,
+/// and move there evenly, h being what is left of the step: then they cannot overlap, for discs
+/// are convex, and take −½ m |v' − v|² − Σ J gap/h of energy, which is never a gain.
+/// Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988.
+///
+/// Keeps its working memory between steps.
+class ContinuousStep
+{
+public:
+    /// Moves \p world on by \p dt s; time and step of \p world are those after the step.
+    void run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits);
+
+    /// Pairs that lay on each other in the latest step and may still do.
+    [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const { return m_resting; }
+
+private:
+    struct Body {
+        double since = 0.0;  ///< s into the step: how far this circle has come
+        Vec2 acceleration{}; ///< gravity less what holds it, m/s²
+        Vec2 drift{};        ///< m/s; where it drifts: how its place moves until the step ends
+        Vec2 latestHit{};    ///< where, m
+        std::uint32_t version = 0;                  ///< events found under another are void
+        int nearHits = 0;                           ///< lossy ones in a row at the same place
+        int splits = 0;                             ///< moments that it was part of in a pile
+        Integrator integrator = Integrator::Verlet; ///< its own until it is hit or rests
+        bool drifts = false;                        ///< is held among others
+        bool touched = false;                       ///< its events must be found again
+    };
+    struct Event {
+        double time = 0.0; ///< s into the step
+        int a = 0;
+        int b = 0; ///< circle, or Wall as an int
+        bool wall = false;
+        std::uint32_t versionA = 0;
+        std::uint32_t versionB = 0;
+    };
+
+    // Motion and events: continuous_step.cpp
+    void begin();
+    void findNeighbours(double fastest);
+    [[nodiscard]] std::span<const std::uint32_t> neighboursOf(std::size_t body) const;
+    void foreseeSpeeds();
+    void touch(std::size_t body);
+    void findEvents();
+    void findWallEvents(std::size_t i);
+    void findPairEvent(std::size_t i, std::size_t j);
+    void push(const Event &event);
+    [[nodiscard]] bool isValid(const Event &event) const;
+    [[nodiscard]] bool nextMoment();
+    void takeEventsAt(double time);
+    void touchRestingNeighbours();
+    void touchAroundPressed();
+    [[nodiscard]] bool isPressed(const Contact &contact) const;
+    void carryTo(std::size_t body, double time);
+    [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
+
+    // What rests, and the forces that hold it: continuous_rest.cpp
+    void findRestingPairs();
+    void rest(std::pair<int, int> pair);
+    void findAccelerations();
+    void findPiles();
+    void addPairs();
+    void addWalls();
+    void hold();
+    void spreadDrift();
+    [[nodiscard]] double gapOf(const Contact &contact) const;
+    [[nodiscard]] double freeSpeed(const Contact &contact) const;
+    [[nodiscard]] double fasterOf(const Contact &contact) const;
+    [[nodiscard]] bool staysClose(const Contact &contact) const;
+    [[nodiscard]] bool isHeld(std::size_t body, Vec2 wall) const;
+    [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
+    [[nodiscard]] double closingSpeed(const Contact &contact) const;
+    [[nodiscard]] double closingAcceleration(const Contact &contact) const;
+
+    // How the contacts of one moment answer: continuous_contacts.cpp
+    void resolve(std::vector<Hit> &hits);
+    void meet(const Event &event);
+    void addSupports();
+    void respondTogether();
+    void respondInTurn();
+    [[nodiscard]] int mostRounds() const;
+    [[nodiscard]] double restitutionOf(const Contact &contact) const;
+    [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
+    [[nodiscard]] bool isCollapse(const Contact &contact);
+
+    const Rules *m_rules = nullptr; ///< of the step that runs
+    World *m_world = nullptr;
+    double m_dt = 0.0;
+    double m_now = 0.0;           ///< s into the step
+    double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
+    bool m_lossy = false;         ///< circles rebound slower than they meet
+    int m_largeMoments = 0;       ///< of this step, with many contacts
+    bool m_crushed = false;       ///< they were too many: all that can meet takes part at once
+    bool m_gathered = false;      ///< it has done so
+    double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
+    std::vector<Body> m_bodies;
+    std::vector<Vec2> m_places;                  ///< at the start of the step, m
+    DiscGrid m_grid;                             ///< of the places
+    std::vector<std::uint32_t> m_firstNeighbour; ///< of each body in m_neighbours, and the end
+    std::vector<std::uint32_t> m_neighbours;
+    std::vector<double> m_inverseMasses;
+    std::vector<std::size_t> m_touched; ///< bodies, in order once a moment is taken
+    std::vector<Event> m_events;        ///< that lie inside the step, a heap, the earliest first
+    std::vector<Event> m_taken;         ///< those of this moment
+    std::vector<Contact> m_contacts;
+    std::vector<Hit> m_hits;                    ///< one per contact of this moment
+    std::vector<Vec2> m_changes;                ///< of the velocities, m/s; zero between uses
+    std::vector<std::pair<int, int>> m_resting; ///< pairs that lie on each other, in order
+    std::vector<std::pair<int, int>> m_held;    ///< those that drift and cannot meet, in order
+    std::vector<std::size_t> m_pile;            ///< bodies still to be looked around
+    std::vector<char> m_marks;                  ///< of bodies: seen, or in a contact with another
+};
+
+} // namespace cradle

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/tolerance_margin.h"
+
+namespace cradle {
+
+/// Fills in the findings and warnings of \p verified, whose programs have been judged.
+/// \param gaps  of the lab's texts, see textGaps()
+void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &gaps,
+                  VerifiedTask &verified);
+
+/// The finding about a tolerance that the solution nearly uses up.
+[[nodiscard]] LabFinding tooTight(const Task &task, const CheckSpec &check,
+                                  const TightTolerance &tight);
+
+} // namespace cradle

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/world/preset.h"
+#include "model/world/random.h"
+#include "tasks/runs/scene_spec.h"
+
+#include <numbers>
+
+namespace cradle {
+
+/// The unit vector \p degrees from the x axis.
+[[nodiscard]] inline Vec2 fromAngle(double degrees)
+{
+    const double a = degrees * std::numbers::pi / 180.0;
+    return {std::cos(a), std::sin(a)};
+}
+
+/// Throws circles 1 and 2 of \p preset so that they meet after half a second, with the line of
+/// centres at \p degrees. Where \p spec has both move, the scenes \p i take turns in who catches up
+/// with whom and who rests.
+void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees, Random &random);
+
+/// Circles 1 and 2, now equal, meet straight on in front of a wall that sends circle 2 back within
+/// a few of the shortest timesteps: a program that pauses after a hit misses the second.
+void placeAgain(Preset &preset, const SceneSpec &spec, Random &random);
+
+/// As after a hit that was told late: circles 1 and 2 overlap, and for one update more while they
+/// part along a line at \p degrees.
+void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random);
+
+} // namespace cradle

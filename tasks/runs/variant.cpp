@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/runs/variant.h"
+
+#include "model/world/random.h"
+#include "tasks/runs/meeting_scene.h"
+#include "tasks/runs/scene_spec.h"
+#include "tasks/runs/shot_scene.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct VariantText {
+    Q_DECLARE_TR_FUNCTIONS(Variant)
+};
+
+constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
+constexpr double slowest = 0.1;   ///< of slow hits where nothing pulls, a quarter of it, m/s
+constexpr int stepsToWall = 3;    ///< before a slow hit
+
+QString timestepText(double timestep)
+{
+    return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
+}
+
+/// Makes the scenes of one check.
+class VariantMaker
+{
+public:
+    VariantMaker(const Preset &submission, const CheckSpec &check, qint64 seed)
+        : m_submission(submission)
+        , m_spec(check, submission.timestep)
+        , m_random(check.scene.value(QStringLiteral("seed")).toInteger(seed))
+    {
+    }
+
+    std::vector<Variant> make()
+    {
+        if (m_spec.kind == QLatin1String("own"))
+            return own();
+        for (int i = 0; i < m_spec.count; ++i) {
+            if (m_spec.kind == QLatin1String("flight"))
+                addFlight(i);
+            else if (m_spec.kind == QLatin1String("encounters"))
+                addEncounter(i);
+            else if (m_spec.kind == QLatin1String("parting"))
+                addParting(i);
+            else if (m_spec.kind == QLatin1String("drop"))
+                addDrop(i);
+            else if (m_spec.kind == QLatin1String("slow"))
+                addSlowHit(i);
+            else if (m_spec.kind == QLatin1String("corners"))
+                addCornerShot(i);
+            else
+                addShot(i, spread(i + m_random.between(0.1, 0.9)));
+        }
+        return std::move(m_variants);
+    }
+
+private:
+    std::vector<Variant> own()
+    {
+        for (const double timestep : m_spec.timesteps) {
+            Preset preset = m_submission;
+            preset.timestep = timestep;
+            const bool unchanged = timestep == m_submission.timestep;
+            m_variants.push_back({unchanged ? QStringLiteral("preset") : timestepText(timestep),
+                                  preset, m_spec.duration});
+        }
+        return std::move(m_variants);
+    }
+
+    /// The angle of scene \p place of all, which divide the angles evenly; degrees.
+    [[nodiscard]] double spread(double place) const
+    {
+        return m_spec.angles.x + (m_spec.angles.y - m_spec.angles.x) * place / m_spec.count;
+    }
+
+    double range(Vec2 lowHigh) { return m_random.between(lowHigh.x, lowHigh.y); }
+
+    /// What item \p i of a list is when the list is gone through again and again.
+    static double cycle(const std::vector<double> &list, int i)
+    {
+        return list[static_cast<std::size_t>(i) % list.size()];
+    }
+
+    /// The student's laws over an empty stage with \p circles circles.
+    Preset stage(int i, std::size_t circles)
+    {
+        Preset preset = m_submission;
+        preset.fill.reset();
+        preset.halfWidth = halfWidth;
+        preset.gravity = m_spec.gravity;
+        preset.restitution = cycle(m_spec.restitutions, i);
+        // Offset, so that restitutions and timesteps do not go in step.
+        preset.timestep =
+            cycle(m_spec.timesteps, i + i / static_cast<int>(m_spec.timesteps.size()));
+        preset.circles.resize(std::max(circles, needed()));
+        for (PresetCircle &circle : preset.circles) {
+            circle.body = {.radius = range(m_spec.radii), .density = range(m_spec.densities)};
+        }
+        return preset;
+    }
+
+    [[nodiscard]] std::size_t needed() const
+    {
+        return static_cast<std::size_t>(
+                   *std::max_element(m_spec.circles.begin(), m_spec.circles.end()))
+               + 1;
+    }
+
+    void add(const QString &what, const Preset &preset)
+    {
+        QStringList name{what, timestepText(preset.timestep)};
+        if (m_spec.restitutions.size() > 1)
+            name.append(QStringLiteral("e = %1").arg(preset.restitution));
+        m_variants.push_back({name.join(QStringLiteral(", ")), preset, m_spec.duration, true});
+    }
+
+    void addFlight(int i)
+    {
+        Preset preset = stage(i, needed());
+        const Vec2 velocity = range(m_spec.speeds) * fromAngle(range(m_spec.angles));
+        const Vec2 place{m_random.between(-1.0, 1.0), m_random.between(-1.0, 1.0)};
+        for (PresetCircle &circle : preset.circles) {
+            circle.body.position = place;
+            circle.body.velocity = velocity;
+        }
+        add(VariantText::tr("throw %1").arg(i + 1), preset);
+    }
+
+    void addShot(int i, double degrees)
+    {
+        for (const int circle : m_spec.circles) {
+            Preset preset = stage(i, needed());
+            const auto shot = static_cast<std::size_t>(circle);
+            // The first, from the very middle and fast, is one that a program could know.
+            const double speed = range(m_spec.speeds);
+            const Vec2 place = drawStart(m_random);
+            preset.circles[shot].body.velocity =
+                (i == 0 ? m_spec.speeds.y : speed) * fromAngle(degrees);
+            preset.circles[shot].body.position = i == 0 ? Vec2{} : place;
+            bringNear(preset, shot, m_spec.duration);
+            finishShot(preset, shot, degrees);
+        }
+    }
+
+    /// The first four straight at the corners, the others just beside them.
+    void addCornerShot(int i)
+    {
+        for (const int circle : m_spec.circles) {
+            Preset preset = stage(i, needed());
+            const auto shot = static_cast<std::size_t>(circle);
+            Circle &body = preset.circles[shot].body;
+            const double room = preset.halfWidth - body.radius;
+            const double quarter = 45.0 + 90.0 * i;
+            const Vec2 corner = std::sqrt(2.0) * room * fromAngle(quarter);
+            const Vec2 place = 0.5 * drawStart(m_random);
+            body.position = i == 0 ? Vec2{} : place;
+            const Vec2 way = corner - body.position;
+            const double degrees = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi
+                                   + (i / 4) * (i % 2 == 0 ? 1.5 : -1.5);
+            // Fast enough to come there in time.
+            const double speed =
+                std::max(range(m_spec.speeds), length(way) / (0.6 * m_spec.duration));
+            body.velocity = speed * fromAngle(degrees);
+            finishShot(preset, shot, degrees + 360.0);
+        }
+    }
+
+    void finishShot(Preset &preset, std::size_t shot, double degrees)
+    {
+        drawOthers(preset, shot, m_spec.duration, m_random);
+        add(VariantText::tr("circle %1 towards %2°")
+                .arg(shot + 1)
+                .arg(std::fmod(degrees, 360.0), 0, 'f', 1),
+            preset);
+    }
+
+    void addDrop(int i)
+    {
+        Preset preset = stage(i, needed());
+        for (const int circle : m_spec.circles) {
+            PresetCircle &c = preset.circles[static_cast<std::size_t>(circle)];
+            c.body.position = {-2.0 + circle * 2.5, m_random.between(-0.5, 0.5)};
+            c.body.velocity = {range(m_spec.sideways), 0.0};
+        }
+        add(VariantText::tr("drop %1").arg(i + 1), preset);
+    }
+
+    /// In turn onto the wall that gravity pulls to and to the one opposite. The scenes divide a
+    /// step evenly by when in it the wall is met: a circle that is still beyond the wall after a
+    /// step of its way back shows in some of them, whatever the seed.
+    void addSlowHit(int i)
+    {
+        Preset preset = stage(i, needed());
+        const Vec2 down = preset.gravity == Vec2{} ? Vec2{0.0, -1.0} : normalized(preset.gravity);
+        const Vec2 toWall = i % 2 == 0 ? down : -down;
+        const double dt = preset.timestep;
+        const double pull = dot(preset.gravity, toWall) * dt;
+        // Drawn once, or the moments would not be spread evenly.
+        if (i == 0)
+            m_slow = {m_random.between(3.8, 4.2), m_random.uniform()};
+        const double speed = m_slow.x * std::max(std::abs(pull), slowest);
+        const int half = (m_spec.count + 1) / 2;
+        const double phase = (i / 2 + m_slow.y) / half;
+        for (const int circle : m_spec.circles) {
+            Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
+            const double room = preset.halfWidth - c.radius;
+            const double gap = (stepsToWall + phase) * dt * speed;
+            const double across = -2.0 + circle * 2.5 + m_random.between(-0.3, 0.3);
+            c.position = (room - gap) * toWall + across * perpendicular(toWall);
+            c.velocity = (speed - stepsToWall * pull) * toWall
+                         + m_random.between(-0.5, 0.5) * perpendicular(toWall);
+        }
+        add(VariantText::tr("slow hit %1").arg(i + 1), preset);
+    }
+
+    void addEncounter(int i)
+    {
+        Preset preset = stage(i, 2);
+        const double degrees = spread(i + m_random.between(0.0, 1.0));
+        placeEncounter(preset, m_spec, i, degrees, m_random);
+        const auto all = static_cast<int>(m_spec.restitutions.size());
+        // Where something is lost, the two would come to the wall together.
+        const bool again = m_spec.again && preset.restitution == 1.0 && (i / all) % 2 == 0
+                           && (all > 1 || i % 8 == 4);
+        if (again) {
+            placeAgain(preset, m_spec, m_random);
+            add(VariantText::tr("contact %1, in front of a wall").arg(i + 1), preset);
+            return;
+        }
+        add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);
+    }
+
+    void addParting(int i)
+    {
+        Preset preset = stage(i, 2);
+        const double degrees = spread(i + m_random.between(0.0, 1.0));
+        placeParting(preset, m_spec, degrees, m_random);
+        add(VariantText::tr("parting at %1°").arg(degrees, 0, 'f', 1), preset);
+    }
+
+    const Preset &m_submission;
+    SceneSpec m_spec;
+    Random m_random;
+    Vec2 m_slow{}; ///< of slow hits: the speed, in what gravity makes in a step, and the first
+                   ///< moment
+    std::vector<Variant> m_variants;
+};
+
+} // namespace
+
+std::vector<Variant> makeVariants(const Preset &submission, const CheckSpec &check, qint64 seed)
+{
+    return VariantMaker(submission, check, seed).make();
+}
+
+} // namespace cradle
