@@ -63,8 +63,9 @@ std::vector<Vec2> latticePlaces(const CircleFill &fill, double halfWidth, Random
     const double pitch = 2.0 * halfWidth / static_cast<double>(std::max<std::size_t>(n, 1));
     std::vector<Vec2> sites;
     for (std::size_t i = 0; i < n * n; ++i) {
+        const std::size_t row = i / n;
         sites.push_back({-halfWidth + (static_cast<double>(i % n) + 0.5) * pitch,
-                         -halfWidth + (static_cast<double>(i / n) + 0.5) * pitch});
+                         -halfWidth + (static_cast<double>(row) + 0.5) * pitch});
     }
     for (std::size_t i = sites.size(); i > 1; --i)
         std::swap(sites[i - 1], sites[random.below(i)]);

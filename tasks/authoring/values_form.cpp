@@ -135,6 +135,7 @@ std::vector<double> numbersOf(const ValueForm &value, int most)
 {
     std::vector<double> numbers;
     const int count = std::min(countOf(value), most);
+    numbers.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) // as they are drawn, see valuesOf()
         numbers.push_back(QString::number(value.from + i * value.step, 'g', 12).toDouble());
     return numbers;

@@ -65,9 +65,9 @@ bool DiscStamps::stamp(QPainter &painter, const DrawList::Disc &disc, QPointF ce
                              reach + static_cast<double>(phaseY) / phases);
         paintDisc(inside, disc, middle / dpr, radius);
     }
-    const QPointF corner(static_cast<double>((x - phaseX) / phases - reach),
-                         static_cast<double>((y - phaseY) / phases - reach));
-    painter.drawImage(corner / dpr, image);
+    const long left = (x - phaseX) / phases - reach;
+    const long top = (y - phaseY) / phases - reach;
+    painter.drawImage(QPointF(static_cast<double>(left), static_cast<double>(top)) / dpr, image);
     return true;
 }
 
