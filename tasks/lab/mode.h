@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab.h"
+#include "tasks/lab/lab.h"
 
 namespace cradle {
 
