@@ -121,6 +121,7 @@ void TestCollisionDetection::timeToLineMatchesHandWorkedCase_data()
     QTest::addColumn<double>("end");
     QTest::addColumn<double>("time");
     QTest::newRow("straight towards") << 1.0 << 2.0 << 0.0 << 1.0 << 0.5;
+    QTest::newRow("straight and slow") << 1.0 << 0.5 << 0.0 << 9.0 << 2.0;
     QTest::newRow("just at the end") << 1.0 << 2.0 << 0.0 << 0.5 << 0.5;
     QTest::newRow("after the end") << 1.0 << 2.0 << 0.0 << 0.49 << never;
     QTest::newRow("leaving") << 1.0 << -2.0 << 0.0 << 10.0 << never;
@@ -200,6 +201,9 @@ void TestCollisionDetection::timeToDistanceMatchesHandWorkedCase_data()
     QTest::newRow("one falls from rest") << Path{{0, 4}, {}, {0, -3}} << resting << 9.0 << 1.0;
     QTest::newRow("touching, pressed together")
         << Path{{0, 1}, {}, {0, -3}} << resting << 9.0 << 0.0;
+    // It is through the other after half a second: 1 − 8 s² = −1.
+    QTest::newRow("touching, pressed through it")
+        << Path{{0, 1}, {}, {0, -8}} << resting << 9.0 << 0.0;
     QTest::newRow("touching, drawn apart") << Path{{0, 1}, {}, {0, 3}} << resting << 9.0 << never;
     // Thrown off by 2 m/s against 2 m/s²: back after 1 s.
     QTest::newRow("thrown off, falls back")
