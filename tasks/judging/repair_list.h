@@ -32,7 +32,8 @@ public:
         replace(token.line, token.end(), token.end(), text);
     }
 
-    [[nodiscard]] std::vector<Repair> take() { return std::move(m_repairs); }
+    /// Those in one place first: few faults are made in several places alike.
+    [[nodiscard]] std::vector<Repair> take();
 
 private:
     /// Once, also where several ways lead to it.
@@ -41,6 +42,7 @@ private:
 
     const ProgramLines &m_program;
     std::vector<Repair> m_repairs{};
+    std::vector<Repair> m_twins{}; ///< in several lines alike
     QSet<QString> m_known{};
 };
 

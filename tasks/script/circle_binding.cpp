@@ -104,7 +104,6 @@ int pushOwnField(lua_State *L, int circle, const char *key)
 int index(lua_State *L)
 {
     const int circle = circleAt(L, 1);
-    const char *key = keyAt(L, 2, circle);
     const Circle &c = ScriptHost::of(L).circles[static_cast<std::size_t>(circle)];
     switch (fieldOf(textAt(L, 2))) {
     case Field::Position:
@@ -125,7 +124,7 @@ int index(lua_State *L)
     case Field::Own:
         break;
     }
-    return pushOwnField(L, circle, key);
+    return pushOwnField(L, circle, keyAt(L, 2, circle));
 }
 
 /// "circle1.velocity", for messages.
@@ -223,10 +222,9 @@ int setField(lua_State *L)
 
 int circleAt(lua_State *L, int index)
 {
-    if (lua_type(L, index) != LUA_TUSERDATA)
-        return -1;
+    // Of anything but userdata it is null; light ones, without a kind, no program has.
     const auto *object = static_cast<const CircleObject *>(lua_touserdata(L, index));
-    return object->kind == ObjectKind::Circle ? object->index : -1;
+    return object && object->kind == ObjectKind::Circle ? object->index : -1;
 }
 
 void pushCircle(lua_State *L, int index)

@@ -14,6 +14,7 @@ namespace {
 
 /// Each has cost a look at all that the program keeps, some 50 ms.
 constexpr int mostRefusals = 50;
+constexpr int kilobytesBeforeCollection = 512;
 
 } // namespace
 
@@ -84,7 +85,12 @@ void *LuaMemory::resize(void *block, std::size_t oldSize, std::size_t newSize)
 
 LuaState newLuaState(LuaMemory &memory)
 {
-    return LuaState(lua_newstate(&LuaMemory::allocate, &memory));
+    LuaState state(lua_newstate(&LuaMemory::allocate, &memory));
+    // A step of that size taken back: that much later begins the first collection, which a run of
+    // some hundred steps needs not at all. What is refused is collected first, as ever.
+    if (state)
+        lua_gc(state.get(), LUA_GCSTEP, -kilobytesBeforeCollection);
+    return state;
 }
 
 } // namespace cradle

@@ -222,10 +222,9 @@ int makeVector(lua_State *L)
 
 const Vec2 *vectorAt(lua_State *L, int index)
 {
-    if (lua_type(L, index) != LUA_TUSERDATA)
-        return nullptr;
+    // Of anything but userdata it is null; light ones, without a kind, no program has.
     const auto *object = static_cast<const VectorObject *>(lua_touserdata(L, index));
-    return object->kind == ObjectKind::Vector ? &object->value : nullptr;
+    return object && object->kind == ObjectKind::Vector ? &object->value : nullptr;
 }
 
 void pushVector(lua_State *L, Vec2 value)
