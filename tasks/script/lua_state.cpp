@@ -37,6 +37,15 @@ bool LuaMemory::refuses(std::size_t more)
 void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize)
 {
     auto &self = *static_cast<LuaMemory *>(memory);
+    // Nearly all that is asked for: a small object more.
+    if (!block && newSize - 1 < SmallBlocks::largest && self.m_used + newSize <= self.m_most
+        && self.m_refusals < mostRefusals) {
+        void *made = self.m_small.take(newSize);
+        self.m_used += made ? newSize : 0;
+        if (oldSize == LUA_TSTRING && made)
+            self.m_longestText = std::max(self.m_longestText, newSize);
+        return made;
+    }
     // Without a block, oldSize tells the kind of object.
     const std::size_t old = block ? oldSize : 0;
     if (newSize == 0) {

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sanitizer/asan_interface.h>
+
 #include <array>
 #include <cstddef>
+#include <new>
 
 namespace cradle {
 
 /// Memory for many small objects that come and go, as the vectors of a program do: blocks are cut
 /// from chunks, and what is given back is taken again for the next of its size. All of it goes
-/// when this does. Not for two threads at once.
+/// when this does. Not for two threads at once. The address sanitizer, where there is one, is told
+/// who has which block, as malloc tells it.
 class SmallBlocks
 {
 public:
@@ -22,9 +26,24 @@ public:
 
     /// \param size  bytes, from 1 to largest
     /// \return nullptr if there is no memory
-    [[nodiscard]] void *take(std::size_t size);
+    [[nodiscard]] void *take(std::size_t size)
+    {
+        const std::size_t kind = (size - 1) / grain;
+        Free *block = m_free[kind];
+        if (!block)
+            return cut((kind + 1) * grain);
+        ASAN_UNPOISON_MEMORY_REGION(block, (kind + 1) * grain);
+        m_free[kind] = block->next;
+        return block;
+    }
+
     /// \param size  with which \p block was taken
-    void giveBack(void *block, std::size_t size);
+    void giveBack(void *block, std::size_t size)
+    {
+        const std::size_t kind = (size - 1) / grain;
+        m_free[kind] = new (block) Free{m_free[kind]};
+        ASAN_POISON_MEMORY_REGION(block, (kind + 1) * grain);
+    }
 
 private:
     static constexpr std::size_t grain = 16; ///< bytes; malloc aligns to as many
