@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+#include "keeping_fixture.h"
+
+#include "views/code/versions_pane.h"
+#include "views/notes_pane.h"
+
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+
+using namespace cradle;
+using namespace cradle::windows;
+
+/// Versions of programs and notes, and the ways back to them.
+class TestGoingBack final : public QObject, private KeepingFixture
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void versionsComeAndGoBack();
+    void passedStepOutlivesATrial();
+    void undoOutlivesAStep();
+    void notesAreKeptForEachStep();
+    void notesHaveVersions();
+};
+
+void TestGoingBack::init()
+{
+    begin();
+}
+
+void TestGoingBack::versionsComeAndGoBack()
+{
+    OpenWindow open(folder());
+    inCode(open);
+    const QString solution = open.bench.task()->solution;
+    type(open, solution);
+    check(open);
+    QVERIFY(open.bench.report()->passed);
+    type(open, solution + QStringLiteral("\nerror('broken')\n"));
+    check(open);
+    QVERIFY(!open.bench.report()->passed);
+    auto *list = open.window.versions().findChild<QTreeWidget *>();
+    QCOMPARE(list->topLevelItemCount(), 2);
+    QVERIFY(list->topLevelItem(0)->text(1).contains(QStringLiteral("not passed")));
+    QVERIFY(list->topLevelItem(0)->text(2).contains(QStringLiteral("error('broken')")));
+    open.window.versions().parentWidget()->raise();
+    auto *back = open.window.versions().findChildren<QPushButton *>().last();
+    QCOMPARE(back->text(), QStringLiteral("Back to what &passed"));
+    QVERIFY(back->isEnabled());
+    back->click();
+    QCOMPARE(open.bench.code().text(), solution);
+    QCOMPARE(open.window.codePane().editor().text(), solution);
+    QVERIFY(!back->isEnabled());
+    // Going back can be undone.
+    open.window.codePane().editor().undo();
+    QTRY_VERIFY(open.bench.code().text().contains(QStringLiteral("broken")));
+}
+
+/// Step 17 was passed; e = 0.9 is tried, and the application is started anew.
+void TestGoingBack::passedStepOutlivesATrial()
+{
+    QString solution;
+    const QString id = QStringLiteral("L42T17");
+    {
+        OpenWindow open(folder());
+        inCode(open);
+        QVERIFY(open.bench.openTask(id));
+        solution = open.bench.task()->solution;
+        type(open, solution);
+        check(open);
+        QVERIFY(open.bench.report()->passed);
+        QString trial = solution;
+        trial.replace(QStringLiteral("restitution = 0.75"), QStringLiteral("restitution = 0.9"));
+        QVERIFY(trial != solution);
+        type(open, trial);
+        QVERIFY(open.window.close());
+    }
+    OpenWindow open(folder());
+    inCode(open);
+    QVERIFY(open.bench.openTask(id));
+    QVERIFY(open.bench.code().text().contains(QStringLiteral("= 0.9")));
+    QVERIFY(open.isTicked(open.bench.current())); // once earned, it stays
+    open.window.versions().parentWidget()->raise();
+    auto *back = open.window.versions().findChildren<QPushButton *>().last();
+    QCOMPARE(back->text(), QStringLiteral("Back to what &passed"));
+    QVERIFY(back->isEnabled());
+    back->click();
+    QCOMPARE(open.bench.code().text(), solution);
+    check(open);
+    QVERIFY(open.bench.report()->passed);
+}
+
+void TestGoingBack::undoOutlivesAStep()
+{
+    OpenWindow open(folder());
+    inCode(open);
+    CodeEditor &editor = open.window.codePane().editor();
+    const QString before = editor.text();
+    type(open, QStringLiteral("-- mine\n"));
+    open.bench.openTaskAt(1);
+    QVERIFY(!editor.canUndo());
+    open.bench.openTaskAt(0);
+    QCOMPARE(editor.text(), QStringLiteral("-- mine\n"));
+    QVERIFY(editor.canUndo());
+    editor.undo();
+    QCOMPARE(editor.text(), before);
+}
+
+void TestGoingBack::notesAreKeptForEachStep()
+{
+    OpenWindow open(folder());
+    inCode(open);
+    auto *field = open.window.notes().findChild<QPlainTextEdit *>();
+    field->setPlainText(QStringLiteral("It *moves*."));
+    open.bench.openTaskAt(1);
+    QCOMPARE(field->toPlainText(), QString());
+    QCOMPARE(content(work() + QStringLiteral("/notes/L42T1.md")), QByteArray("It *moves*."));
+    open.bench.openTaskAt(0);
+    QCOMPARE(field->toPlainText(), QStringLiteral("It *moves*."));
+}
+
+void TestGoingBack::notesHaveVersions()
+{
+    {
+        OpenWindow open(folder());
+        inCode(open);
+        auto *field = open.window.notes().findChild<QPlainTextEdit *>();
+        field->setPlainText(QStringLiteral("It moves."));
+        open.bench.openTaskAt(1);
+        open.bench.openTaskAt(0);
+        field->setPlainText(QStringLiteral("It *moves*."));
+        QVERIFY(open.window.close());
+    }
+    QCOMPARE(GitHome::git(work(), {QStringLiteral("log"), QStringLiteral("--format=%s"),
+                                   QStringLiteral("refs/cradle/notes/L42T1")}),
+             QStringLiteral("L42T1: notes\nL42T1: notes"));
+}
+
+QTEST_MAIN(TestGoingBack)
+#include "test_going_back.moc"
