@@ -1480,6 +1480,10 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
         <source>there is nothing of that name; the name of something new must be UTF-8</source>
         <translation>لا يوجد شيء بهذا الاسم؛ واسم كل جديد يجب أن يكون بترميز UTF-8</translation>
     </message>
+    <message>
+        <source>of what the student is told, such as en or de; en without it</source>
+        <translation>لما يقرؤه الطالب، مثل en أو ar؛ ومن دونها en</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>

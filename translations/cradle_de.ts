@@ -1468,6 +1468,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <source>writing, %1 of %2</source>
         <translation>schreibt, %1 von %2</translation>
     </message>
+    <message>
+        <source>of what the student is told, such as en or de; en without it</source>
+        <translation>dessen, was Studierende lesen, etwa en oder de; ohne dies en</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>

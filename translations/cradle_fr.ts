@@ -1468,6 +1468,10 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
         <source>there is nothing of that name; the name of something new must be UTF-8</source>
         <translation>rien ne porte ce nom ; le nom de ce qui est nouveau doit être en UTF-8</translation>
     </message>
+    <message>
+        <source>of what the student is told, such as en or de; en without it</source>
+        <translation>de ce qu&apos;on dit à l&apos;étudiant, par exemple fr ou en&#xa0;; en par défaut</translation>
+    </message>
 </context>
 <context>
     <name>Deviation</name>

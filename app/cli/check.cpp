@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/judged_apart.h"
+#include "app/cli/spoken.h"
 #include "app/cli/subcommand.h"
+#include "app/language.h"
 
 #include "model/files/json_schema.h"
 #include "model/files/preset_json.h"
@@ -129,6 +131,10 @@ ExitCode check(const QStringList &arguments)
     const QCommandLineOption seed(QStringLiteral("seed"),
                                   CheckText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
                                   QStringLiteral("1"));
+    const QCommandLineOption language(
+        QStringLiteral("language"),
+        CheckText::tr("of what the student is told, such as en or de; en without it"),
+        QStringLiteral("CODE"));
     const QString formatNames = reportFormatNames().join(QStringLiteral(", "));
     const QCommandLineOption formatName(
         QStringLiteral("format"), CheckText::tr("one of %1; text without it").arg(formatNames),
@@ -141,8 +147,8 @@ ExitCode check(const QStringList &arguments)
         CheckText::tr("judge only where rlimits, seccomp and namespaces are to be had"));
     const QCommandLineOption exitZero(QStringLiteral("exit-zero"),
                                       CheckText::tr("exit with 0 also if it did not pass"));
-    parser.addOptions(
-        {preset, answers, student, labDir, seed, formatName, output, requireIsolation, exitZero});
+    parser.addOptions({preset, answers, student, labDir, seed, language, formatName, output,
+                       requireIsolation, exitZero});
     if (const auto code = parse(parser, arguments, 1, 2))
         return *code;
     const QString program = parser.positionalArguments().value(1);
@@ -158,9 +164,13 @@ ExitCode check(const QStringList &arguments)
     if (!isNumber)
         return complain(CheckText::tr("--seed %1 is not a whole number").arg(parser.value(seed)));
 
+    if (const QString fault = languageFault(parser.value(language)); !fault.isEmpty())
+        return complain(fault);
+    speak(parser.value(language));
+
     const QString id = parser.positionalArguments().first();
     const auto lab = readLabAtHand(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id),
-                                   QStringLiteral("en"), id);
+                                   currentLanguage(), id);
     if (!lab)
         return complain(lab.error());
     const int index = lab->lab.indexOf(id);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_class.h"
 #include "app/cli/grade_results.h"
+#include "app/cli/spoken.h"
 
 #include "tasks/grading/class_zip.h"
 #include "tasks/grading/raw_folder.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_class.h"
 #include "app/cli/grade_results.h"
+#include "app/cli/spoken.h"
 
 #include "model/files/json_schema.h"
 #include "tasks/grading/class_merge.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_request.h"
 
-#include "app/language.h"
+#include "app/cli/spoken.h"
 
 #include <QCoreApplication>
 
@@ -116,9 +116,8 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
             return GradeText::tr("--shard needs --secret FILE, the same for every shard");
     }
     request.language = parser.value(options.language);
-    if (!request.language.isEmpty() && !languages().contains(request.language))
-        return GradeText::tr("--language %1: one of %2 is right")
-            .arg(request.language, languages().join(QLatin1String(", ")));
+    if (const QString fault = languageFault(request.language); !fault.isEmpty())
+        return fault;
     const auto late = percentFrom(parser.value(options.late));
     const auto most = percentFrom(parser.value(options.lateMost));
     if (!late || !most)

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/grade_results.h"
 
-#include "app/language.h"
-#include "tasks/text/spoken_locale.h"
-
 #include <QDir>
-#include <QLocale>
 #include <QSet>
 
 namespace cradle::cli {
@@ -42,12 +38,6 @@ std::optional<Error> writeResults(const GradeRequest &request, const Lab &lab,
                            .language = manifest.version.language};
     return writeClassResults(request.results, lab, facts,
                              [&progress](int done, int total) { progress.writing(done, total); });
-}
-
-void speak(const QString &language)
-{
-    setLanguage(language);
-    QLocale::setDefault(language == QLatin1String("en") ? QLocale::c() : spokenLocale(language));
 }
 
 ExitCode verdictOn(const Manifest &manifest, const GradeRequest &request)

@@ -17,10 +17,6 @@ void removeOthers(const QString &results, Manifest &manifest, const QStringList 
 [[nodiscard]] std::optional<Error> writeResults(const GradeRequest &request, const Lab &lab,
                                                 const Manifest &manifest, GradeProgress &progress);
 
-/// Speaks \p language from now on, with numbers as they are written in it whatever the system
-/// says: the same class gives the same bytes everywhere.
-void speak(const QString &language);
-
 /// What the exit status says of a class.
 [[nodiscard]] ExitCode verdictOn(const Manifest &manifest, const GradeRequest &request);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/apart.h"
 #include "app/cli/report_files.h"
+#include "app/cli/spoken.h"
 #include "app/cli/subcommand.h"
 #include "app/cli/told_in_cells.h"
 #include "app/language.h"
@@ -54,9 +55,8 @@ struct WorkOptions {
 std::optional<ExitCode> takeLanguage(const QCommandLineParser &parser, const WorkOptions &options)
 {
     const QString asked = parser.value(options.language);
-    if (parser.isSet(options.language) && !languages().contains(asked))
-        return complain(WorkReportText::tr("--language %1: one of %2 is right")
-                            .arg(asked, languages().join(QLatin1String(", "))));
+    if (const QString fault = languageFault(asked); !fault.isEmpty())
+        return complain(fault);
     setLanguage(asked);
     // Numbers as in the words around them.
     if (QLocale().language() != QLocale(currentLanguage()).language())

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/files/file_io.h"
 #include "tests/cli/program_run.h"
 #include "tests/test_paths.h"
 
@@ -24,6 +25,7 @@ private slots:
     void exitZeroHidesOnlyTheVerdict();
     void seedChangesNothingButTheScenes();
     void ownLabIsRead();
+    void languageIsTakenUp();
     void namesNeedNotBeText_data();
     void namesNeedNotBeText();
     void wrongUsageIsSaid_data();
@@ -214,6 +216,28 @@ void TestCliCheck::ownLabIsRead()
     QVERIFY(broken.error.startsWith(folder + text("unknown_check/S2/task.json: /checks/1/kind: ")));
 }
 
+/// Titles and findings, also those that the process that judges makes.
+void TestCliCheck::languageIsTakenUp()
+{
+    const QString program = m_folder.filePath(text("fast.lua"));
+    QVERIFY(!cradle::writeFile(
+        program, "function on_load()\n  circle1.velocity = vec(3, 0)\nend\n"
+                 "function on_update(t)\n"
+                 "  circle1.position = circle1.position + circle1.velocity * t\nend\n"));
+    const auto told = [&](const char *language) {
+        const QJsonObject report =
+            json({text("check"), text("L42T1"), program, text("--language"), text(language)}, 1);
+        return QStringList{
+            report[text("checks")].toArray().at(0).toObject()[text("title")].toString(),
+            report[text("findings")].toArray().at(0).toObject()[text("message")].toString()};
+    };
+    const QStringList german = told("de");
+    QCOMPARE(german[0], QStringLiteral("Kreis 1 startet mit (2, 0) m/s"));
+    QVERIFY2(german[1].contains(QStringLiteral("verlangt ist (2, 0) m/s")), qPrintable(german[1]));
+    QVERIFY(told("fr")[1].contains(QStringLiteral("il faut (2, 0) m/s")));
+    QCOMPARE(told("en")[0], QStringLiteral("Circle 1 starts with (2, 0) m/s"));
+}
+
 void TestCliCheck::namesNeedNotBeText_data()
 {
     QTest::addColumn<QString>("arguments"); // of a shell in which $d is a folder of that kind
@@ -260,6 +284,8 @@ void TestCliCheck::wrongUsageIsSaid_data()
     row("unknown option", words("check L42T1 --color --preset") + QStringList{good}, "color");
     row("unknown format", words("check L42T1 --format xml --preset") + QStringList{good},
         "text, json, junit, tap, gradescope, exercism, github");
+    row("unknown language", words("check L42T1 --language xx --preset") + QStringList{good},
+        "en, ar, de, fr");
     row("seed is a word", words("check L42T1 --seed one --preset") + QStringList{good}, "one");
     row("seed is a half", words("check L42T1 --seed 1.5 --preset") + QStringList{good}, "1.5");
     row("empty step", QStringList{text("check"), QString(), text("--preset"), good}, "no step");
