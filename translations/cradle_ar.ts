@@ -4245,6 +4245,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>a range from the least to the most, with a step that is greater than 0, is right</source>
         <translation>الصواب مجال من الأدنى إلى الأقصى بخطوة أكبر من 0</translation>
     </message>
+    <message>
+        <source>of what the step has not: %1</source>
+        <translation>لما ليس في الخطوة: %1</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>

@@ -4221,6 +4221,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>a range from the least to the most, with a step that is greater than 0, is right</source>
         <translation>richtig ist ein Bereich vom Kleinsten zum Größten mit einer Schrittweite größer als 0</translation>
     </message>
+    <message>
+        <source>of what the step has not: %1</source>
+        <translation>von etwas, das der Schritt nicht hat: %1</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>

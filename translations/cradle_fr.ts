@@ -4221,6 +4221,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>a range from the least to the most, with a step that is greater than 0, is right</source>
         <translation>il faut un intervalle du minimum au maximum, avec un pas supérieur à 0</translation>
     </message>
+    <message>
+        <source>of what the step has not: %1</source>
+        <translation>de ce que l&apos;étape n&apos;a pas&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>

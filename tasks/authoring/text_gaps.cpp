@@ -34,9 +34,22 @@ QStringList idsOf(const QJsonObject &task, const QString &list)
     return ids;
 }
 
+using NamedTexts = std::vector<std::pair<QString, QStringList>>;
+
+/// What of a step is named and has a text of its own, by the key of its list.
+NamedTexts namedIn(const QJsonObject &task, const QStringList &mistakes)
+{
+    const QString checks = QStringLiteral("checks");
+    const QString remarks = QStringLiteral("remarks");
+    const QString questions = QStringLiteral("questions");
+    return {{questions, idsOf(task, questions)},
+            {checks, idsOf(task, checks)},
+            {QStringLiteral("mistakes"), mistakes},
+            {remarks, idsOf(task, remarks)}};
+}
+
 /// What \p words, a step's texts in another language, have not: "title", "checks.falls".
-QStringList missingIn(const QJsonObject &words, const QJsonObject &task,
-                      const QStringList &mistakes)
+QStringList missingIn(const QJsonObject &words, const QJsonObject &task, const NamedTexts &named)
 {
     QStringList missing;
     if (words.value(titleKey).toString().isEmpty())
@@ -48,24 +61,28 @@ QStringList missingIn(const QJsonObject &words, const QJsonObject &task,
     const QString prediction = QStringLiteral("prediction");
     if (task.contains(prediction) && !words.contains(prediction))
         missing.append(prediction);
-    const QString checks = QStringLiteral("checks");
-    const QString remarks = QStringLiteral("remarks");
-    const QString questions = QStringLiteral("questions");
-    for (const QString &id : idsOf(task, questions)) {
-        if (!words.value(questions).toObject().contains(id))
-            missing.append(questions + QLatin1Char('.') + id);
-    }
-    const std::pair<QString, QStringList> named[] = {{checks, idsOf(task, checks)},
-                                                     {QStringLiteral("mistakes"), mistakes},
-                                                     {remarks, idsOf(task, remarks)}};
     for (const auto &[key, names] : named) {
         const QJsonObject texts = words.value(key).toObject();
         for (const QString &name : names) {
-            if (texts.value(name).toString().isEmpty())
+            const QJsonValue text = texts.value(name);
+            if (text.isUndefined() || (text.isString() && text.toString().isEmpty()))
                 missing.append(key + QLatin1Char('.') + name);
         }
     }
     return missing;
+}
+
+/// What \p words say of what the step has not, such as a mistake that was renamed.
+QStringList deadIn(const QJsonObject &words, const NamedTexts &named)
+{
+    QStringList dead;
+    for (const auto &[key, names] : named) {
+        for (const QString &name : words.value(key).toObject().keys()) {
+            if (!names.contains(name))
+                dead.append(key + QLatin1Char('.') + name);
+        }
+    }
+    return dead;
 }
 
 /// What of a step still says what the template of new steps says.
@@ -103,16 +120,22 @@ std::vector<Error> textGaps(const LabFiles &files)
             gaps.push_back({.message = GapsText::tr("still the text of the template: %1")
                                            .arg(left.join(QStringLiteral(", "))),
                             .file = path});
-        const QStringList mistakes = knownNames(files, step, KnownKind::Mistake);
+        const NamedTexts named = namedIn(task, knownNames(files, step, KnownKind::Mistake));
         for (const QString &language : languages.mid(1)) {
             const QString translated = translatedPath(path, language);
-            QStringList missing = missingIn(objectIn(files, translated), task, mistakes);
+            const QJsonObject words = objectIn(files, translated);
+            QStringList missing = missingIn(words, task, named);
             const QString text = QStringLiteral("instructions.%1.md").arg(language);
             if (!files.contents.contains(step + QLatin1Char('/') + text))
                 missing.append(text);
             if (!missing.isEmpty())
                 gaps.push_back({.message = GapsText::tr("not in this language yet: %1")
                                                .arg(missing.join(QStringLiteral(", "))),
+                                .file = translated});
+            const QStringList dead = deadIn(words, named);
+            if (!dead.isEmpty())
+                gaps.push_back({.message = GapsText::tr("of what the step has not: %1")
+                                               .arg(dead.join(QStringLiteral(", "))),
                                 .file = translated});
         }
     }

@@ -216,11 +216,13 @@ void TestCliVerify::fileThatCannotBeReadIsNamed()
     QVERIFY2(!outcome.out.contains(text(" 0 problems")), outcome.toText().constData());
 }
 
-/// A language that is begun in a step, and what is still the template's, are told and fail nothing.
+/// A language that is begun in a step, what the step has no more, and what is still the template's,
+/// are told and fail nothing.
 void TestCliVerify::unfinishedTextsAreTold()
 {
     Files files = soundLab();
-    files["S1/task.de.json"] = R"({"title": "Treiben", "checks": {"drifts": "Er treibt"}})";
+    files["S1/task.de.json"] = R"({"title": "Treiben", "checks": {"drifts": "Er treibt"},
+        "mistakes": {"renamed": "Hin"}})";
     files["S1/task.json"].replace("\"Drift\"", "\"Make it fall\"");
     const QTemporaryDir folder;
     write(folder, files);
@@ -229,7 +231,8 @@ void TestCliVerify::unfinishedTextsAreTold()
     for (const char *line :
          {"? task.json: still the text of the template: title\n",
           "? task.de.json: not in this language yet: hints, checks.velocity, mistakes.twice, "
-          "mistakes.upward, instructions.de.md\n"})
+          "mistakes.upward, instructions.de.md\n",
+          "? task.de.json: of what the step has not: mistakes.renamed\n"})
         QVERIFY2(outcome.out.contains(text(line)), outcome.toText().constData());
 }
 
