@@ -5,6 +5,7 @@
 #include "tasks/grading/page.h"
 #include "tasks/lab_report/lab_report.h"
 #include "tasks/lab_report/markdown_html.h"
+#include "tasks/text/quantity_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -280,7 +281,7 @@ private:
         QString caption =
             moment.scene.time > 0.0
                 ? StudentText::tr("“%1” first goes wrong here, at %2 s.")
-                      .arg(check->title, QLocale().toString(moment.scene.time, 'f', 2))
+                      .arg(check->title, quantityText(moment.scene.time, 'f', 2))
                 : StudentText::tr("“%1” goes wrong from the start.").arg(check->title);
         if (!check->variant.isEmpty() && check->variant != QLatin1String("preset"))
             caption += QLatin1Char(' ') + StudentText::tr("Scene: %1.").arg(check->variant);

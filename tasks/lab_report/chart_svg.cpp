@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/chart_svg.h"
-
-#include <QLocale>
+#include "tasks/text/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +52,8 @@ QString numberText(double value, double step)
     if (std::abs(value) < 1e-6 * step)
         value = 0.0;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    return std::abs(value) >= 1e5 || digits > 4 ? QLocale().toString(value, 'g', 4)
-                                                : QLocale().toString(value, 'f', digits);
+    return std::abs(value) >= 1e5 || digits > 4 ? quantityText(value, 'g', 4)
+                                                : quantityText(value, 'f', digits);
 }
 
 /// At most so many points, of which each group keeps its lowest and highest.

@@ -3,9 +3,9 @@
 #include "tasks/lab_report/drawn_moment.h"
 
 #include "tasks/lab_report/svg_picture.h"
+#include "tasks/text/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -107,9 +107,8 @@ DrawnMoment drawnMoment(const Observation &run, qint64 index)
 QByteArray sceneSvg(const DrawnMoment &moment)
 {
     const Frame place(moment.halfWidth);
-    SvgPicture picture(
-        sceneSize, sceneSize,
-        PictureText::tr("The scene at %1 s").arg(QLocale().toString(moment.time, 'f', 2)));
+    SvgPicture picture(sceneSize, sceneSize,
+                       PictureText::tr("The scene at %1 s").arg(quantityText(moment.time, 'f', 2)));
     picture.rectangle({}, {sceneSize, sceneSize}, background, {});
     picture.rectangle(place({-moment.halfWidth, moment.halfWidth}),
                       Vec2{1.0, 1.0} * place.length(2.0 * moment.halfWidth), {}, {wallColour, 2.0});

@@ -8,6 +8,7 @@
 #include "tasks/reading/lab_reader.h"
 #include "tasks/report/report_text.h"
 #include "tasks/text/plain_text.h"
+#include "tasks/text/quantity_text.h"
 
 #include <QCoreApplication>
 #include <QtConcurrent>
@@ -43,7 +44,7 @@ QString askedBy(const Task &task, bool byProgram)
 
 QString momentText(const TellingMoment &moment)
 {
-    const QString time = QLocale().toString(moment.time, 'f', 2);
+    const QString time = quantityText(moment.time, 'f', 2);
     switch (moment.kind) {
     case TellingMoment::Kind::Circles:
         return ReportText::tr("At %1 s, when two circles first meet").arg(time);

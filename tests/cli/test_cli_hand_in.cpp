@@ -175,6 +175,12 @@ void TestCliHandIn::speaksTheLanguageThatIsAskedFor()
     QVERIFY(page.contains(QStringLiteral("Was sich am Programm geändert hat")));
     QVERIFY(page.contains(QStringLiteral("2 von 3 Schritten")));
     QVERIFY(!page.contains(QStringLiteral("What changed")));
+    // Seconds and joules are written as in the lab's texts and its code.
+    static const QRegularExpression quantity(QStringLiteral("\\d([.,])\\d+ (s|J|m)\\b"));
+    int points = 0;
+    for (auto all = quantity.globalMatch(page); all.hasNext(); ++points)
+        QCOMPARE(all.next().captured(1), QStringLiteral("."));
+    QVERIFY(points > 0);
     const QString pdf = path("de.pdf");
     VERIFY_CODE(runCli({QStringLiteral("report"), path("w"), QStringLiteral("--language"), german,
                         QStringLiteral("--output"), pdf}),
