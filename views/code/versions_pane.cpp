@@ -24,7 +24,8 @@ namespace cradle {
 namespace {
 
 enum Column { When, What, Change };
-constexpr int leastPart = 120; ///< px: a small window has no room for what it would like
+constexpr int leastPart = 120;    ///< px: a small window has no room for what it would like
+constexpr int widthOfThree = 900; ///< px, in which the list and two programs lie side by side
 
 struct PaneText {
     Q_DECLARE_TR_FUNCTIONS(VersionsPane)
@@ -91,6 +92,7 @@ QWidget *titled(QLabel *title, QWidget *content)
 
 VersionsPane::VersionsPane(QWidget *parent)
     : QWidget(parent)
+    , m_parts(new QSplitter(Qt::Horizontal, this))
     , m_list(new QTreeWidget)
     , m_empty(new QLabel(this))
     , m_thenTitle(new QLabel)
@@ -111,25 +113,29 @@ VersionsPane::VersionsPane(QWidget *parent)
     m_now->setReadOnly(true);
     auto *buttons = new QVBoxLayout; // side by side they do not fit, in German least of all
     buttons->setContentsMargins(8, 4, 8, 4);
+    buttons->setSpacing(6);
     buttons->addWidget(m_goBack);
     buttons->addWidget(m_toPassed);
-    auto *left = new QWidget;
-    auto *leftColumn = new QVBoxLayout(left);
-    leftColumn->setContentsMargins(0, 0, 0, 0);
-    leftColumn->setSpacing(0);
-    leftColumn->addWidget(m_empty);
-    leftColumn->addWidget(m_list, 1);
-    leftColumn->addLayout(buttons);
-    left->setMinimumWidth(leastPart);
-    auto *splitter = new QSplitter(Qt::Horizontal);
-    splitter->addWidget(left);
-    splitter->addWidget(titled(m_thenTitle, m_then));
-    splitter->addWidget(titled(m_nowTitle, m_now));
-    splitter->setChildrenCollapsible(false);
-    splitter->setSizes({420, 360, 360});
+    buttons->addStretch();
+    auto *choice = new QWidget;
+    m_choice = new QBoxLayout(QBoxLayout::TopToBottom, choice);
+    m_choice->setContentsMargins(0, 0, 0, 0);
+    m_choice->setSpacing(0);
+    m_choice->addWidget(m_empty, 1);
+    m_choice->addWidget(m_list, 1);
+    m_choice->addLayout(buttons);
+    choice->setMinimumWidth(leastPart);
+    auto *programs = new QSplitter(Qt::Horizontal);
+    programs->addWidget(titled(m_thenTitle, m_then));
+    programs->addWidget(titled(m_nowTitle, m_now));
+    programs->setChildrenCollapsible(false);
+    m_parts->addWidget(choice);
+    m_parts->addWidget(programs);
+    m_parts->setChildrenCollapsible(false);
+    m_parts->setSizes({420, 720});
     auto *whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(splitter);
+    whole->addWidget(m_parts);
     setFocusProxy(m_list);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &VersionsPane::showChosen);
     connect(m_goBack, &QPushButton::clicked, this, [this] {
@@ -228,6 +234,20 @@ void VersionsPane::showButtons()
     const ShownVersion *passed = newestPassed();
     m_goBack->setEnabled(m_mayChange && version && version->text != m_present);
     m_toPassed->setEnabled(m_mayChange && passed && passed->text != m_present);
+}
+
+/// Where it is narrow the programs lie below the list: in a third of the width a line is cut before
+/// what differs.
+void VersionsPane::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool stacks = width() < widthOfThree && height() > width() / 2;
+    const Qt::Orientation orientation = stacks ? Qt::Vertical : Qt::Horizontal;
+    if (orientation == m_parts->orientation())
+        return;
+    m_parts->setOrientation(orientation);
+    m_choice->setDirection(stacks ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_parts->setSizes(stacks ? QList{height() / 4, 3 * height() / 4} : QList{420, 720});
 }
 
 void VersionsPane::changeEvent(QEvent *event)

@@ -9,8 +9,10 @@
 #include <vector>
 
 QT_BEGIN_NAMESPACE
+class QBoxLayout;
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QTreeWidget;
 QT_END_NAMESPACE
 
@@ -45,6 +47,7 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void fill();
@@ -53,6 +56,8 @@ private:
     void retranslate();
     [[nodiscard]] const ShownVersion *newestPassed() const;
 
+    QSplitter *m_parts;
+    QBoxLayout *m_choice = nullptr; ///< the list and the buttons
     QTreeWidget *m_list;
     QLabel *m_empty;
     QLabel *m_thenTitle;
