@@ -69,6 +69,7 @@ void MainWindow::wireWorkbench()
     connect(m_taskPane, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
     connect(m_taskPane, &TaskPane::lineRequested, this, &MainWindow::showLine);
     connect(m_taskPane, &TaskPane::solutionRequested, m_code, &CodePane::solutionRequested);
+    connect(m_taskPane, &TaskPane::passedSceneRequested, bench, &Workbench::backToPassedScene);
 }
 
 void MainWindow::wireViews()
@@ -78,6 +79,7 @@ void MainWindow::wireViews()
     connect(m_scene, &SceneView::selectionChanged, m_inspector, &Inspector::select);
     connect(m_inspector, &Inspector::selectionChanged, m_scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &MainWindow::showVisit);
+    connect(document, &PresetDocument::edited, this, &MainWindow::showProgress);
     connect(simulation, &Simulation::frameReady, this, [this] {
         if (m_saidFault.value_or(false) != m_workbench.showsFault() && m_saidFault)
             showVisit(true);
@@ -117,6 +119,7 @@ void MainWindow::showProgress()
     m_taskPane->setAwaitsRun(m_workbench.awaitsRun());
     m_taskPane->setOffersSolution(m_workbench.mode() == Mode::Code
                                   && m_workbench.mayShowSolution());
+    m_taskPane->setOffersPassedScene(m_workbench.passedScene().has_value());
 }
 
 /// An example tells what there is to see, and the tab that shows it comes to the front.

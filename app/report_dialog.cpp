@@ -54,10 +54,10 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
         showPage();
     });
     connect(&m_job, &WorkJob::failed, this,
-            [this](const Error &error) { m_message->setText(error.toString()); });
+            [this](const Error &error) { saysWhy(error.toString()); });
     workbench.save();
     if (!workbench.code().isSaved()) {
-        m_message->setText(unsavedText());
+        saysWhy(unsavedText());
         return;
     }
     m_message->setText(tr("Every step is judged once more…"));
@@ -65,6 +65,13 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
 }
 
 ReportDialog::~ReportDialog() = default;
+
+/// Why there is no page.
+void ReportDialog::saysWhy(const QString &fault)
+{
+    m_progress->hide();
+    m_message->setText(fault);
+}
 
 void ReportDialog::showPage()
 {

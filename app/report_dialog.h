@@ -37,6 +37,7 @@ signals:
 
 private:
     void showPage();
+    void saysWhy(const QString &fault);
     void chooseFile();
 
     Workbench &m_workbench;

@@ -99,7 +99,11 @@ public slots:
     void setHintsOpened(int count);
     void predict(int answer); ///< of the current step's prediction, or Guess::notSure
     void answer(const QString &question, const QJsonValue &value); ///< of the current step
-    void revealOutcome();     ///< shows what the prediction was about
+    void revealOutcome(); ///< shows what the prediction was about
+    /// The scene with which the open step was passed, where steps are worked on by scenes and
+    /// another is there now.
+    [[nodiscard]] std::optional<Preset> passedScene() const;
+    void backToPassedScene();
     void startAfresh();       ///< the program of this step, from what the step before ended with
     void startFromSolution(); ///< of the step before, if it was missed
     void takeOver();          ///< the right to save, from the window that has it

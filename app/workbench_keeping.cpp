@@ -71,6 +71,20 @@ void Workbench::recoverProgram()
     m_code.save();
 }
 
+std::optional<Preset> Workbench::passedScene() const
+{
+    if (!task() || mode() != Mode::Explore || !m_store.isPassed(m_lab.id, task()->id))
+        return std::nullopt;
+    const std::optional<Preset> scene = m_code.workspace().passedScene(task()->id);
+    return scene && *scene != m_document.own() ? scene : std::nullopt;
+}
+
+void Workbench::backToPassedScene()
+{
+    if (const auto scene = passedScene())
+        m_document.edit(tr("Back to the scene that passed"), *scene);
+}
+
 void Workbench::startAfresh()
 {
     if (task())

@@ -10945,6 +10945,18 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>Copy the commit message</source>
         <translation>نسخ رسالة الإيداع</translation>
     </message>
+    <message>
+        <source>Back to the scene that passed ▸</source>
+        <translation>عُد إلى المشهد الذي اجتاز ◂</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>عُد إلى المشهد الذي اجتاز</translation>
+    </message>
+    <message>
+        <source>Sets the values with which you passed this step; Undo takes that back</source>
+        <translation>يضبط القيم التي اجتزت بها هذه الخطوة؛ والتراجع يلغي ذلك</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneActions</name>
@@ -12245,6 +12257,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Open a scene</source>
         <translation>فتح مشهد</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>عُد إلى المشهد الذي اجتاز</translation>
     </message>
 </context>
 <context>

@@ -10877,6 +10877,18 @@ Ihre Nummer:</translation>
         <source>The step counts as passed as soon as the run of this work was shown.</source>
         <translation>Der Schritt gilt als bestanden, sobald der Lauf dieser Arbeit gezeigt wurde.</translation>
     </message>
+    <message>
+        <source>Back to the scene that passed ▸</source>
+        <translation>Zurück zur Szene, die bestand ▸</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Zurück zur Szene, die bestand</translation>
+    </message>
+    <message>
+        <source>Sets the values with which you passed this step; Undo takes that back</source>
+        <translation>Setzt die Werte, mit denen du diesen Schritt geschafft hast; Rückgängig nimmt das zurück</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneActions</name>
@@ -12157,6 +12169,10 @@ Ihre Nummer:</translation>
     <message>
         <source>this is work in the lab %1, which is not here; open that lab once, and then the work</source>
         <translation>das ist Arbeit im Lab %1, das es hier nicht gibt; öffne einmal dieses Lab und dann die Arbeit</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Zurück zur Szene, die bestand</translation>
     </message>
 </context>
 <context>

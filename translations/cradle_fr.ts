@@ -10877,6 +10877,18 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>Copy the commit message</source>
         <translation>Copier le message de commit</translation>
     </message>
+    <message>
+        <source>Back to the scene that passed ▸</source>
+        <translation>Revenir à la scène qui a réussi ▸</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Revenir à la scène qui a réussi</translation>
+    </message>
+    <message>
+        <source>Sets the values with which you passed this step; Undo takes that back</source>
+        <translation>Rétablit les valeurs avec lesquelles vous avez réussi cette étape&#xa0;; Annuler revient en arrière</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneActions</name>
@@ -12157,6 +12169,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Open a scene</source>
         <translation>Ouvrir une scène</translation>
+    </message>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Revenir à la scène qui a réussi</translation>
     </message>
 </context>
 <context>

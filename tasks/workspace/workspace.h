@@ -88,6 +88,9 @@ public:
     [[nodiscard]] History *history() { return m_history.get(); }
     /// Keeps a version; one that was not judged only if the text is not that of the newest.
     std::optional<Error> keep(const QString &taskId, const QString &text, const VersionNote &note);
+    /// The student's own scene with which the step was last passed; none if it was that of the lab.
+    [[nodiscard]] std::optional<Preset> passedScene(const QString &taskId) const;
+
     /// Commits the work as it is, for a step that was passed.
     /// \param program  that passed, which the file may have left behind; none in explore mode
     /// \param scene    the student's own scene; none if it is that of the lab
@@ -116,6 +119,10 @@ private:
     [[nodiscard]] Result<std::optional<QString>> ownText(const QString &taskId) const;
     [[nodiscard]] bool wasTakenOver();
     Result<QString> moveAside(const QString &path);
+    [[nodiscard]] QString scenePath(const QString &taskId) const
+    {
+        return m_folder + QStringLiteral("/presets/%1.json").arg(taskId);
+    }
     [[nodiscard]] QString notePath(const QString &taskId) const;
     std::optional<Error> keepOthersNote(const QString &taskId);
     std::optional<Error> write(const QString &path, const QByteArray &text);

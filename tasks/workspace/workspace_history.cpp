@@ -154,18 +154,24 @@ std::optional<Error> Workspace::keep(const QString &taskId, const QString &text,
     return m_history->keep(taskId, bytes, note, m_info.student);
 }
 
+std::optional<Preset> Workspace::passedScene(const QString &taskId) const
+{
+    const auto scene = readPreset(scenePath(taskId));
+    return scene ? std::optional(*scene) : std::nullopt;
+}
+
 std::optional<Error> Workspace::commitPass(const CheckReport &report,
                                            const std::optional<QString> &program,
                                            const std::optional<Preset> &scene)
 {
     if (!m_history || wasTakenOver() || m_readOnly)
         return std::nullopt;
-    const QString path = m_folder + QStringLiteral("/presets/%1.json").arg(report.taskId);
+    const QString path = scenePath(report.taskId);
     if (scene) {
         if (auto error = write(path, writePreset(*scene)))
             return error;
-    } else if (QFile::exists(path)) {
-        QFile::remove(path);
+    } else if (QFile file(path); file.exists() && !file.remove()) {
+        return Error{.message = file.errorString(), .file = path};
     }
     const QString subject = report.commit.isEmpty() ? report.taskId : report.commit;
     QMap<QString, QByteArray> judged;

@@ -21,6 +21,7 @@ private slots:
     void init();
     void versionsComeAndGoBack();
     void passedStepOutlivesATrial();
+    void passedSceneOutlivesATrial();
     void undoOutlivesAStep();
     void notesAreKeptForEachStep();
     void notesHaveVersions();
@@ -91,6 +92,43 @@ void TestGoingBack::passedStepOutlivesATrial()
     QCOMPARE(open.bench.code().text(), solution);
     check(open);
     QVERIFY(open.bench.report()->passed);
+}
+
+/// The same by the laws of the scene, where e is one of its values.
+void TestGoingBack::passedSceneOutlivesATrial()
+{
+    const QString name = QStringLiteral("Back to the scene that passed");
+    const QString id = QStringLiteral("L42T17");
+    Preset passed;
+    {
+        OpenWindow open(folder());
+        QVERIFY(open.bench.openTask(id));
+        open.bench.setMode(Mode::Explore);
+        passed = open.solution();
+        open.bench.document().edit(QStringLiteral("Scene"), passed);
+        check(open);
+        QVERIFY(open.bench.report()->passed);
+        QVERIFY(!open.button(name));
+        Preset trial = passed;
+        trial.restitution = 0.9;
+        open.bench.document().edit(QStringLiteral("e"), trial);
+        QVERIFY(open.button(name));
+        QVERIFY(open.window.close());
+    }
+    OpenWindow open(folder());
+    open.bench.setMode(Mode::Explore);
+    QVERIFY(open.bench.openTask(id));
+    QCOMPARE(open.preset().restitution, 0.9);
+    open.click(name);
+    QVERIFY(open.preset() == passed);
+    QVERIFY(!open.button(name));
+    check(open);
+    QVERIFY(open.bench.report()->passed);
+    open.bench.document().undoStack().undo();
+    QCOMPARE(open.preset().restitution, 0.9);
+    QVERIFY(open.button(name));
+    open.bench.setMode(Mode::Code); // there programs are gone back to
+    QVERIFY(!open.button(name));
 }
 
 void TestGoingBack::undoOutlivesAStep()

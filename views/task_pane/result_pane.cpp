@@ -110,6 +110,14 @@ void ResultPane::setOffersSolution(bool offers)
     rebuild();
 }
 
+void ResultPane::setOffersPassedScene(bool offers)
+{
+    if (offers == m_offersPassedScene)
+        return;
+    m_offersPassedScene = offers;
+    rebuild();
+}
+
 void ResultPane::setLast(bool last, const QStringList &stillOpen)
 {
     if (last == m_last && stillOpen == m_stillOpen)
@@ -141,6 +149,7 @@ void ResultPane::rebuild()
         addText(column, tr("Nothing to check: this scene belongs to no step."), "muted");
     } else if (!m_report && m_passed) {
         addPass(column);
+        addWayBack(column);
     } else if (!m_report) {
         addText(column, tr("Press Check (Ctrl+Return) when you are done."), "muted");
     } else {
@@ -160,6 +169,7 @@ void ResultPane::rebuild()
             body->setGraphicsEffect(grey);
         }
         column->addWidget(body);
+        addWayBack(column);
     }
     column->addStretch(1);
     if (QWidget *old = m_scroll->takeWidget())

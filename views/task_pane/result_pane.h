@@ -41,9 +41,12 @@ public:
     void setPassed(bool passed, const Pass &pass);
     /// Whether the student's program can be compared with the reference.
     void setOffersSolution(bool offers);
+    /// Whether another scene is there than that with which the step was passed.
+    void setOffersPassedScene(bool offers);
 
 signals:
     void solutionRequested();
+    void passedSceneRequested();
     void lineRequested(int line);
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
@@ -65,6 +68,7 @@ private:
     void addPass(QVBoxLayout *column);
     void addCommit(QVBoxLayout *column, const QString &commit);
     void addWayOn(QVBoxLayout *column);
+    void addWayBack(QVBoxLayout *column);
     void addChecks(QVBoxLayout *column);
     QLabel *addText(QVBoxLayout *column, const QString &text, const char *kind);
 
@@ -83,6 +87,7 @@ private:
     Pass m_pass;
     bool m_last = false;
     bool m_offersSolution = false;
+    bool m_offersPassedScene = false;
     QStringList m_stillOpen;
 };
 

@@ -80,6 +80,19 @@ void ResultPane::addWayOn(QVBoxLayout *column)
     connect(next, &QPushButton::clicked, this, &ResultPane::nextStepRequested);
 }
 
+/// To the scene with which the step was passed, if that is not there any more.
+void ResultPane::addWayBack(QVBoxLayout *column)
+{
+    if (!m_offersPassedScene)
+        return;
+    auto *back = new QPushButton(tr("Back to the scene that passed ▸"));
+    back->setAccessibleName(tr("Back to the scene that passed"));
+    setKind(back, "link");
+    back->setToolTip(tr("Sets the values with which you passed this step; Undo takes that back"));
+    column->addWidget(back, 0, Qt::AlignLeft);
+    connect(back, &QPushButton::clicked, this, &ResultPane::passedSceneRequested);
+}
+
 /// The commit message, to take along.
 void ResultPane::addCommit(QVBoxLayout *column, const QString &commit)
 {

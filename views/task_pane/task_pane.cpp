@@ -58,6 +58,7 @@ TaskPane::TaskPane(QWidget *parent)
     connect(m_result, &ResultPane::nextStepRequested, this, &TaskPane::nextStepRequested);
     connect(m_result, &ResultPane::lineRequested, this, &TaskPane::lineRequested);
     connect(m_result, &ResultPane::solutionRequested, this, &TaskPane::solutionRequested);
+    connect(m_result, &ResultPane::passedSceneRequested, this, &TaskPane::passedSceneRequested);
 }
 
 void TaskPane::setLab(const Lab &lab)
@@ -137,6 +138,11 @@ void TaskPane::resizeEvent(QResizeEvent *event)
 void TaskPane::setChecking(bool checking, int done, int total)
 {
     m_result->setChecking(checking, done, total);
+}
+
+void TaskPane::setOffersPassedScene(bool offers)
+{
+    m_result->setOffersPassedScene(offers);
 }
 
 void TaskPane::setOffersSolution(bool offers)

@@ -40,6 +40,8 @@ public:
     void setChecking(bool checking, int done = 0, int total = 0);
     /// Whether a student who passed can compare his program with the reference.
     void setOffersSolution(bool offers);
+    /// Whether another scene is there than that with which the step was passed.
+    void setOffersPassedScene(bool offers);
     void setStale(bool stale);      ///< the scene was changed since the check
     void setAwaitsRun(bool awaits); ///< it passed, but its run was not shown yet
 
@@ -52,6 +54,7 @@ signals:
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
     void solutionRequested();
+    void passedSceneRequested();
     void lineRequested(int line); ///< of the program
 
 protected:
