@@ -31,6 +31,8 @@ private slots:
     void fieldsAreQuotedAndHarmless();
     void tablesReadBack_data();
     void tablesReadBack();
+    void awkwardNamesReadBack_data();
+    void awkwardNamesReadBack();
     void canvasHasItsTwoHeadLines();
     void numbersGoWhereTheyWereGivenOut();
     void gradescopeAddsUp();
@@ -160,6 +162,10 @@ void TestGradebooks::fieldsAreQuotedAndHarmless_data()
         << QStringLiteral("\t@SUM(A1)") << QByteArray("'@SUM(A1)");
     QTest::newRow("plus") << QStringLiteral("+cmd|x") << QByteArray("'+cmd|x");
     QTest::newRow("full width") << QStringLiteral("\uFF1D1") << QStringLiteral("'\uFF1D1").toUtf8();
+    QTest::newRow("plus and a number") << QStringLiteral("+1") << QByteArray("'+1");
+    QTest::newRow("no number") << QStringLiteral("-inf") << QByteArray("'-inf");
+    QTest::newRow("behind the ; of another country")
+        << QStringLiteral("Ada;\" =cmd|x") << QByteArray("\"Ada;\"\" '=cmd|x\"");
     QTest::newRow("number below zero") << QStringLiteral("-1.5") << QByteArray("-1.5");
     QTest::newRow("control character") << QStringLiteral("a\x1b[31mb") << QByteArray("a[31mb");
     QTest::newRow("spaces of Canvas")
@@ -211,6 +217,50 @@ void TestGradebooks::tablesReadBack()
     QCOMPARE(sum(1), QString());
     QCOMPARE(sum(2), QStringLiteral("1"));
     QCOMPARE(sum(3), QStringLiteral("0"));
+}
+
+void TestGradebooks::awkwardNamesReadBack_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("read");
+    const auto row = [](const char *label, const char *name, const char *read) {
+        QTest::newRow(label) << QString::fromUtf8(name) << QString::fromUtf8(read);
+    };
+    row("plus", "+1", "'+1");
+    row("at", "@x", "'@x");
+    row("formula", "=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0");
+    row("behind a ;", "Eve;=1+1", "Eve;'=1+1");
+    row("Arabic", "سارة عبد الله", "سارة عبد الله");
+    row("quotes", "Ann \"the \"\" one\"", "Ann \"the \"\" one\"");
+    row("lines", "Ann\r\n=1+1", "Ann =1+1");
+}
+
+/// In every table there is a row of the name, as many cells as in the others, and its sum.
+void TestGradebooks::awkwardNamesReadBack()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, read);
+    StudentResult student = ada(m_lab);
+    student.name = name;
+    Gradebooks books(m_lab, m_facts);
+    books.add(student);
+    QVERIFY(!books.write(m_folder.path()));
+    const std::pair<const char *, int> columns[] = {
+        {"gradebook.csv", 1}, {"gradebooks/moodle.csv", 1}, {"gradebooks/canvas.csv", 0}};
+    for (const auto &[file, column] : columns) {
+        const QJsonArray rows = tableOf(file);
+        const QJsonArray found = rows[rows.size() - 2].toArray(); // the last handed in nothing
+        QCOMPARE(found.size(), rows[0].toArray().size());
+        QCOMPARE(found[column].toString(), read);
+        QVERIFY(found.contains(QStringLiteral("4.4")));
+    }
+    // Blackboard has it in two; the cells of both begin as harmlessly.
+    const QJsonArray rows = tableOf("gradebooks/blackboard.csv");
+    const QJsonArray found = rows[rows.size() - 2].toArray();
+    QCOMPARE(found.size(), rows[0].toArray().size());
+    for (const QJsonValue &cell : found)
+        QVERIFY(cell.toString().isEmpty() || !QStringLiteral("=+-@").contains(cell.toString()[0]));
+    QVERIFY(found.contains(QStringLiteral("4.4")));
 }
 
 void TestGradebooks::canvasHasItsTwoHeadLines()

@@ -4,15 +4,25 @@
 
 #include "tasks/text/plain_text.h"
 
+#include <QRegularExpression>
+
 namespace cradle {
 
 namespace {
 
-bool isNumber(const QString &text)
+/// Full width signs count as formulas, too, where East Asian input is usual.
+const QString formulaSigns = QStringLiteral("=+\\-@\uFF1D\uFF0B\uFF0D\uFF20");
+
+/// Puts a ' before what a spreadsheet would take for a formula: in front, but for a number below
+/// zero, and behind each ; which begins a new cell where a comma stands in numbers.
+QString harmless(QString text)
 {
-    bool ok = false;
-    text.toDouble(&ok);
-    return ok;
+    static const QRegularExpression number(QStringLiteral("^\\s*-[0-9]+(\\.[0-9]+)?\\s*$"));
+    static const QRegularExpression front(QStringLiteral("^\\s*([%1])").arg(formulaSigns));
+    static const QRegularExpression behind(QStringLiteral("(;[\\s\"]*)([%1])").arg(formulaSigns));
+    if (!number.match(text).hasMatch())
+        text.replace(front, QStringLiteral("'\\1"));
+    return text.replace(behind, QStringLiteral("\\1'\\2"));
 }
 
 QString fieldOf(const QString &value, bool quoted)
@@ -23,11 +33,7 @@ QString fieldOf(const QString &value, bool quoted)
         if (letter.isSpace())
             letter = QLatin1Char(' ');
     }
-    const QString bare = text.trimmed();
-    // Full width signs count as formulas, too, where East Asian input is usual.
-    static const QString signs = QStringLiteral("=+-@\uFF1D\uFF0B\uFF0D\uFF20");
-    if (!bare.isEmpty() && signs.contains(bare[0]) && !isNumber(bare))
-        text = QLatin1Char('\'') + bare;
+    text = harmless(std::move(text));
     if (quoted || text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"'))
         || text.contains(QLatin1Char(';')))
         text = QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\""))
