@@ -1,23 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/grading/class_folder.h"
-#include "tasks/grading/handed_in.h"
+#include "tests/made_class.h"
+
 #include "tasks/grading/platform_names.h"
-#include "tasks/grading/raw_folder.h"
 #include "tasks/grading/student_seed.h"
-#include "tests/test_paths.h"
 
 #include <QCryptographicHash>
-#include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <QSet>
 
 using namespace cradle;
+using namespace cradle::classes;
 
 /// How a folder of what was handed in is understood.
 class TestClassFolder : public QObject
@@ -31,85 +23,15 @@ private slots:
     void canvasFilesAreGathered();
     void lastBlackboardAttemptCounts();
     void blackboardAccountsMayHaveUnderscores();
-    void rosterTellsBlackboardAccounts();
     void blackboardAccountsThatAreGuessedAreTold();
     void classroomClonesLoseTheAssignment();
     void oneStudentsWorkIsNoClass();
-    void zipInsideIsTold();
     void linksThatLeadOutAreNotFollowed();
     void namesThatAreNoTextWork();
     void idsAreUnlikeEachOther();
-    void rosterNamesStudentsAndTheMissing();
-    void onlyTheRosterGivesNumbersForValues();
-    void whatTheRosterHasTwiceIsTold();
-    void brokenRosterIsRefused_data();
-    void brokenRosterIsRefused();
-    void tableCellsMayBeQuoted();
     void everyStudentIsInOneShard();
     void seedFollowsFromSecretAndId();
 };
-
-namespace {
-
-Lab lab()
-{
-    Lab made;
-    made.id = QStringLiteral("lab");
-    for (const char *id : {"L1", "L2"}) {
-        Task task;
-        task.id = QString::fromLatin1(id);
-        made.tasks.push_back(task);
-    }
-    return made;
-}
-
-/// A class that is made file by file.
-class Made
-{
-public:
-    void file(const QByteArray &path, const QByteArray &content = "x = 1\n") const
-    {
-        const QByteArray whole = root() + '/' + path;
-        for (auto slash = whole.indexOf('/', root().size() + 1); slash > 0;
-             slash = whole.indexOf('/', slash + 1))
-            ::mkdir(whole.left(slash).constData(), 0700);
-        const int number = ::open(whole.constData(), O_WRONLY | O_CREAT, 0600);
-        QVERIFY(number >= 0);
-        QCOMPARE(::write(number, content.constData(), std::size_t(content.size())),
-                 ssize_t(content.size()));
-        ::close(number);
-    }
-    [[nodiscard]] QByteArray root() const { return QFile::encodeName(m_folder.path()); }
-    [[nodiscard]] ClassFolder read(const std::vector<RosterRow> &roster = {}) const
-    {
-        const auto found = readClassFolder(root(), QStringLiteral("lab"), roster);
-        return found ? *found : ClassFolder{.remarks = {found.error().toString()}};
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
-
-QStringList idsOf(const ClassFolder &found)
-{
-    QStringList ids;
-    for (const FoundStudent &student : found.students)
-        ids.append(student.id);
-    return ids;
-}
-
-QStringList filesOf(const ClassFolder &found, int index)
-{
-    return readHandedIn(found.students.at(std::size_t(index)), found.root, lab())
-        .request.files.keys();
-}
-
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-} // namespace
 
 void TestClassFolder::platformNamesAreRead_data()
 {
@@ -168,8 +90,7 @@ void TestClassFolder::foldersAndFilesAreStudents()
     QCOMPARE(filesOf(found, 2), QStringList{text("steps/L2.lua")});
     QCOMPARE(filesOf(found, 3), QStringList{text("lab.lua")});
     QCOMPARE(filesOf(found, 4), QStringList{text("lab.lua")});
-    QCOMPARE(readHandedIn(found.students[0], found.root, lab()).request.archive,
-             QByteArray("no archive"));
+    QCOMPARE(handedInBy(found, 0).request.archive, QByteArray("no archive"));
 }
 
 void TestClassFolder::moodleIsUnderstood()
@@ -207,7 +128,7 @@ void TestClassFolder::lastBlackboardAttemptCounts()
     made.file("Lab_ada_attempt_2026-05-02-12-00-00.txt", "Name: Ada");
     const ClassFolder found = made.read();
     QCOMPARE(idsOf(found), QStringList{text("ada")});
-    const HandedIn handedIn = readHandedIn(found.students[0], found.root, lab());
+    const HandedIn handedIn = handedInBy(found, 0);
     QCOMPARE(handedIn.request.files.value(text("lab.lua")), QByteArray("new"));
     QVERIFY(!handedIn.remark.isEmpty());
 }
@@ -224,26 +145,11 @@ void TestClassFolder::blackboardAccountsMayHaveUnderscores()
     const ClassFolder found = made.read();
     QCOMPARE(idsOf(found), (QStringList{text("ada_l"), text("bob_l"), text("cy")}));
     for (std::size_t i = 0; i < found.students.size(); ++i)
-        QCOMPARE(
-            readHandedIn(found.students[i], found.root, lab()).request.files.value(text("lab.lua")),
-            found.students[i].id.toUtf8());
+        QCOMPARE(readHandedIn(found.students[i], found.root, labOfTwo())
+                     .request.files.value(text("lab.lua")),
+                 found.students[i].id.toUtf8());
     QCOMPARE(found.remarks.size(), 1);
     QVERIFY(found.remarks.front().contains(text("Lab_4_")));
-}
-
-/// Also where all accounts begin alike, and where there is but one.
-void TestClassFolder::rosterTellsBlackboardAccounts()
-{
-    const Made made;
-    const QByteArray end = "_attempt_2026-11-02-10-15-30_lab.lua";
-    made.file("Lab_st_1" + end);
-    const RosterRow one{.id = text("ST_1")};
-    QCOMPARE(idsOf(made.read({one})), QStringList{text("ST_1")});
-    made.file("Lab_st_2" + end);
-    const ClassFolder both = made.read({one, {.id = text("st_2")}});
-    QCOMPARE(idsOf(both), (QStringList{text("ST_1"), text("st_2")}));
-    QVERIFY(both.missing.empty());
-    QCOMPARE(both.remarks, QStringList());
 }
 
 void TestClassFolder::blackboardAccountsThatAreGuessedAreTold()
@@ -280,19 +186,6 @@ void TestClassFolder::oneStudentsWorkIsNoClass()
     QVERIFY(!readClassFolder(made.root() + "/nowhere", text("lab")));
 }
 
-/// Else it would look as if the student had handed in nothing.
-void TestClassFolder::zipInsideIsTold()
-{
-    const Made made;
-    made.file("Ada Lovelace_1234567_assignsubmission_file_/my work.ZIP");
-    made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
-    const ClassFolder found = made.read();
-    QCOMPARE(found.students.size(), std::size_t(2));
-    const HandedIn handedIn = readHandedIn(found.students[0], found.root, lab());
-    QVERIFY(handedIn.request.files.isEmpty());
-    QVERIFY(handedIn.remark.contains(text("my work.ZIP is not looked into")));
-}
-
 void TestClassFolder::linksThatLeadOutAreNotFollowed()
 {
     const Made outside;
@@ -311,7 +204,7 @@ void TestClassFolder::linksThatLeadOutAreNotFollowed()
     const ClassFolder found = made.read();
     QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
     QCOMPARE(found.remarks.size(), 2); // zoe, pipe.lua
-    const HandedIn handedIn = readHandedIn(found.students[0], found.root, lab());
+    const HandedIn handedIn = handedInBy(found, 0);
     QCOMPARE(handedIn.request.files.keys(), QStringList{text("steps/L2.lua")});
     QVERIFY(handedIn.remark.contains(text("steps/L1.lua")));
     QVERIFY(handedIn.remark.contains(text("lab.lua")));
@@ -347,80 +240,6 @@ void TestClassFolder::idsAreUnlikeEachOther()
     QCOMPARE(QSet<QString>(ids.begin(), ids.end()).size(), 5);
     for (const QString &id : ids)
         QVERIFY(!id.startsWith(u'.') && !id.isEmpty());
-}
-
-void TestClassFolder::rosterNamesStudentsAndTheMissing()
-{
-    const Made made;
-    made.file("folder7/steps/L1.lua");
-    made.file("bob/steps/L1.lua");
-    made.file("lovelaceada_10_20_lab.lua");
-    made.file("stranger/steps/L1.lua");
-    const auto roster = rosterFrom(text("Student ID;Folder;First name;Last name;Email;Late days\n"
-                                        "s1;folder7;Cy;Young;cy@example.org;1,5\n"
-                                        "BOB;;Bob;Boole;;\n"
-                                        "s3;;Ada;Lovelace;;\n"
-                                        "s4;;Zed;Zero;z@example.org;\n"),
-                                   {});
-    QVERIFY(roster.ok());
-    const ClassFolder found = made.read(*roster);
-    QCOMPARE(idsOf(found), (QStringList{text("BOB"), text("s1"), text("s3"), text("stranger")}));
-    QCOMPARE(found.students[1].name, text("Cy Young"));
-    QCOMPARE(found.students[1].lateDays, 1.5);
-    QCOMPARE(found.students[1].email, text("cy@example.org"));
-    QCOMPARE(found.missing.size(), std::size_t(1));
-    QCOMPARE(found.missing[0].id, text("s4"));
-    QCOMPARE(found.remarks.size(), 1); // the stranger
-}
-
-/// Values are drawn by the number of the roster, never by that of a platform.
-void TestClassFolder::onlyTheRosterGivesNumbersForValues()
-{
-    const Made made;
-    made.file("Ada Lovelace_1234567_assignsubmission_file_/lab.lua");
-    made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
-    const auto roster =
-        rosterFrom(text("id,name,number\nada,Ada Lovelace,00417\nbob,Bob Boole,\n"), {});
-    QVERIFY(roster.ok());
-    const ClassFolder found = made.read(*roster);
-    QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
-    QCOMPARE(found.students[0].rosterNumbers, (QStringList{text("00417"), text("ada")}));
-    QCOMPARE(found.students[1].rosterNumbers, QStringList());
-}
-
-void TestClassFolder::whatTheRosterHasTwiceIsTold()
-{
-    const Made made;
-    made.file("a/steps/L1.lua");
-    made.file("b/steps/L1.lua");
-    const auto roster =
-        rosterFrom(text("id,folder,number\nada,a,7\nADA,b,8\nzed,,7\ncy,,\ndi,,\n"), {});
-    QVERIFY(roster.ok());
-    QCOMPARE(made.read(*roster).remarks, (QStringList{text("the roster has ADA more than once"),
-                                                      text("the roster has 7 more than once")}));
-}
-
-void TestClassFolder::brokenRosterIsRefused_data()
-{
-    QTest::addColumn<QString>("roster");
-    QTest::newRow("empty") << QString();
-    QTest::newRow("no columns") << text("a,b\n1,2\n");
-    QTest::newRow("nobody") << text("id,name\n,Ada\n");
-    QTest::newRow("late") << text("id,late days\nada,soon\n");
-    QTest::newRow("early") << text("id,late days\nada,-1\n");
-}
-
-void TestClassFolder::brokenRosterIsRefused()
-{
-    QFETCH(QString, roster);
-    QVERIFY(!rosterFrom(roster, {}));
-}
-
-void TestClassFolder::tableCellsMayBeQuoted()
-{
-    const auto table = tableFrom(text("a,b\r\n\"x, \"\"y\"\"\n2\",z\r\n\n"));
-    QCOMPARE(table.size(), std::size_t(2));
-    QCOMPARE(table[1], (QStringList{text("x, \"y\"\n2"), text("z")}));
 }
 
 void TestClassFolder::everyStudentIsInOneShard()

@@ -20,7 +20,7 @@ struct GraderText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-constexpr int mostKills = 5;   ///< of the worker of one student, before there is no verdict
+constexpr int mostKills = 5;   ///< of the worker at one step, before there is no verdict
 constexpr int mostDeaths = 10; ///< in a row
 constexpr int look = 250;      ///< ms between two looks at what the user wants
 
@@ -130,6 +130,7 @@ std::optional<Error> ClassGrader::take(WorkerEvent event)
             step.report->labHash = m_lab.hash;
             step.report->taskId = step.taskId;
         }
+        job.kills = 0;
         job.request.steps.removeFirst();
         job.result.steps.push_back(std::move(step));
         return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "tasks/grading/descriptors.h"
 #include "tasks/grading/raw_folder.h"
+#include "tasks/grading/zip_entries.h"
 #include "tasks/lab_files/zip_handles.h"
 
 #include "model/files/file_io.h"
@@ -29,20 +30,6 @@ struct ZipText {
 constexpr zip_int64_t mostEntries = 200'000;
 constexpr qint64 mostFileBytes = 32 * 1024 * 1024;
 constexpr qint64 mostBytes = qint64(4) * 1024 * 1024 * 1024;
-constexpr zip_uint16_t unixLink = 0120000;
-constexpr zip_uint16_t unixKinds = 0170000;
-
-/// Whether a name stays below the folder that it is unpacked into.
-bool isBelow(const QByteArray &name)
-{
-    if (name.isEmpty() || name.startsWith('/') || name.contains('\\'))
-        return false;
-    for (const QByteArray &part : name.split('/')) {
-        if (part == ".." || part == ".")
-            return false;
-    }
-    return true;
-}
 
 class ClassUnpacker
 {
@@ -66,14 +53,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isLink(zip_uint64_t index) const
-    {
-        zip_uint8_t system = 0;
-        zip_uint32_t attributes = 0;
-        return zip_file_get_external_attributes(m_archive, index, 0, &system, &attributes) == 0
-               && system == ZIP_OPSYS_UNIX && ((attributes >> 16) & unixKinds) == unixLink;
-    }
-
     /// \return why nothing more can be unpacked
     std::optional<Error> take(zip_uint64_t index)
     {
@@ -88,7 +67,7 @@ private:
             return std::nullopt; // folders are made where a file needs one
         const bool sized = (info.valid & ZIP_STAT_SIZE) != 0
                            && info.size <= static_cast<zip_uint64_t>(mostFileBytes);
-        if (!isBelow(name) || isLink(index) || !sized) {
+        if (!staysBelow(name) || isZippedLink(m_archive, index) || !sized) {
             m_leftOut.append(shownName(name));
             return std::nullopt;
         }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/handed_in.h"
 
-#include "tasks/grading/handed_repository.h"
-#include "tasks/grading/raw_folder.h"
+#include "tasks/grading/handed_files.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/work/work_archive.h"
 
@@ -20,17 +19,11 @@ struct HandedInText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-constexpr int mostDepth = 5;
-constexpr std::size_t mostFiles = 2000; ///< of one student that are looked at
 constexpr qsizetype mostRemarks = 10;
 constexpr qint64 mostArchiveBytes = 32 * 1024 * 1024;
 constexpr qint64 mostSmallBytes = 1024 * 1024; ///< of a scene, of cradle.json
 
-/// A file of a student.
-struct Candidate {
-    QByteArray path;
-    QString name; ///< below the student's folder, or as the student called it
-};
+using File = HandedFiles::File;
 
 bool isArchive(const QString &name)
 {
@@ -62,27 +55,21 @@ class Reader
 public:
     Reader(const FoundStudent &student, const QByteArray &classRoot, const Lab &lab)
         : m_student(student)
-        , m_root(student.folder.isEmpty() ? classRoot : student.folder)
+        , m_files(student, classRoot)
         , m_lab(lab)
     {
     }
 
     HandedIn read()
     {
-        if (m_student.folder.isEmpty()) {
-            for (const FoundStudent::File &file : m_student.files)
-                m_candidates.push_back({file.path, file.calledBy});
-        } else {
-            walk(m_student.folder, {}, 0);
-        }
         if (!takeArchive() && !takeWorkspace())
             takeLoose();
         for (const Task &task : m_lab.tasks)
             m_read.request.steps.append(task.id);
-        QStringList remarks = m_remarks.mid(0, mostRemarks);
-        if (m_remarks.size() > mostRemarks)
-            remarks.append(
-                HandedInText::tr("and %1 more of that sort").arg(m_remarks.size() - mostRemarks));
+        QStringList remarks = m_files.remarks.mid(0, mostRemarks);
+        if (m_files.remarks.size() > mostRemarks)
+            remarks.append(HandedInText::tr("and %1 more of that sort")
+                               .arg(m_files.remarks.size() - mostRemarks));
         if (!m_student.remark.isEmpty())
             remarks.prepend(m_student.remark);
         m_read.remark = remarks.join(QStringLiteral("; "));
@@ -90,89 +77,70 @@ public:
     }
 
 private:
-    void walk(const QByteArray &folder, const QString &below, int depth)
-    {
-        const auto entries = entriesOf(folder, mostFiles);
-        if (!entries) {
-            m_remarks.append(entries.error().toString());
-            return;
-        }
-        for (const FolderEntry &entry : *entries) {
-            const QString name = below + shownName(entry.name);
-            const QByteArray path = folder + '/' + entry.name;
-            if (entry.name.startsWith('.') || entry.name == "__MACOSX")
-                continue;
-            if (entry.kind == FolderEntry::Kind::Folder && depth < mostDepth)
-                walk(path, name + u'/', depth + 1);
-            else if (entry.kind == FolderEntry::Kind::File || entry.kind == FolderEntry::Kind::Link)
-                m_candidates.push_back({path, name});
-            if (m_candidates.size() > mostFiles)
-                return;
-        }
-    }
-
-    /// \return whether it could be read; if not, that is told
-    std::optional<QByteArray> bytesOf(const Candidate &file, qint64 most)
-    {
-        auto bytes = readBelow(m_root, file.path, most);
-        if (bytes)
-            return std::move(*bytes);
-        m_remarks.append(file.name + QStringLiteral(": ") + bytes.error().message);
-        return std::nullopt;
-    }
-
     /// Of a program one byte more than it may have is enough to see that it is too long.
-    void take(const QString &as, const Candidate &file)
+    void take(const QString &as, const File &file)
     {
         const qint64 most = isProgram(as) ? qint64(limits::sourceBytes) + 1 : mostSmallBytes;
-        if (auto bytes = bytesOf(file, most))
+        if (auto bytes = m_files.read(file, most))
             m_read.request.files.insert(as, std::move(*bytes));
     }
 
     bool takeArchive()
     {
-        const Candidate *last = nullptr;
-        for (const Candidate &file : m_candidates) {
+        const File *last = nullptr;
+        for (const File &file : m_files.files()) {
             if (!isArchive(file.name))
                 continue;
             if (last)
-                m_remarks.append(
-                    HandedInText::tr("%1 was passed over for %2").arg(last->name, file.name));
+                tellPassedOver(last->name, file.name);
             last = &file;
         }
         if (!last)
             return false;
-        if (auto bytes = bytesOf(*last, mostArchiveBytes))
+        if (auto bytes = m_files.read(*last, mostArchiveBytes))
             m_read.request.archive = std::move(*bytes);
         return !m_read.request.archive.isEmpty();
     }
 
-    /// The folder that looks most like a workspace: not deep down, the first of its kind.
-    [[nodiscard]] std::optional<QString> workspace() const
+    /// A program of the folder that looks most like a workspace: not deep down, the first of its
+    /// kind. Others are told.
+    const File *programOfWorkspace()
     {
-        std::optional<QString> best;
-        const auto consider = [&](const QString &folder) {
-            if (!best || folder.count(u'/') < best->count(u'/'))
-                best = folder;
-        };
-        for (const Candidate &file : m_candidates) {
+        const File *best = nullptr;
+        QStringList all;
+        for (const File &file : m_files.files()) {
             const QString folder = folderOf(file.name);
-            if (isProgram(file.name)
-                && (folder == QLatin1String("steps/") || folder.endsWith(QLatin1String("/steps/"))))
-                consider(folder.chopped(6));
+            if (!isProgram(file.name)
+                || (folder != QLatin1String("steps/")
+                    && !folder.endsWith(QLatin1String("/steps/"))))
+                continue;
+            if (!all.contains(folder))
+                all.append(folder);
+            if (!best || folder.count(u'/') < folderOf(best->name).count(u'/'))
+                best = &file;
+        }
+        for (const QString &folder : all) {
+            if (folder != folderOf(best->name))
+                tellPassedOver(folder, folderOf(best->name));
         }
         return best;
     }
 
+    void tellPassedOver(const QString &name, const QString &chosen)
+    {
+        m_files.remarks.append(HandedInText::tr("%1 was passed over for %2").arg(name, chosen));
+    }
+
     bool takeWorkspace()
     {
-        const auto folder = workspace();
-        if (!folder)
+        const File *program = programOfWorkspace();
+        if (!program)
             return false;
-        for (const Candidate &file : m_candidates) {
-            if (!file.name.startsWith(*folder))
+        const QString folder = folderOf(program->name).chopped(6);
+        for (const File &file : m_files.files()) {
+            if (!file.name.startsWith(folder))
                 continue;
-            const QString below = file.name.mid(folder->size());
+            const QString below = file.name.mid(folder.size());
             const QString id = below.section(u'/', 1).section(u'.', 0, 0);
             if (below == QLatin1String("cradle.json") || below == QLatin1String("lab.lua")
                 || below == QLatin1String("answers.json"))
@@ -184,25 +152,8 @@ private:
                     take(QStringLiteral("presets/%1.json").arg(task->id), file);
             }
         }
-        takeHistory(*folder);
+        m_read.request.repository = m_files.history(folder, *program);
         return true;
-    }
-
-    /// The repository that the workspace is, or is in.
-    void takeHistory(const QString &folder)
-    {
-        if (m_student.folder.isEmpty())
-            return;
-        for (const QByteArray &place :
-             {m_student.folder + '/' + folder.toUtf8(), m_student.folder + '/'}) {
-            auto repository = readRepository(m_root, place + ".git");
-            if (!repository)
-                m_remarks.append(repository.error().message);
-            else if (!repository->isEmpty())
-                m_read.request.repository = std::move(*repository);
-            if (!repository || !m_read.request.repository.isEmpty())
-                return;
-        }
     }
 
     [[nodiscard]] const Task *taskCalled(const QString &name) const
@@ -216,11 +167,12 @@ private:
 
     void tellNoProgram()
     {
-        m_remarks.append(HandedInText::tr("nothing that was handed in is a program"));
-        for (const Candidate &file : m_candidates) {
+        m_files.remarks.append(HandedInText::tr("nothing that was handed in is a program"));
+        for (const File &file : m_files.files()) {
             if (isPacked(file.name))
-                m_remarks.append(HandedInText::tr("%1 is not looked into; unpack it in its place")
-                                     .arg(file.name));
+                m_files.remarks.append(
+                    HandedInText::tr("%1 is not looked into; unpack it in its place")
+                        .arg(file.name));
         }
     }
 
@@ -228,8 +180,8 @@ private:
     {
         // What browsers and platforms add to a name that was there: "lab (1)", "lab-2".
         static const QRegularExpression copy(QStringLiteral("(\\s*\\([0-9]+\\)|-[0-9]+)$"));
-        std::vector<const Candidate *> others;
-        for (const Candidate &file : m_candidates) {
+        std::vector<const File *> others;
+        for (const File &file : m_files.files()) {
             if (!isProgram(file.name))
                 continue;
             QString base = file.name.mid(file.name.lastIndexOf(u'/') + 1).chopped(4);
@@ -244,25 +196,22 @@ private:
                 tellNoProgram();
             return;
         }
-        const Candidate *chosen = others.back();
-        for (const Candidate *each : others) {
+        const File *chosen = others.back();
+        for (const File *each : others) {
             const QString base = each->name.mid(each->name.lastIndexOf(u'/') + 1).chopped(4);
             if (QString(base).remove(copy) == QLatin1String("lab"))
                 chosen = each;
         }
-        for (const Candidate *each : others) {
+        for (const File *each : others) {
             if (each != chosen)
-                m_remarks.append(
-                    HandedInText::tr("%1 was passed over for %2").arg(each->name, chosen->name));
+                tellPassedOver(each->name, chosen->name);
         }
         take(QStringLiteral("lab.lua"), *chosen);
     }
 
     const FoundStudent &m_student;
-    QByteArray m_root;
+    HandedFiles m_files;
     const Lab &m_lab;
-    std::vector<Candidate> m_candidates{};
-    QStringList m_remarks{};
     HandedIn m_read{};
 };
 

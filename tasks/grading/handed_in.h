@@ -15,8 +15,8 @@ struct HandedIn {
 
 /// Reads the files of \p student that can be work in \p lab, and no others. A .cradle-work file
 /// goes before a workspace (steps/ID.lua), that before loose programs (ID.lua, or one of any name,
-/// which becomes lab.lua); a workspace may lie some folders down. Links that lead out of what the
-/// student handed in are not followed, and are told.
+/// which becomes lab.lua); a workspace may lie some folders down, or in a zip. Links that lead out
+/// of what the student handed in are not followed, and are told.
 [[nodiscard]] HandedIn readHandedIn(const FoundStudent &student, const QByteArray &classRoot,
                                     const Lab &lab);
 

@@ -48,13 +48,13 @@ private:
     void walk(const QByteArray &below, int depth)
     {
         const auto entries = entriesOf(m_folder + '/' + below, mostFiles);
-        if (!entries || below == "objects/info")
+        if (!entries)
             return;
         for (const FolderEntry &entry : *entries) {
             const QByteArray path = below + '/' + entry.name;
             if (entry.kind == FolderEntry::Kind::Folder && depth < mostDepth)
                 walk(path, depth + 1);
-            else if (entry.kind == FolderEntry::Kind::File && isHistory(path))
+            else if (entry.kind == FolderEntry::Kind::File && isOfHistory(path))
                 take(path);
             if (m_left < 0 || ++m_seen > mostFiles)
                 return;
@@ -67,11 +67,6 @@ private:
         struct stat info {
         };
         return lstat(path.constData(), &info) == 0 && S_ISDIR(info.st_mode);
-    }
-
-    static bool isHistory(const QByteArray &path)
-    {
-        return !path.startsWith("objects/pack/") || path.endsWith(".idx") || path.endsWith(".pack");
     }
 
     /// Of a file that is too large a byte more is read, so that it is seen.
@@ -92,6 +87,14 @@ private:
 };
 
 } // namespace
+
+bool isOfHistory(const QByteArray &path)
+{
+    if (path.startsWith("objects/pack/"))
+        return path.endsWith(".idx") || path.endsWith(".pack");
+    return path == "HEAD" || path == "packed-refs" || path.startsWith("refs/")
+           || (path.startsWith("objects/") && !path.startsWith("objects/info/"));
+}
 
 Result<RepositoryFiles> readRepository(const QByteArray &root, const QByteArray &folder)
 {

@@ -13,4 +13,7 @@ namespace cradle {
 /// \return nothing where there is none; an error if there is more of it than is looked at
 Result<RepositoryFiles> readRepository(const QByteArray &root, const QByteArray &folder);
 
+/// Whether the file \p path of a repository is one that readRepository() takes.
+[[nodiscard]] bool isOfHistory(const QByteArray &path);
+
 } // namespace cradle

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/made_class.h"
+
+#include "tasks/grading/roster.h"
+
+using namespace cradle;
+using namespace cradle::classes;
+
+/// Who is in the class, as a table says, beside what was handed in.
+class TestClassRoster : public QObject
+{
+    Q_OBJECT
+private slots:
+    void rosterTellsBlackboardAccounts();
+    void rosterNamesStudentsAndTheMissing();
+    void onlyTheRosterGivesNumbersForValues();
+    void whatTheRosterHasTwiceIsTold();
+    void brokenRosterIsRefused_data();
+    void brokenRosterIsRefused();
+    void tableCellsMayBeQuoted();
+};
+
+/// Also where all accounts begin alike, and where there is but one.
+void TestClassRoster::rosterTellsBlackboardAccounts()
+{
+    const Made made;
+    const QByteArray end = "_attempt_2026-11-02-10-15-30_lab.lua";
+    made.file("Lab_st_1" + end);
+    const RosterRow one{.id = text("ST_1")};
+    QCOMPARE(idsOf(made.read({one})), QStringList{text("ST_1")});
+    made.file("Lab_st_2" + end);
+    const ClassFolder both = made.read({one, {.id = text("st_2")}});
+    QCOMPARE(idsOf(both), (QStringList{text("ST_1"), text("st_2")}));
+    QVERIFY(both.missing.empty());
+    QCOMPARE(both.remarks, QStringList());
+}
+
+void TestClassRoster::rosterNamesStudentsAndTheMissing()
+{
+    const Made made;
+    made.file("folder7/steps/L1.lua");
+    made.file("bob/steps/L1.lua");
+    made.file("lovelaceada_10_20_lab.lua");
+    made.file("stranger/steps/L1.lua");
+    const auto roster = rosterFrom(text("Student ID;Folder;First name;Last name;Email;Late days\n"
+                                        "s1;folder7;Cy;Young;cy@example.org;1,5\n"
+                                        "BOB;;Bob;Boole;;\n"
+                                        "s3;;Ada;Lovelace;;\n"
+                                        "s4;;Zed;Zero;z@example.org;\n"),
+                                   {});
+    QVERIFY(roster.ok());
+    const ClassFolder found = made.read(*roster);
+    QCOMPARE(idsOf(found), (QStringList{text("BOB"), text("s1"), text("s3"), text("stranger")}));
+    QCOMPARE(found.students[1].name, text("Cy Young"));
+    QCOMPARE(found.students[1].lateDays, 1.5);
+    QCOMPARE(found.students[1].email, text("cy@example.org"));
+    QCOMPARE(found.missing.size(), std::size_t(1));
+    QCOMPARE(found.missing[0].id, text("s4"));
+    QCOMPARE(found.remarks.size(), 1); // the stranger
+}
+
+/// Values are drawn by the number of the roster, never by that of a platform.
+void TestClassRoster::onlyTheRosterGivesNumbersForValues()
+{
+    const Made made;
+    made.file("Ada Lovelace_1234567_assignsubmission_file_/lab.lua");
+    made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
+    const auto roster =
+        rosterFrom(text("id,name,number\nada,Ada Lovelace,00417\nbob,Bob Boole,\n"), {});
+    QVERIFY(roster.ok());
+    const ClassFolder found = made.read(*roster);
+    QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
+    QCOMPARE(found.students[0].rosterNumbers, (QStringList{text("00417"), text("ada")}));
+    QCOMPARE(found.students[1].rosterNumbers, QStringList());
+}
+
+void TestClassRoster::whatTheRosterHasTwiceIsTold()
+{
+    const Made made;
+    made.file("a/steps/L1.lua");
+    made.file("b/steps/L1.lua");
+    const auto roster =
+        rosterFrom(text("id,folder,number\nada,a,7\nADA,b,8\nzed,,7\ncy,,\ndi,,\n"), {});
+    QVERIFY(roster.ok());
+    QCOMPARE(made.read(*roster).remarks, (QStringList{text("the roster has ADA more than once"),
+                                                      text("the roster has 7 more than once")}));
+}
+
+void TestClassRoster::brokenRosterIsRefused_data()
+{
+    QTest::addColumn<QString>("roster");
+    QTest::newRow("empty") << QString();
+    QTest::newRow("no columns") << text("a,b\n1,2\n");
+    QTest::newRow("nobody") << text("id,name\n,Ada\n");
+    QTest::newRow("late") << text("id,late days\nada,soon\n");
+    QTest::newRow("early") << text("id,late days\nada,-1\n");
+}
+
+void TestClassRoster::brokenRosterIsRefused()
+{
+    QFETCH(QString, roster);
+    QVERIFY(!rosterFrom(roster, {}));
+}
+
+void TestClassRoster::tableCellsMayBeQuoted()
+{
+    const auto table = tableFrom(text("a,b\r\n\"x, \"\"y\"\"\n2\",z\r\n\n"));
+    QCOMPARE(table.size(), std::size_t(2));
+    QCOMPARE(table[1], (QStringList{text("x, \"y\"\n2"), text("z")}));
+}
+
+QTEST_GUILESS_MAIN(TestClassRoster)
+#include "test_class_roster.moc"
