@@ -224,9 +224,13 @@ std::optional<Error> makeFolder(const QString &path)
         if (auto error = makeFolder(parent))
             return error;
     }
-    if (::mkdir(QFile::encodeName(clean).constData(), 0777) == 0 || QFileInfo(clean).isDir())
+    if (::mkdir(QFile::encodeName(clean).constData(), 0777) == 0)
         return std::nullopt;
-    return errorOf(errno, path);
+    const int fault = errno; // before the next question to the disk answers it
+    if (QFileInfo(clean).isDir())
+        return std::nullopt;
+    // What is there above: /proc says so of a name that it does not want.
+    return errorOf(fault == ENOENT ? EACCES : fault, path);
 }
 
 void removeUnfinished(const QString &folder)

@@ -403,6 +403,13 @@ void TestCliGrade::placeThatCannotBeWrittenIsTold()
     QVERIFY2(file.error.contains(made.at(text("file"))), file.toText());
     QCOMPARE(contentOf(made.at(text("file"))), QByteArray("old"));
     VERIFY_CODE(made.grade(text("file/out")), 3);
+    // Where also root may write nothing.
+    const Outcome nowhere = runCli({text("grade"), made.at(text("class")), text("--lab"),
+                                    cradle::sourcePath("tasks/bouncing-ball"), text("--out"),
+                                    text("/proc/results")});
+    VERIFY_CODE(nowhere, 3);
+    QVERIFY2(nowhere.error.contains(text("/proc/results: you may not write here")),
+             nowhere.toText());
 }
 
 void TestCliGrade::secondProcessIsRefused()
