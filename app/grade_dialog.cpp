@@ -35,10 +35,8 @@ QString chosenFolder(QWidget *parent, const QString &title, const QString &befor
 GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     : QDialog(parent)
     , m_lab(lab.folder)
-    , m_late(new QDoubleSpinBox(this))
-    , m_progress(new QProgressBar(this))
-    , m_message(new QLabel(this))
 {
+    // Made in the order in which Tab goes through them.
     setWindowTitle(tr("Grade a class: %1").arg(lab.title));
     auto *form = new QFormLayout;
     m_submissions = addPath(
@@ -63,6 +61,7 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
                                                                tr("Tables (*.csv)"), nullptr,
                                                                QFileDialog::DontUseNativeDialog);
                        });
+    m_late = new QDoubleSpinBox(this);
     m_late->setRange(0.0, 100.0);
     m_late->setDecimals(1);
     m_late->setMaximumWidth(m_late->fontMetrics().averageCharWidth() * 18);
@@ -70,13 +69,15 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     m_late->setAccessibleDescription(tr("What each day late that has begun takes of the points"));
     m_late->setToolTip(m_late->accessibleDescription());
     form->addRow(tr("&Late:"), m_late);
+    m_progress = new QProgressBar(this);
+    m_message = new QLabel(this);
     m_message->setWordWrap(true);
     m_message->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setAccessibleName(tr("How the grading goes"));
     m_progress->setAccessibleName(tr("Students done"));
-    m_progress->setFormat(QStringLiteral("%v / %m"));
+    m_progress->setTextVisible(false); // the message has the numbers, and the bar is thin
     m_progress->hide();
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_start = buttons->addButton(tr("&Grade"), QDialogButtonBox::ActionRole);

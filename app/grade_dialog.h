@@ -46,9 +46,9 @@ private:
     QLineEdit *m_submissions = nullptr;
     QLineEdit *m_results = nullptr;
     QLineEdit *m_roster = nullptr;
-    QDoubleSpinBox *m_late;
-    QProgressBar *m_progress;
-    QLabel *m_message;
+    QDoubleSpinBox *m_late = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QLabel *m_message = nullptr;
     QPushButton *m_start;
     QPushButton *m_stop;
     QPushButton *m_open;

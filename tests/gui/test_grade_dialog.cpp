@@ -30,6 +30,7 @@ private slots:
     void missingProgramIsTold();
     void closingEndsTheCommand();
     void everyFieldHasANameAndAKey();
+    void tabGoesDownTheForm();
 
 private:
     static QPushButton *button(const GradeDialog &dialog, const char *text);
@@ -187,6 +188,22 @@ void TestGradeDialog::everyFieldHasANameAndAKey()
     }
     QVERIFY(keys.size() >= 7);
     QCOMPARE(keys.removeDuplicates(), 0);
+}
+
+/// The first field has the keyboard when the window opens.
+void TestGradeDialog::tabGoesDownTheForm()
+{
+    GradeDialog dialog(m_lab);
+    QStringList names;
+    for (const QWidget *at = dialog.nextInFocusChain(); at != &dialog;
+         at = at->nextInFocusChain()) {
+        if ((at->focusPolicy() & Qt::TabFocus) != 0 && !at->accessibleName().isEmpty())
+            names.append(at->accessibleName());
+    }
+    const QStringList wanted{QStringLiteral("Handed in"), QStringLiteral("Choose: Handed in"),
+                             QStringLiteral("Results"),   QStringLiteral("Choose: Results"),
+                             QStringLiteral("Roster"),    QStringLiteral("Choose: Roster")};
+    QCOMPARE(names.mid(0, wanted.size()), wanted);
 }
 
 QTEST_MAIN(TestGradeDialog)
