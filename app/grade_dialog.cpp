@@ -62,6 +62,7 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
                                                                QFileDialog::DontUseNativeDialog);
                        });
     m_late = new QDoubleSpinBox(this);
+    m_late->setButtonSymbols(QAbstractSpinBox::NoButtons); // up and down do it
     m_late->setRange(0.0, 100.0);
     m_late->setDecimals(1);
     m_late->setMaximumWidth(m_late->fontMetrics().averageCharWidth() * 18);

@@ -111,8 +111,11 @@ void GradeRun::finish(int code, bool crashed)
         emit ended(true, {});
         return;
     }
-    const QString words =
+    QString words =
         QString::fromUtf8(m_process.readAllStandardError()).trimmed().right(longestFault);
+    // Here nobody asks which program says so, and in front of Arabic it turns the line around.
+    if (words.startsWith(QLatin1String("cradle-cli: ")))
+        words.remove(0, 12);
     emit ended(false, crashed && words.isEmpty() ? tr("cradle-cli broke down") : words);
 }
 
