@@ -3869,6 +3869,26 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
         <translation>في أسماء ⁦Blackboard⁩ يُعدّ ما بعد ⁨%1⁩ اسمَ الحساب؛ وقائمة الصف أدقّ</translation>
     </message>
+    <message>
+        <source>%1: too large to be unpacked</source>
+        <translation>%1: أكبر من أن يُفك ضغطه</translation>
+    </message>
+    <message>
+        <source>%1: left out %2</source>
+        <translation>%1: لم يؤخذ %2</translation>
+    </message>
+    <message>
+        <source>names that are in it more than once</source>
+        <translation>أسماء ترد فيه أكثر من مرة</translation>
+    </message>
+    <message>
+        <source>this is the zip of a whole class; grade the zip itself</source>
+        <translation>هذا ملف zip لصف كامل؛ قيّم ملف zip نفسه</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: %1</source>
+        <translation>يتعذر فك ضغطه: %1</translation>
+    </message>
 </context>
 <context>
     <name>HandIn</name>

@@ -3853,6 +3853,26 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
         <translation>in den Namen von Blackboard gilt als Konto, was auf %1 folgt; eine Liste des Kurses weiß es besser</translation>
     </message>
+    <message>
+        <source>%1: too large to be unpacked</source>
+        <translation>%1: zu groß, um ausgepackt zu werden</translation>
+    </message>
+    <message>
+        <source>%1: left out %2</source>
+        <translation>%1: weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>names that are in it more than once</source>
+        <translation>Namen, die mehr als einmal darin sind</translation>
+    </message>
+    <message>
+        <source>this is the zip of a whole class; grade the zip itself</source>
+        <translation>das ist das Zip eines ganzen Kurses; bewerte das Zip selbst</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: %1</source>
+        <translation>kann nicht ausgepackt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>HandIn</name>

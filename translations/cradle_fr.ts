@@ -3853,6 +3853,26 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
         <translation>dans les noms de Blackboard, ce qui suit %1 est pris pour le compte&#x202f;; une liste de la classe le dit mieux</translation>
     </message>
+    <message>
+        <source>%1: too large to be unpacked</source>
+        <translation>%1 : trop grand pour être décompressé</translation>
+    </message>
+    <message>
+        <source>%1: left out %2</source>
+        <translation>%1 : laissé de côté : %2</translation>
+    </message>
+    <message>
+        <source>names that are in it more than once</source>
+        <translation>des noms qui s’y trouvent plus d’une fois</translation>
+    </message>
+    <message>
+        <source>this is the zip of a whole class; grade the zip itself</source>
+        <translation>c’est le zip de toute une classe ; évaluez le zip lui-même</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: %1</source>
+        <translation>impossible à décompresser : %1</translation>
+    </message>
 </context>
 <context>
     <name>HandIn</name>
