@@ -9,11 +9,14 @@
 #include <QCoreApplication>
 #include <QtEndian>
 
+#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <ctime>
 
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,6 +37,33 @@ double now()
     timespec time{};
     clock_gettime(CLOCK_MONOTONIC, &time);
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+/// Waits until \p line is ready for \p what. \return false if the process \p server has ended
+/// instead: what it left behind may hold the other end, and never read or write.
+bool isReady(pid_t server, int line, short what)
+{
+    for (;;) {
+        pollfd watched{line, what, 0};
+        if (poll(&watched, 1, 200) > 0)
+            return true;
+        siginfo_t ended{};
+        if (waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOHANG | WNOWAIT) == 0
+            && ended.si_pid == server)
+            return false;
+    }
+}
+
+void sendToServer(pid_t server, int stream, const QByteArray &bytes)
+{
+    for (qsizetype at = 0; at < bytes.size() && isReady(server, stream, POLLOUT);) {
+        const ssize_t size =
+            ::send(stream, bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at),
+                   MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (size < 0 && errno != EINTR && errno != EAGAIN)
+            return; // its end says the rest
+        at += std::max<ssize_t>(size, 0);
+    }
 }
 
 } // namespace
@@ -73,7 +103,7 @@ bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
             return false;
         pair->second.close();
         stream->first.close();
-        sendAll(stream->second.number(), cradle::bytesOf(files, folder));
+        sendToServer(server, stream->second.number(), cradle::bytesOf(files, folder));
         stream->second.close();
         if (connect(server, std::move(pair->first)))
             return true;
@@ -94,7 +124,9 @@ bool Workers::connect(pid_t server, Descriptor control)
         return false;
     m_server = server;
     m_control = std::move(control);
-    const auto hello = receiveMessage(m_control.number());
+    const auto hello = isReady(m_server, m_control.number(), POLLIN)
+                           ? receiveMessage(m_control.number())
+                           : std::nullopt;
     m_alive = hello && hello->message.kind == ServerMessage::Kind::Hello;
     if (!m_alive) {
         // It has closed its end, so it ends.
