@@ -5,6 +5,7 @@
 #include "views/code/versions_pane.h"
 #include "views/notes_pane.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cradle {
@@ -14,6 +15,27 @@ namespace {
 constexpr int saveDelay = 250;     ///< ms after the first key that is not saved
 constexpr int mostVersions = 300;  ///< that are shown
 constexpr int keepDelay = 600'000; ///< ms of changed notes, for a version of them
+
+/// The newest versions of a step, and the last that passed, however old.
+std::vector<ShownVersion> shownVersions(const History &history, const QString &taskId)
+{
+    std::vector<ShownVersion> shown;
+    const auto show = [&](const Version &version) {
+        if (const auto text = history.textOf(version))
+            shown.push_back({version, QString::fromUtf8(*text)});
+    };
+    for (const Version &version : history.versions(taskId, mostVersions))
+        show(version);
+    if (std::any_of(shown.begin(), shown.end(),
+                    [](const ShownVersion &each) { return each.version.note.passed == true; }))
+        return shown;
+    const std::vector<Version> passes = history.passes();
+    const auto last = std::find_if(passes.begin(), passes.end(),
+                                   [&](const Version &pass) { return pass.taskId == taskId; });
+    if (last != passes.end())
+        show(*last);
+    return shown;
+}
 
 } // namespace
 
@@ -60,14 +82,9 @@ KeepingDesk::~KeepingDesk()
 void KeepingDesk::showVersions()
 {
     const CodeSession &code = m_workbench.code();
-    std::vector<ShownVersion> shown;
-    if (const History *history = code.workspace().history(); history && code.isOpen()) {
-        for (const Version &version : history->versions(code.taskId(), mostVersions)) {
-            if (const auto text = history->textOf(version))
-                shown.push_back({version, QString::fromUtf8(*text)});
-        }
-    }
-    m_versions.setVersions(shown);
+    const History *history = code.isOpen() ? code.workspace().history() : nullptr;
+    m_versions.setVersions(history ? shownVersions(*history, code.taskId())
+                                   : std::vector<ShownVersion>());
     showPresent();
 }
 

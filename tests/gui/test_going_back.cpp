@@ -21,6 +21,7 @@ private slots:
     void init();
     void versionsComeAndGoBack();
     void passedStepOutlivesATrial();
+    void passOutlivesManyTrials();
     void passedSceneOutlivesATrial();
     void undoOutlivesAStep();
     void notesAreKeptForEachStep();
@@ -92,6 +93,28 @@ void TestGoingBack::passedStepOutlivesATrial()
     QCOMPARE(open.bench.code().text(), solution);
     check(open);
     QVERIFY(open.bench.report()->passed);
+}
+
+/// More versions came after the pass than are shown.
+void TestGoingBack::passOutlivesManyTrials()
+{
+    constexpr int trials = 310;
+    OpenWindow open(folder());
+    inCode(open);
+    const QString solution = open.bench.task()->solution;
+    type(open, solution);
+    check(open);
+    for (int i = 0; i < trials; ++i)
+        QVERIFY(!open.bench.code().workspace().keep(open.bench.task()->id,
+                                                    QStringLiteral("-- trial %1\n").arg(i), {}));
+    type(open, QStringLiteral("-- mine\n"));
+    open.bench.openTaskAt(1);
+    open.bench.openTaskAt(0);
+    auto *list = open.window.versions().findChild<QTreeWidget *>();
+    QVERIFY(list->topLevelItemCount() < trials);
+    open.window.versions().parentWidget()->raise();
+    open.click(QStringLiteral("Back to what &passed"));
+    QCOMPARE(open.bench.code().text(), solution);
 }
 
 /// The same by the laws of the scene, where e is one of its values.
