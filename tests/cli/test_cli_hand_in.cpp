@@ -25,6 +25,7 @@ private slots:
     void wrongUsageIsSaid();
     void writesOneSelfContainedPage();
     void printsADocument();
+    void worksWithoutGit();
     void reportsOnWhatWasHandedIn();
     void speaksTheLanguageThatIsAskedFor();
     void formulasOfNotesAreSet();
@@ -144,6 +145,24 @@ void TestCliHandIn::printsADocument()
     QVERIFY2(drawn.error.isEmpty(), qPrintable(drawn.error)); // no broken path on any page
     const QString sound = tool("qpdf", {QStringLiteral("--check"), file});
     QVERIFY2(!sound.startsWith(QLatin1String("failed")), qPrintable(sound));
+}
+
+/// Where no program is to be found, and git has no settings.
+void TestCliHandIn::worksWithoutGit()
+{
+    const QTemporaryDir home;
+    QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+    bare.insert(QStringLiteral("PATH"), home.path());
+    const QString file = path("bare.cradle-work");
+    const QStringList handIn{QStringLiteral("hand-in"), path("w"), QStringLiteral("--output"),
+                             file};
+    VERIFY_CODE(run(cliProgram(), handIn, home.path(), bare), 1);
+    const auto files = readWorkArchive(file);
+    QVERIFY2(files, files ? "" : qPrintable(files.error().toString()));
+    QVERIFY(files->value(QStringLiteral("report.pdf")).startsWith("%PDF-1."));
+    const QStringList report{QStringLiteral("report"), file, QStringLiteral("--output"),
+                             path("bare.html")};
+    VERIFY_CODE(run(cliProgram(), report, home.path(), bare), 1);
 }
 
 void TestCliHandIn::reportsOnWhatWasHandedIn()

@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <Qsci/qsciscintilla.h>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -86,6 +87,16 @@ void TestGoingBack::passedStepOutlivesATrial()
     QVERIFY(open.bench.code().text().contains(QStringLiteral("= 0.9")));
     QVERIFY(open.isTicked(open.bench.current())); // once earned, it stays
     open.window.versions().parentWidget()->raise();
+    // The version that passed and the program now, with the line marked in which they differ.
+    auto *list = open.window.versions().findChild<QTreeWidget *>();
+    list->setCurrentItem(list->topLevelItem(1));
+    const auto programs = open.window.versions().findChildren<QsciScintilla *>();
+    QCOMPARE(programs.size(), 2);
+    for (const QsciScintilla *program : programs) {
+        for (int line = 0; line < program->lines(); ++line)
+            QCOMPARE(program->markersAtLine(line) != 0,
+                     program->text(line).contains(QStringLiteral("restitution = 0.")));
+    }
     auto *back = open.window.versions().findChildren<QPushButton *>().last();
     QCOMPARE(back->text(), QStringLiteral("Back to what &passed"));
     QVERIFY(back->isEnabled());
