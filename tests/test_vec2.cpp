@@ -23,6 +23,7 @@ private slots:
     void lengthOfThreeFourIsFive();
     void lengthDoesNotOverflow();
     void lengthOfTinyVectorIsNotZero();
+    void quickLengthIsTheLength();
     void normalizedHasLengthOne();
     void normalizedZeroStaysZero();
     void isFiniteSeesBothComponents();
@@ -97,6 +98,19 @@ void TestVec2::lengthDoesNotOverflow()
 void TestVec2::lengthOfTinyVectorIsNotZero()
 {
     QCOMPARE(length({3e-200, 4e-200}), 5e-200);
+}
+
+/// Also of what has a square that is no number any more.
+void TestVec2::quickLengthIsTheLength()
+{
+    QCOMPARE(quickLength({3, -4}), 5.0);
+    QCOMPARE(quickLength({}), 0.0);
+    QCOMPARE(quickLength({3e200, 4e200}), 5e200);
+    QCOMPARE(quickLength({3e-200, -4e-200}), 5e-200);
+    QCOMPARE(quickLength({std::numeric_limits<double>::infinity(), 1}),
+             std::numeric_limits<double>::infinity());
+    QVERIFY(std::isnan(quickLength({std::numeric_limits<double>::quiet_NaN(), 1})));
+    QVERIFY(std::abs(quickLength({0.1, 0.7}) - length({0.1, 0.7})) <= 2e-16);
 }
 
 void TestVec2::normalizedHasLengthOne()

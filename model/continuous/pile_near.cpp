@@ -112,9 +112,7 @@ double PileStep::gapOf(const Near &near, const std::vector<Vec2> &places) const
     const double radius = m_circles[near.a].radius;
     if (isWall(near.b))
         return m_rules->halfWidth - radius - dot(places[near.a], outwards(near.b));
-    // Not by hypot(), which took a quarter of the step: the squares of metres are no extremes.
-    return std::sqrt(lengthSquared(places[near.b] - places[near.a])) - radius
-           - m_circles[near.b].radius;
+    return quickLength(places[near.b] - places[near.a]) - radius - m_circles[near.b].radius;
 }
 
 std::uint64_t PileStep::keyOf(const Near &near) const

@@ -60,7 +60,7 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     const Vec2 axis = outwardNormal(high);
     const Circle &before = o.circle(circle, step);
     const double change = dot(motion::kick(o, circle, step, gravity), axis);
-    if (std::abs(change) <= tolerance * (1.0 + length(before.velocity)))
+    if (std::abs(change) <= tolerance * (1.0 + quickLength(before.velocity)))
         return std::nullopt;
     const double reach = motion::travel(o, circle, step, gravity);
     for (const Wall wall : {low, high}) {
@@ -71,7 +71,7 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     const double after = kept + change;
     // In the open only a turn is a matter of walls; another acceleration is not.
     const bool turned =
-        kept * after < 0.0 && std::abs(change) > restingSteps * length(gravity) * o.timestep();
+        kept * after < 0.0 && std::abs(change) > restingSteps * quickLength(gravity) * o.timestep();
     if (!turned && !motion::isNearWall(o, circle, step, gravity))
         return std::nullopt;
     const Wall nearest =
@@ -100,7 +100,7 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double into = dot(o.circle(circle, step).velocity, n);
     const double after = dot(o.circle(circle, step + 1).velocity, n);
     const double pull = dot(gravity, n) * dt;
-    const double slack = tolerance * (1.0 + length(o.circle(circle, step).velocity));
+    const double slack = tolerance * (1.0 + quickLength(o.circle(circle, step).velocity));
     const double resting = restingSteps * std::abs(pull) + slack;
     if (into >= -resting && into + std::max(pull, 0.0) <= resting
         && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
@@ -147,7 +147,7 @@ bool Turn::isHit() const
 {
     const Circle &before = o.circle(circle, step);
     const Vec2 kick = motion::kick(o, circle, step, gravity);
-    const double held = heldSteps * length(gravity) * o.timestep();
+    const double held = heldSteps * quickLength(gravity) * o.timestep();
     return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
         const Vec2 n = outwardNormal(wall);
         const double into = dot(before.velocity, n);
@@ -218,7 +218,7 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
         for (qint64 k = 0; k < o.steps(); ++k) {
             const Circle &c = o.circle(i, k);
             const double into = dot(c.velocity, n);
-            const double resting = restingSteps * length(gravity) * o.timestep();
+            const double resting = restingSteps * quickLength(gravity) * o.timestep();
             const bool passes = motion::wallGap(o, c, wall) < into * o.timestep();
             held = passes && into > resting + stopped && !motion::isKicked(o, i, k, gravity)
                        ? held + 1

@@ -176,7 +176,7 @@ std::optional<Fault> untimely(const Answer &answer, double gapAllowed)
 {
     if (answer.contact.nearest > gapAllowed)
         return tooEarly(answer);
-    const double slack = motion::sameVelocity * (1.0 + length(answer.contact.beforeA));
+    const double slack = motion::sameVelocity * (1.0 + quickLength(answer.contact.beforeA));
     return answer.approach() < -slack ? std::optional(hitAgain(answer)) : std::nullopt;
 }
 
@@ -236,7 +236,7 @@ Fault tooFew(std::size_t observed, int wanted)
 double slackOf(const Observation &o, Vec2 gravity)
 {
     const double dt = o.timestep();
-    return length(gravity) * dt * dt;
+    return quickLength(gravity) * dt * dt;
 }
 
 /// A circle that the hit puts somewhere else, such as onto the other one. Moving them apart by
@@ -257,7 +257,7 @@ bool answersOnlyTheStart(const CheckSpec &check, const Observation &o,
                          const std::vector<motion::Contact> &contacts)
 {
     const auto parts = [&](const motion::Contact &contact) {
-        const double slack = motion::sameVelocity * (1.0 + length(contact.beforeA));
+        const double slack = motion::sameVelocity * (1.0 + quickLength(contact.beforeA));
         return Answer{o, 0, 1, contact, 1.0, slack}.approach() < -slack;
     };
     return check.parameters.value(QStringLiteral("contacts")).toInt(1) == 0 && !contacts.empty()

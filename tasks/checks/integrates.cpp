@@ -27,8 +27,8 @@ bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 g
 {
     const Circle &now = o.circle(i, k);
     const Motion next = advance(integrator, {now.position, now.velocity}, gravity, o.timestep());
-    const double error = length(o.circle(i, k + 1).position - next.position);
-    return error <= tolerance * (1.0 + length(now.position));
+    const double error = quickLength(o.circle(i, k + 1).position - next.position);
+    return error <= tolerance * (1.0 + quickLength(now.position));
 }
 
 /// All integrators that step \p k agrees with.
@@ -71,8 +71,9 @@ public:
                 m_isOne = false;
             }
         }
-        m_isOne =
-            m_isOne && length(drift - *m_share * fall) <= tolerance * (1.0 + length(now.position));
+        m_isOne = m_isOne
+                  && quickLength(drift - *m_share * fall)
+                         <= tolerance * (1.0 + quickLength(now.position));
         return m_isOne;
     }
 
@@ -290,7 +291,7 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
             const double t = o.states.time(k + 1);
             const Vec2 right = begin.position + t * begin.velocity + (0.5 * t * t) * gravity;
             const Vec2 observed = o.circle(i, k + 1).position;
-            if (length(observed - right) <= motion::toleranceOf(check, motion::samePosition))
+            if (quickLength(observed - right) <= motion::toleranceOf(check, motion::samePosition))
                 continue;
             const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
             return Fault{.message =

@@ -23,14 +23,14 @@ double nearestCentres(const Circle &a, const Circle &b, double seconds)
     const Vec2 v = b.velocity - a.velocity;
     const double speed2 = lengthSquared(v);
     const double s = speed2 > 0.0 ? std::clamp(-dot(d, v) / speed2, 0.0, seconds) : 0.0;
-    return length(d + s * v);
+    return quickLength(d + s * v);
 }
 
 } // namespace
 
 bool isSame(Vec2 a, Vec2 b, double tolerance)
 {
-    return length(a - b) <= tolerance * (1.0 + length(b));
+    return quickLength(a - b) <= tolerance * (1.0 + quickLength(b));
 }
 
 double toleranceOf(const CheckSpec &check, double standard)
@@ -53,13 +53,14 @@ Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity)
 
 bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolerance)
 {
-    return length(kick(o, i, k, gravity)) > tolerance * (1.0 + length(o.circle(i, k).velocity));
+    return quickLength(kick(o, i, k, gravity))
+           > tolerance * (1.0 + quickLength(o.circle(i, k).velocity));
 }
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     const double dt = o.timestep();
-    return (length(o.circle(i, k).velocity) + length(gravity) * dt) * dt + samePosition;
+    return (quickLength(o.circle(i, k).velocity) + quickLength(gravity) * dt) * dt + samePosition;
 }
 
 double recentTravel(const Observation &o, int i, qint64 k, Vec2 gravity)
@@ -69,7 +70,7 @@ double recentTravel(const Observation &o, int i, qint64 k, Vec2 gravity)
 
 std::optional<Fault> leap(const Observation &o, int i, qint64 k, double way)
 {
-    const double moved = length(o.circle(i, k + 1).position - o.circle(i, k).position);
+    const double moved = quickLength(o.circle(i, k + 1).position - o.circle(i, k).position);
     if (moved <= longestLeap * way)
         return std::nullopt;
     return Fault{.message = MotionText::tr("At step %1 circle %2 moved by %3 m at once; with its "
@@ -98,7 +99,7 @@ bool isNearWall(const Observation &o, int i, qint64 k, Vec2 gravity)
 bool isNearCircle(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     for (int j = 0; j < o.circleCount(); ++j) {
-        const double gap = length(o.circle(j, k).position - o.circle(i, k).position)
+        const double gap = quickLength(o.circle(j, k).position - o.circle(i, k).position)
                            - o.circle(i, k).radius - o.circle(j, k).radius;
         if (j != i && gap <= travel(o, i, k, gravity) + travel(o, j, k, gravity))
             return true;
@@ -129,8 +130,8 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
         Contact contact{.step = k};
         const Vec2 movedA = ca.position + dt * ca.velocity;
         const Vec2 movedB = cb.position + dt * cb.velocity;
-        contact.nearest = std::min({nearestCentres(ca, cb, dt), length(cb.position - movedA),
-                                    length(movedB - ca.position)})
+        contact.nearest = std::min({nearestCentres(ca, cb, dt), quickLength(cb.position - movedA),
+                                    quickLength(movedB - ca.position)})
                           - sum;
         // What happens at a wall, far from the other circle, is not theirs.
         const bool wall = (!kickedA || isNearWall(o, a, k, gravity))
@@ -163,9 +164,10 @@ qint64 missedContact(const Observation &o, int a, int b)
         const Vec2 d = cb.position - ca.position;
         const double sum = ca.radius + cb.radius;
         // Two that stay in touch (e = 0) come nearer by rounding only.
-        const double noise = sameVelocity * (1.0 + length(ca.velocity) + length(cb.velocity));
+        const double noise =
+            sameVelocity * (1.0 + quickLength(ca.velocity) + quickLength(cb.velocity));
         const bool nearer = dot(normalized(d), ca.velocity - cb.velocity) > noise;
-        const bool in = length(d) < sum * (1.0 - 1e-9);
+        const bool in = quickLength(d) < sum * (1.0 - 1e-9);
         inside = in && nearer ? inside + 1 : 0;
         // One state may show the overlap that the next step answers.
         if (inside > 2)
@@ -183,8 +185,9 @@ bool leavesInside(const Observation &o, int a, int b, Vec2 gravity)
         const Vec2 d = cb.position - ca.position;
         const double sum = ca.radius + cb.radius;
         const double parting = dot(normalized(d), cb.velocity - ca.velocity);
-        return length(d) < sum * (1.0 - samePosition)
-               && parting > sameVelocity * (1.0 + length(ca.velocity) + length(cb.velocity));
+        return quickLength(d) < sum * (1.0 - samePosition)
+               && parting
+                      > sameVelocity * (1.0 + quickLength(ca.velocity) + quickLength(cb.velocity));
     });
 }
 
