@@ -61,7 +61,7 @@ public:
         m_state = newLuaState(m_host.memory);
         if (!m_state)
             return noMemory();
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         *static_cast<ScriptHost **>(lua_getextraspace(L)) = &m_host;
         lua_pushcfunction(L, setUp);
         if (lua_pcall(L, 0, 0, 0) != LUA_OK)
@@ -83,7 +83,7 @@ public:
     ScriptVerdict judge(const Observation &observation, const QString &language)
     {
         ScriptVerdict verdict;
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         RunView view{observation, language};
         beginCount(L);
         lua_pushcfunction(L, pushRunHere);
@@ -102,7 +102,7 @@ public:
 private:
     std::optional<ProgramError> call(int arguments, int results)
     {
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         beginCount(L);
         m_host.caught = {};
         const int status = lua_pcall(L, arguments, results, 1);
@@ -112,7 +112,7 @@ private:
 
     ProgramError errorOf(int status)
     {
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         ProgramError error = errorAtTop(
             L, m_host.aborted == ProgramError::Kind::Memory ? LUA_ERRMEM : status, m_source);
         if (m_host.aborted)
@@ -128,7 +128,7 @@ private:
     /// The three results, on the top of the stack.
     void read(ScriptVerdict &verdict, const Observation &observation)
     {
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         if (lua_type(L, -3) != LUA_TBOOLEAN) {
             verdict.error = ProgramError{
                 .message = CheckText::tr("check(run) returned %1; true, or false and a message, is "
@@ -168,7 +168,7 @@ private:
     /// A finite number of the table on the top of the stack.
     std::optional<double> number(const char *name)
     {
-        lua_State *L = m_state.get();
+        lua_State *L = m_state;
         lua_pushstring(L, name);
         lua_rawget(L, -2);
         const double value = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
@@ -191,7 +191,7 @@ private:
 
     const QString &m_source;
     ScriptHost m_host{limits::scriptBytes};
-    LuaState m_state{};
+    lua_State *m_state = nullptr; ///< ends with the memory of m_host
 };
 
 } // namespace

@@ -61,14 +61,14 @@ QByteArray compiled(const QByteArray &text, const char *name)
 {
     // In a state of its own: the program's is the same whether it was compiled before or not.
     LuaMemory memory(limits::scriptBytes);
-    const LuaState state = newLuaState(memory);
+    lua_State *const state = newLuaState(memory);
     QByteArray chunk;
     if (!state)
         return chunk;
-    memory.hold(state.get());
+    memory.hold(state);
     // With all names and lines: errors tell them.
-    if (load(state.get(), text, name, "t") == LUA_OK)
-        lua_dump(state.get(), append, &chunk, 0);
+    if (load(state, text, name, "t") == LUA_OK)
+        lua_dump(state, append, &chunk, 0);
     memory.release();
     return chunk;
 }

@@ -5,6 +5,7 @@
 #include "tasks/script/circle_list.h"
 #include "tasks/script/locked_value.h"
 #include "tasks/script/nearest_name.h"
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/world_binding.h"
 
@@ -21,8 +22,6 @@ namespace {
 struct CircleText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
-
-constexpr lua_Integer metatableKey = 102;
 
 /// Of a circle that has more fields of the program's own none are told.
 constexpr std::size_t mostFields = 100;
@@ -229,14 +228,14 @@ int circleAt(lua_State *L, int index)
 
 void pushCircle(lua_State *L, int index)
 {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, circleTableKey);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleTable);
     lua_rawgeti(L, -1, index + 1);
     lua_remove(L, -2);
 }
 
 void pushCircles(lua_State *L)
 {
-    lua_newtable(L);
+    lua_createtable(L, 0, 4);
     constexpr luaL_Reg functions[] = {{"__index", index},
                                       {"__newindex", setField},
                                       {"__tostring", describeObject},
@@ -244,7 +243,7 @@ void pushCircles(lua_State *L)
     luaL_setfuncs(L, functions, 0);
     lua_pushliteral(L, "circle");
     lua_setfield(L, -2, "__name");
-    lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, registry::circleMetatable);
 
     const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
     lua_createtable(L, count, 0);
@@ -252,11 +251,11 @@ void pushCircles(lua_State *L)
         new (lua_newuserdatauv(L, sizeof(CircleObject), 1)) CircleObject{ObjectKind::Circle, i};
         lua_newtable(L);
         lua_setiuservalue(L, -2, 1);
-        lua_rawgeti(L, LUA_REGISTRYINDEX, metatableKey);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleMetatable);
         lua_setmetatable(L, -2);
         lua_rawseti(L, -2, i + 1);
     }
-    lua_rawseti(L, LUA_REGISTRYINDEX, circleTableKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, registry::circleTable);
 
     pushCircleList(L);
 }

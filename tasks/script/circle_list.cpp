@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/circle_list.h"
 
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/vector_binding.h"
 
@@ -21,17 +22,17 @@ struct ListText {
 /// circles[i]; nil beyond the last, as ipairs wants it.
 int listIndex(lua_State *L)
 {
-    const QString name =
-        lua_type(L, 2) == LUA_TSTRING ? QString::fromUtf8(lua_tostring(L, 2)) : QString();
-    for (const char *length : {"Length", "length", "Count", "count", "size"}) {
-        if (name == QLatin1String(length))
-            raise(L, ListText::tr("how many circles there are is #circles"));
-    }
-    if (lua_type(L, 2) != LUA_TNUMBER)
+    if (lua_type(L, 2) != LUA_TNUMBER) {
+        const std::string_view name = textAt(L, 2);
+        for (const char *length : {"Length", "length", "Count", "count", "size"}) {
+            if (name == length)
+                raise(L, ListText::tr("how many circles there are is #circles"));
+        }
         raise(L, ListText::tr("circles[i] takes a number from 1 to %1, not %2")
                      .arg(ScriptHost::of(L).circles.size())
                      .arg(nameValue(L, 2)));
-    lua_rawgeti(L, LUA_REGISTRYINDEX, circleTableKey);
+    }
+    lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleTable);
     lua_pushvalue(L, 2);
     lua_rawget(L, -2);
     return 1;
@@ -54,7 +55,7 @@ int listNext(lua_State *L)
     const lua_Integer last = luaL_optinteger(L, 2, 0);
     const lua_Integer next = last < 0 || last > INT_MAX ? 0 : last + 1;
     lua_pushinteger(L, next);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, circleTableKey);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleTable);
     lua_rawgeti(L, -1, next);
     if (lua_isnil(L, -1))
         return 1; // nil ends the loop
@@ -81,7 +82,7 @@ void setFunction(lua_State *L, const char *name, lua_CFunction function)
 void pushCircleList(lua_State *L)
 {
     new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Circles};
-    lua_newtable(L);
+    lua_createtable(L, 0, 6);
     setFunction(L, "__index", listIndex);
     setFunction(L, "__len", listLength);
     setFunction(L, "__newindex", refuseListChange);

@@ -6,9 +6,6 @@
 
 namespace cradle {
 
-/// Where the table of all circle objects lies in the registry.
-inline constexpr lua_Integer circleTableKey = 103;
-
 /// Pushes what programs know as `circles`: it can be indexed, counted and walked, not changed.
 void pushCircleList(lua_State *L);
 

@@ -116,7 +116,7 @@ struct OwnFunctions {
 
     OwnFunctions()
     {
-        const std::unique_ptr<lua_State, LuaCloser> state(luaL_newstate());
+        const std::unique_ptr<lua_State, decltype(&lua_close)> state(luaL_newstate(), lua_close);
         lua_State *L = state.get();
         if (!L)
             return;
@@ -148,8 +148,13 @@ const OwnFunctions &ownFunctions(lua_State *L)
     return own;
 }
 
+/// So many globals as the lab gives and a program of the lab has.
+constexpr int usualGlobals = 32;
+
 void addBase(lua_State *L)
 {
+    lua_createtable(L, 0, usualGlobals);
+    lua_rawseti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
     for (const luaL_Reg &entry : ownFunctions(L).base)
         lua_register(L, entry.name, entry.func);
     for (const luaL_Reg &entry : {luaL_Reg{"tonumber", toNumber}, {"select", selectValues}}) {
@@ -194,7 +199,7 @@ int firstMember(lua_State *L)
 void addTextMethods(lua_State *L)
 {
     lua_pushliteral(L, "");
-    lua_newtable(L);
+    lua_createtable(L, 0, static_cast<int>(ownFunctions(L).texts.size()) + 1);
     for (const luaL_Reg &entry : ownFunctions(L).texts) {
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);

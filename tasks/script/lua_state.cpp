@@ -5,7 +5,6 @@
 #include "tasks/script/script_host.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 namespace cradle {
@@ -74,17 +73,19 @@ void LuaMemory::note(bool isText, std::size_t size)
 
 void LuaMemory::drop(void *block, std::size_t size)
 {
+    if (!block)
+        return;
     if (size > SmallBlocks::largest)
-        std::free(block);
-    else if (block)
+        m_large.giveBack(block);
+    else
         m_small.giveBack(block, size);
 }
 
 void *LuaMemory::resize(void *block, std::size_t oldSize, std::size_t newSize)
 {
     if (oldSize > SmallBlocks::largest && newSize > SmallBlocks::largest)
-        return std::realloc(block, newSize);
-    void *moved = newSize > SmallBlocks::largest ? std::malloc(newSize) : m_small.take(newSize);
+        return m_large.resize(block, newSize);
+    void *moved = newSize > SmallBlocks::largest ? m_large.take(newSize) : m_small.take(newSize);
     if (moved && block) {
         std::memcpy(moved, block, std::min(oldSize, newSize));
         drop(block, oldSize);
@@ -92,13 +93,13 @@ void *LuaMemory::resize(void *block, std::size_t oldSize, std::size_t newSize)
     return moved;
 }
 
-LuaState newLuaState(LuaMemory &memory)
+lua_State *newLuaState(LuaMemory &memory)
 {
-    LuaState state(lua_newstate(&LuaMemory::allocate, &memory));
+    lua_State *state = lua_newstate(&LuaMemory::allocate, &memory);
     // A step of that size taken back: that much later begins the first collection, which a run of
     // some hundred steps needs not at all. What is refused is collected first, as ever.
     if (state)
-        lua_gc(state.get(), LUA_GCSTEP, -kilobytesBeforeCollection);
+        lua_gc(state, LUA_GCSTEP, -kilobytesBeforeCollection);
     return state;
 }
 

@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/script/large_blocks.h"
 #include "tasks/script/small_blocks.h"
 
 #include <lua.hpp>
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 namespace cradle {
 
-/// Memory of one Lua state, capped while a program runs: past the cap an allocation fails, which
-/// Lua turns into an error of the program. What we do to the state between runs never fails.
+/// Memory of one Lua state, which ends with it; capped while a program runs: past the cap an
+/// allocation fails, which Lua turns into an error of the program. What we do to the state between
+/// runs never fails.
 class LuaMemory
 {
 public:
@@ -54,6 +55,7 @@ private:
     std::size_t m_moved = 0;
     int m_refusedLine = 0;
     SmallBlocks m_small; ///< nearly all of it
+    LargeBlocks m_large;
 
     [[nodiscard]] bool refuses(std::size_t more);
     void note(bool isText, std::size_t size);
@@ -61,12 +63,9 @@ private:
     [[nodiscard]] void *resize(void *block, std::size_t oldSize, std::size_t newSize);
 };
 
-struct LuaCloser {
-    void operator()(lua_State *state) const { lua_close(state); }
-};
-using LuaState = std::unique_ptr<lua_State, LuaCloser>;
-
-/// A state without any library. \return null if there is no memory for it
-[[nodiscard]] LuaState newLuaState(LuaMemory &memory);
+/// A state without any library. It needs not be closed: all that it has goes with \p memory, and
+/// nothing of ours or of a program waits for its end.
+/// \return null if there is no memory for it
+[[nodiscard]] lua_State *newLuaState(LuaMemory &memory);
 
 } // namespace cradle

@@ -66,15 +66,15 @@ std::optional<ProgramError> findSyntaxError(const QString &source)
     if (auto error = tooLong(source))
         return error;
     LuaMemory memory(limits::scriptBytes);
-    const LuaState state = newLuaState(memory);
+    lua_State *const state = newLuaState(memory);
     if (!state)
         return noMemory();
-    memory.hold(state.get());
-    const int status = parse(state.get(), source);
+    memory.hold(state);
+    const int status = parse(state, source);
     memory.release();
     if (status == LUA_OK)
         return hiddenEntry(source);
-    return errorAtTop(state.get(), status, source);
+    return errorAtTop(state, status, source);
 }
 
 } // namespace cradle

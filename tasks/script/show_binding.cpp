@@ -170,7 +170,7 @@ void addShowing(lua_State *L)
     lua_register(L, "plot", plot);
     constexpr std::array<luaL_Reg, 4> functions{
         {{"arrow", drawArrow}, {"line", drawLine}, {"point", drawPoint}, {"text", drawText}}};
-    lua_newtable(L);
+    lua_createtable(L, 0, static_cast<int>(functions.size()));
     for (const luaL_Reg &entry : functions) {
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);

@@ -54,7 +54,7 @@ int refuseSquareChange(lua_State *L)
 void addSquare(lua_State *L)
 {
     new (lua_newuserdatauv(L, sizeof(ObjectKind), 0)) ObjectKind{ObjectKind::Square};
-    lua_newtable(L);
+    lua_createtable(L, 0, 4);
     lua_pushcfunction(L, readSquare);
     lua_setfield(L, -2, "__index");
     lua_pushcfunction(L, refuseSquareChange);

@@ -3,6 +3,7 @@
 #include "tasks/script/strict_table.h"
 
 #include "tasks/script/nearest_name.h"
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/vector_binding.h"
 
@@ -15,9 +16,6 @@ namespace {
 struct TableText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
-
-/// In the registry: the metatable of all tables that have a fixed set of fields.
-constexpr lua_Integer strictKey = 106;
 
 /// A field that a run, a state or a circle does not have.
 int refuseUnknown(lua_State *L)
@@ -44,13 +42,13 @@ int refuseUnknown(lua_State *L)
 
 void makeStrict(lua_State *L)
 {
-    if (lua_rawgeti(L, LUA_REGISTRYINDEX, strictKey) == LUA_TNIL) {
+    if (lua_rawgeti(L, LUA_REGISTRYINDEX, registry::strictMetatable) == LUA_TNIL) {
         lua_pop(L, 1);
         lua_newtable(L);
         lua_pushcfunction(L, refuseUnknown);
         lua_setfield(L, -2, "__index");
         lua_pushvalue(L, -1);
-        lua_rawseti(L, LUA_REGISTRYINDEX, strictKey);
+        lua_rawseti(L, LUA_REGISTRYINDEX, registry::strictMetatable);
     }
     lua_setmetatable(L, -2);
 }

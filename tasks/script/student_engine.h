@@ -11,7 +11,7 @@ namespace cradle {
 /// A program at work: its Lua state and what that works on.
 struct StudentScript::Engine {
     ScriptHost host{limits::scriptBytes};
-    LuaState state{};
+    lua_State *state = nullptr;  ///< ends with the host's memory
     lua_State *thread = nullptr; ///< of an update that runs line by line
     bool linesDone = false;      ///< that update has come to its end; advance() takes it over
 };

@@ -74,7 +74,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     for (const QString &field : m_options.locked)
         host.locked[field] = lockedName(field, scene);
     m_engine->state = newLuaState(host.memory);
-    lua_State *L = m_engine->state.get();
+    lua_State *L = m_engine->state;
     if (!L)
         return noMemory();
     *static_cast<ScriptHost **>(lua_getextraspace(L)) = &host;
@@ -118,7 +118,7 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
 /// Calls the function below the arguments; the message handler lies at the bottom of the stack.
 std::optional<ProgramError> StudentScript::call(int arguments)
 {
-    lua_State *L = m_engine->state.get();
+    lua_State *L = m_engine->state;
     beginCount(L);
     m_engine->host.caught = {};
     const int status = lua_pcall(L, arguments, 0, 1);
@@ -175,7 +175,7 @@ std::optional<ProgramError> StudentScript::advance(World &world, double dt)
     Q_ASSERT(m_moves);
     if (m_engine->thread || m_engine->linesDone)
         return endLines(world);
-    lua_State *L = m_engine->state.get();
+    lua_State *L = m_engine->state;
     place(world);
     lua_settop(L, 0);
     lua_pushcfunction(L, catchError);
@@ -215,7 +215,7 @@ qint64 StudentScript::instructions() const
 
 std::vector<CircleField> StudentScript::ownFields() const
 {
-    return m_engine ? cradle::ownFields(m_engine->state.get()) : std::vector<CircleField>{};
+    return m_engine ? cradle::ownFields(m_engine->state) : std::vector<CircleField>{};
 }
 
 } // namespace cradle

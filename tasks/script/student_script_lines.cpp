@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/student_script.h"
 
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/sandbox.h"
 #include "tasks/script/student_engine.h"
 
@@ -11,20 +12,14 @@ namespace cradle {
 
 // An update line by line: a coroutine that the line hook lets yield.
 
-namespace {
-
-constexpr lua_Integer threadKey = 104; ///< in the registry: an update that runs line by line
-
-} // namespace
-
 StudentScript::Pause StudentScript::beginLines(const World &world, double dt)
 {
     Q_ASSERT(m_moves);
     dropLines();
-    lua_State *L = m_engine->state.get();
+    lua_State *L = m_engine->state;
     place(world);
     lua_State *thread = lua_newthread(L);
-    lua_rawseti(L, LUA_REGISTRYINDEX, threadKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, registry::updateThread);
     m_engine->thread = thread;
     watch(thread, true);
     if (rawGlobal(thread, "on_update") != LUA_TFUNCTION) {
@@ -90,8 +85,8 @@ void StudentScript::dropLines()
     m_engine->linesDone = false;
     if (!m_engine->thread)
         return;
-    lua_pushnil(m_engine->state.get());
-    lua_rawseti(m_engine->state.get(), LUA_REGISTRYINDEX, threadKey);
+    lua_pushnil(m_engine->state);
+    lua_rawseti(m_engine->state, LUA_REGISTRYINDEX, registry::updateThread);
     m_engine->thread = nullptr;
 }
 

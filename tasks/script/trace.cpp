@@ -54,7 +54,7 @@ Trace StudentScript::traced(World world, double dt)
     Trace trace;
     ScriptHost &host = m_engine->host;
     host.trace = &trace;
-    lua_State *L = m_engine->state.get();
+    lua_State *L = m_engine->state;
     watch(L, true);
     (void)advance(world, dt);
     watch(L, false);

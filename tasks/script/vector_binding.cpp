@@ -3,6 +3,7 @@
 #include "tasks/script/vector_binding.h"
 
 #include "tasks/script/nearest_name.h"
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 
 #include <QCoreApplication>
@@ -18,9 +19,6 @@ namespace {
 struct VectorText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
-
-/// Where the metatable of all vectors lies in the registry.
-constexpr lua_Integer metatableKey = 101;
 
 constexpr qsizetype longestLine = 300; ///< letters in which an assignment is looked for
 
@@ -230,7 +228,7 @@ const Vec2 *vectorAt(lua_State *L, int index)
 void pushVector(lua_State *L, Vec2 value)
 {
     new (lua_newuserdatauv(L, sizeof(VectorObject), 0)) VectorObject{ObjectKind::Vector, value};
-    lua_rawgeti(L, LUA_REGISTRYINDEX, metatableKey);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, registry::vectorMetatable);
     lua_setmetatable(L, -2);
 }
 
@@ -257,12 +255,12 @@ void addVectors(lua_State *L)
                                                {"normalized", normalizedOf},
                                                {"perpendicular", perpendicularOf},
                                                {"dot", dotOf}}};
-    lua_newtable(L);
+    lua_createtable(L, 0, static_cast<int>(operators.size()) + 2);
     for (const luaL_Reg &entry : operators) {
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);
     }
-    lua_newtable(L);
+    lua_createtable(L, 0, static_cast<int>(methods.size()));
     for (const luaL_Reg &entry : methods) {
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);
@@ -271,7 +269,7 @@ void addVectors(lua_State *L)
     lua_setfield(L, -2, "__index");
     lua_pushliteral(L, "vector");
     lua_setfield(L, -2, "__name");
-    lua_rawseti(L, LUA_REGISTRYINDEX, metatableKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, registry::vectorMetatable);
     lua_register(L, "vec", makeVector);
     lua_register(L, "dot", dotOf);
 }

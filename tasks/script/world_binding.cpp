@@ -7,12 +7,17 @@
 #include "tasks/script/lua_library.h"
 #include "tasks/script/meant.h"
 #include "tasks/script/nearest_name.h"
+#include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/square_binding.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace cradle {
 
@@ -28,8 +33,6 @@ constexpr std::size_t mostNamed = 100;
 constexpr qsizetype mostNames = 1000;
 constexpr lua_Unsigned longestName = 64;
 constexpr qint64 instructionsPerName = 50; ///< that comparing two names counts
-/// In the registry: the table of the lab's own names.
-constexpr lua_Integer givenKey = 105;
 
 /// What a program is likely to look for, and why it is not there.
 QString whyAbsent(const QString &name)
@@ -87,7 +90,7 @@ QStringList globalNames(lua_State *L)
     openLibraries(L);
     lua_pushglobaltable(L);
     appendKeys(L, names);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, givenKey);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, registry::givenNames);
     appendKeys(L, names);
     names.sort();
     return names;
@@ -236,22 +239,37 @@ int writeGlobal(lua_State *L)
     return 0;
 }
 
+/// "circle1" and so on, for those that have a name.
+const std::vector<std::string> &circleNames()
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> made;
+        for (std::size_t i = 1; i <= mostNamed; ++i)
+            made.push_back("circle" + std::to_string(i));
+        return made;
+    }();
+    return names;
+}
+
 /// Puts the lab's own names behind the globals, where they are found but cannot be replaced.
 /// Functions of Lua may be: a program may well have a dot or a print of its own.
 void hideGiven(lua_State *L)
 {
+    constexpr std::array<const char *, 5> names{"circles", "square", "vec", "draw", "plot"};
+    const std::size_t circles = std::min(ScriptHost::of(L).circles.size(), mostNamed);
     lua_pushglobaltable(L);
     const int globals = lua_gettop(L);
-    lua_newtable(L);
+    lua_createtable(L, 0, static_cast<int>(names.size() + circles));
     const int given = globals + 1;
-    QList<QByteArray> names{"circles", "square", "vec", "draw", "plot"};
-    for (std::size_t i = 0; i < std::min(ScriptHost::of(L).circles.size(), mostNamed); ++i)
-        names.append("circle" + QByteArray::number(i + 1));
-    for (const QByteArray &name : names) {
-        lua_getfield(L, globals, name.constData());
-        lua_setfield(L, given, name.constData());
+    for (const char *name : names) {
+        lua_getfield(L, globals, name);
+        lua_setfield(L, given, name);
         lua_pushnil(L);
-        lua_setfield(L, globals, name.constData());
+        lua_setfield(L, globals, name);
+    }
+    for (std::size_t i = 0; i < circles; ++i) {
+        pushCircle(L, static_cast<int>(i));
+        lua_setfield(L, given, circleNames()[i].c_str());
     }
     lua_newtable(L);
     lua_pushcfunction(L, readGlobal);
@@ -264,7 +282,7 @@ void hideGiven(lua_State *L)
     lua_pushcclosure(L, writeGlobal, 1);
     lua_setfield(L, -2, "__newindex");
     lua_setmetatable(L, globals);
-    lua_rawseti(L, LUA_REGISTRYINDEX, givenKey);
+    lua_rawseti(L, LUA_REGISTRYINDEX, registry::givenNames);
     lua_pop(L, 1);
 }
 
@@ -274,11 +292,6 @@ void addWorld(lua_State *L)
 {
     pushCircles(L);
     lua_setglobal(L, "circles");
-    const std::size_t named = std::min(ScriptHost::of(L).circles.size(), mostNamed);
-    for (std::size_t i = 0; i < named; ++i) {
-        pushCircle(L, static_cast<int>(i));
-        lua_setglobal(L, QByteArray("circle" + QByteArray::number(i + 1)).constData());
-    }
     addSquare(L);
     hideGiven(L);
 }
