@@ -164,7 +164,7 @@ void CheckEditor::showRefusals()
 
 QString CheckEditor::pointsText() const
 {
-    return m_check.points == 1.0 ? QString() : shortestNumber(m_check.points);
+    return m_check.points == 1.0 ? QString() : fractionOrNumber(m_check.points);
 }
 
 void CheckEditor::takeId()

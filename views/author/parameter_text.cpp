@@ -21,19 +21,10 @@ struct ParameterMessage {
     Q_DECLARE_TR_FUNCTIONS(ParameterText)
 };
 
-/// A part of one that has no end as a decimal stays a fraction: 1/30.
+/// An expression as it is written, {{k}}, and a number so that 1/30 stays that.
 QString numberText(const QJsonValue &value)
 {
-    if (value.isString())
-        return value.toString(); // of a value: {{k}}
-    constexpr int leastDigits = 10;
-    const double number = value.toDouble();
-    const QString decimal = shortestNumber(number);
-    const double parts = number > 0.0 ? std::round(1.0 / number) : 0.0;
-    const bool isFraction = parts >= 2.0 && parts <= 10'000.0 && 1.0 / parts == number;
-    return isFraction && decimal.size() >= leastDigits
-               ? QStringLiteral("1/%1").arg(static_cast<int>(parts))
-               : decimal;
+    return value.isString() ? value.toString() : fractionOrNumber(value.toDouble());
 }
 
 QString listText(const QJsonArray &list)

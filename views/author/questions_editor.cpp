@@ -148,12 +148,12 @@ QString QuestionsEditor::valueText(Line line) const
     case Id:
         return question.id;
     case Points:
-        return question.points == 1.0 ? QString() : shortestNumber(question.points);
+        return question.points == 1.0 ? QString() : fractionOrNumber(question.points);
     case Number:
-        return question.expression.isEmpty() ? shortestNumber(question.number)
+        return question.expression.isEmpty() ? fractionOrNumber(question.number)
                                              : question.expression;
     case Tolerance:
-        return question.tolerance == 0.0 ? QString() : shortestNumber(question.tolerance);
+        return question.tolerance == 0.0 ? QString() : fractionOrNumber(question.tolerance);
     case Unit:
         return question.unit;
     case LineCount:

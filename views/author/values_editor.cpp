@@ -157,11 +157,11 @@ QString ValuesEditor::valueText(Line line) const
     case Expression:
         return value.expression;
     case From:
-        return shortestNumber(value.from);
+        return fractionOrNumber(value.from);
     case To:
-        return shortestNumber(value.to);
+        return fractionOrNumber(value.to);
     case Step:
-        return shortestNumber(value.step);
+        return fractionOrNumber(value.step);
     case LineCount:
         break;
     }

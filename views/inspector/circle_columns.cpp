@@ -54,7 +54,7 @@ QString CircleTableModel::unitOf(int column)
     case VelocityY:
         return QStringLiteral("m/s");
     case Density:
-        return QStringLiteral("g/cm³"); // the same as 1000 kg/m³
+        return QStringLiteral("1000 kg/m³");
     case Mass:
         return QStringLiteral("kg");
     default:

@@ -143,7 +143,10 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
         else if (column == IntegratorColumn)
             shown = integratorText(circles[row].integrator);
         const QString unit = unitOf(column);
-        return unit.isEmpty() ? shown : shown + QLatin1Char(' ') + unit;
+        if (unit.isEmpty())
+            return shown;
+        // "7.8 · 1000 kg/m³": else it would be one number.
+        return shown + (unit[0].isDigit() ? QStringLiteral(" · ") : QStringLiteral(" ")) + unit;
     }
     case Qt::TextAlignmentRole:
         return QVariant(numeric ? Qt::AlignRight | Qt::AlignVCenter

@@ -41,7 +41,7 @@ void NumberField::setSpinRange(double lowest, double highest)
 
 QString NumberField::textOf(double value) const
 {
-    return m_spin == Spin::Double ? fractionOrNumber(value) : shortestNumber(value);
+    return fractionOrNumber(value);
 }
 
 void NumberField::setValue(double value)

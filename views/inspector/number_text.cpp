@@ -3,7 +3,6 @@
 #include "views/inspector/number_text.h"
 
 #include "model/files/expression.h"
-#include "model/world/shortest_number.h"
 
 #include <cmath>
 
@@ -11,7 +10,6 @@ namespace cradle {
 
 namespace {
 
-constexpr double longestFraction = 100'000.0;
 constexpr int cleanDigits = 12; ///< of a spun number; a double holds nearly 16
 
 } // namespace
@@ -25,15 +23,6 @@ std::optional<double> readNumber(const QString &text, const QString &unit)
         plain.replace(QLatin1Char(','), QLatin1Char('.'));
     const Result<double> value = evaluated(plain);
     return value ? std::optional(*value) : std::nullopt;
-}
-
-QString fractionOrNumber(double value)
-{
-    const double n = std::round(1.0 / value);
-    const QString digits = shortestNumber(value);
-    const QString fraction = QStringLiteral("1/%1").arg(n, 0, 'f', 0);
-    const bool exact = n >= 2.0 && n <= longestFraction && 1.0 / n == value;
-    return exact && digits.size() > fraction.size() + 1 ? fraction : digits;
 }
 
 double spun(double value, double step, int steps)

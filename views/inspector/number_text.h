@@ -13,10 +13,6 @@ namespace cradle {
 /// Finite, else nullopt.
 [[nodiscard]] std::optional<double> readNumber(const QString &text, const QString &unit = {});
 
-/// "1/60" if the number is exactly that unit fraction (n from 2 to 100 000), else the fewest
-/// digits that read back to the same double.
-[[nodiscard]] QString fractionOrNumber(double value);
-
 /// The number \p steps times \p step on, on the grid of \p step if it was there, without the
 /// digits that rounding leaves behind (0.1 + 0.2 is 0.3).
 [[nodiscard]] double spun(double value, double step, int steps);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/world_group.h"
 
+#include "model/world/shortest_number.h"
 #include "views/inspector/number_field.h"
-#include "views/inspector/number_text.h"
 #include "views/theme.h"
 
 #include <QEvent>

@@ -11,7 +11,7 @@ QString withUnits(QString text)
     // What a minus follows in "1-2" or "well-known" makes it a hyphen.
     static const QRegularExpression minus(QStringLiteral("(?<![\\w)-])-(?=\\.?\\d)"));
     static const QRegularExpression unit(QStringLiteral(
-        "(?<=[\\d)]) (kg m/s|kg m²/s|kg|g/cm³|m/s²|m/s|mm|cm|m|ms|s|J|N|%|px)(?![\\w/²³])"));
+        "(?<=[\\d)]) (kg m/s|kg m²/s|kg|kg/m³|m/s²|m/s|mm|cm|m|ms|s|J|N|%|px)(?![\\w/²³])"));
     static const QRegularExpression product(QStringLiteral("\\bkg m(?=\\W|$)"));
     static const QRegularExpression over(QStringLiteral("\\b(m²?|g)/(s|cm)"));
     text.replace(minus, QStringLiteral("−"));
