@@ -22,6 +22,7 @@ private slots:
     void replacingTouchesNothingElse();
     void replacementIsTakenLiterally();
     void whatWouldNotBeRightIsRefused();
+    void brokenFilesAreLookedAtToo();
 
 private:
     LabFiles m_ball;
@@ -166,6 +167,25 @@ void TestLabSearch::whatWouldNotBeRightIsRefused()
         replacedInLab(m_ball, {.text = text("Drop it")}, QString(201, QLatin1Char('x')));
     QVERIFY(!tooLong.ok());
     QVERIFY(tooLong.error().toString().contains(text("title")));
+}
+
+/// Line by line; but replaced is nothing, not even elsewhere, before they are mended.
+void TestLabSearch::brokenFilesAreLookedAtToo()
+{
+    LabFiles files = m_ball;
+    files.contents[text("BALL1/task.json")].chop(4);
+    const std::vector<LabHit> whole = findInLab(m_ball, {.text = text("\"title\"")});
+    QVERIFY(whole.empty()); // a key is no text of the author
+    const std::vector<LabHit> hits = findInLab(files, {.text = text("\"title\"")});
+    QVERIFY(!hits.empty());
+    QCOMPARE(hits.front().path, text("BALL1/task.json"));
+    QVERIFY(hits.front().line > 0);
+    const Result<LabFiles> replaced = replacedInLab(files, {.text = text("Ball")}, text("Disc"));
+    QVERIFY(!replaced);
+    QCOMPARE(replaced.error().file, text("BALL1/task.json"));
+    QVERIFY(replaced.error().message.contains(text("broken")));
+    // Where the broken file has it not, nothing stands in the way.
+    QVERIFY(replacedInLab(files, {.text = text("phlogiston")}, text("x")));
 }
 
 QTEST_GUILESS_MAIN(TestLabSearch)

@@ -6,6 +6,7 @@
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/lab_json.h"
 
+#include <QCoreApplication>
 #include <QJsonDocument>
 #include <QRegularExpression>
 
@@ -15,6 +16,10 @@
 namespace cradle {
 
 namespace {
+
+struct SearchText {
+    Q_DECLARE_TR_FUNCTIONS(LabSearch)
+};
 
 QRegularExpression patternOf(const LabSearch &search)
 {
@@ -114,8 +119,12 @@ public:
 private:
     void lookAtJson(const QString &path, const QByteArray &content)
     {
-        const QJsonObject json = QJsonDocument::fromJson(content).object();
-        (void)withTexts(json, {}, [&](const QString &text, const QString &place) {
+        const QJsonDocument json = QJsonDocument::fromJson(content);
+        if (!json.isObject()) { // broken, which is when one looks for something in it
+            lookAtLines(path, QString::fromUtf8(content));
+            return;
+        }
+        (void)withTexts(json.object(), {}, [&](const QString &text, const QString &place) {
             add({.path = path, .pointer = place, .text = text});
             return text;
         });
@@ -171,9 +180,17 @@ QString replaced(const QString &text, const QRegularExpression &pattern, const Q
 Result<LabFiles> withJsonReplaced(const LabFiles &files, const QString &path,
                                   const std::function<QString(const QString &)> &put)
 {
-    const QJsonDocument json = QJsonDocument::fromJson(files.contents.value(path));
-    if (!json.isObject())
-        return files;
+    const QByteArray content = files.contents.value(path);
+    const QJsonDocument json = QJsonDocument::fromJson(content);
+    if (!json.isObject()) {
+        const QString text = QString::fromUtf8(content);
+        if (put(text) == text)
+            return files;
+        return Error{.message = SearchText::tr("this file is broken, so nothing can be replaced "
+                                               "in it, and nothing was replaced elsewhere; mend "
+                                               "it first"),
+                     .file = path};
+    }
     const QJsonObject before = json.object();
     const QJsonObject after = withTexts(before, {}, [&](const QString &text, const QString &) {
                                   return put(text);

@@ -22,8 +22,8 @@ struct LabSearch {
 /// A line of a text, or a text of a JSON file, in which it was found.
 struct LabHit {
     QString path;
-    int line = 0;      ///< from 1; 0 in JSON
-    QString pointer{}; ///< in JSON: "/checks/0/title"
+    int line = 0;      ///< from 1; 0 in JSON that is not broken
+    QString pointer{}; ///< there: "/checks/0/title"
     QString text{};    ///< the line, or the text
     int at = 0;        ///< where it stands there first
     int count = 1;     ///< how often it stands there
@@ -35,7 +35,8 @@ struct LabHit {
 
 /// Puts \p replacement in all these places. Differences are made anew, so that they still apply to
 /// a solution that was changed with them; names, ids, keys and numbers of JSON stay.
-/// \return an error about a file that would not be right then, as by a title that is too long
+/// \return an error about a file that would not be right then, as by a title that is too long, or
+///     that is broken and has it
 [[nodiscard]] Result<LabFiles> replacedInLab(const LabFiles &files, const LabSearch &search,
                                              const QString &replacement);
 
