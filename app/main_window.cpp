@@ -79,7 +79,8 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
 
 MainWindow::~MainWindow()
 {
-    delete m_author; // its changes were asked about when this was closed
+    for (const QPointer<AuthorWindow> &author : std::as_const(m_authors))
+        delete author; // its changes were asked about when this was closed
     delete m_secondScene;
     // Panes go after this has: what they tell then concerns nobody.
     for (QDockWidget *pane : findChildren<QDockWidget *>()) {
@@ -233,7 +234,9 @@ void MainWindow::changeEvent(QEvent *event)
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     m_keeping->keepNote();
-    if ((m_author && !m_author->close()) || !mayClose()) {
+    const bool written = std::all_of(m_authors.cbegin(), m_authors.cend(),
+                                     [](const auto &author) { return !author || author->close(); });
+    if (!written || !mayClose()) {
         event->ignore();
         return;
     }

@@ -66,7 +66,7 @@ public:
     [[nodiscard]] PhaseChart &phaseChart() { return *m_phase; }
     [[nodiscard]] PinnedRuns &pins() { return m_pins; }
     [[nodiscard]] TimeWindow &timeWindow() { return m_timeWindow; }
-    /// The window in which a lab is written, if it is open.
+    /// The window in which a lab is written that was opened last, if one is open.
     [[nodiscard]] AuthorWindow *author() const;
     /// Opens that window with the lab in \p folder. \return what is wrong with it
     std::optional<Error> openAuthor(const QString &folder);
@@ -202,7 +202,7 @@ private:
     Timeline *m_timeline = nullptr;
     ValuesPane *m_values = nullptr;
     std::vector<QDockWidget *> m_docks;
-    QPointer<AuthorWindow> m_author;
+    QList<QPointer<AuthorWindow>> m_authors; ///< one for each lab; the last that was opened last
     QPointer<SceneView> m_secondScene;
     QPointer<MarkdownView> m_sheet;
     PresentationLayer *m_layer = nullptr;                    ///< while it presents

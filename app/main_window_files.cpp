@@ -16,6 +16,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 
+#include <algorithm>
 #include <utility>
 
 namespace cradle {
@@ -57,20 +58,25 @@ void MainWindow::openLab(const QString &path)
 
 AuthorWindow *MainWindow::author() const
 {
-    return m_author;
+    const auto last = std::find_if(m_authors.rbegin(), m_authors.rend(),
+                                   [](const auto &author) { return !author.isNull(); });
+    return last == m_authors.rend() ? nullptr : last->data();
 }
 
 void MainWindow::authorLab()
 {
-    if (m_author) {
-        m_author->raise();
-        m_author->activateWindow();
+    const QString folder = m_workbench.lab().folder;
+    for (const QPointer<AuthorWindow> &author : std::as_const(m_authors)) {
+        if (!author || author->document().folder() != folder)
+            continue;
+        author->raise();
+        author->activateWindow();
         return;
     }
-    if (const auto error = openAuthor(m_workbench.lab().folder))
+    if (const auto error = openAuthor(folder))
         report(*error);
     else
-        m_author->show();
+        author()->show();
 }
 
 std::optional<Error> MainWindow::openAuthor(const QString &folder)
@@ -90,7 +96,8 @@ std::optional<Error> MainWindow::openAuthor(const QString &folder)
                 raise();
                 activateWindow();
             });
-    m_author = author.release();
+    m_authors.removeIf([](const auto &window) { return !window; });
+    m_authors.append(author.release());
     return std::nullopt;
 }
 

@@ -25,6 +25,7 @@ private slots:
     void findingsLeadToTheirFields();
     void labInAnotherLanguageOpensInIt();
     void stepThatIsWrittenOpensAsAStudentSeesIt();
+    void everyLabHasAWindowOfItsOwn();
 };
 
 namespace {
@@ -185,6 +186,42 @@ void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
     QVERIFY(student.bench.task());
     QCOMPARE(student.bench.task()->id, QStringLiteral("BALL3"));
     QCOMPARE(student.bench.task()->title, QStringLiteral("Half as high"));
+}
+
+/// "Author a lab…" opens the lab that is open, also while another is written.
+void TestAuthorLab::everyLabHasAWindowOfItsOwn()
+{
+    const QTemporaryDir folder;
+    OpenWindow student(folder);
+    const QString place = folder.filePath(QStringLiteral("ball"));
+    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/bouncing-ball"));
+    QVERIFY(ball && !saveLabFiles(*ball, {}, place));
+    QVERIFY(!student.window.openAuthor(place));
+    const QPointer<AuthorWindow> first = student.window.author();
+    first->show();
+
+    student.window.authorLab();
+    const QPointer<AuthorWindow> second = student.window.author();
+    QVERIFY(second && second != first && second->isVisible());
+    QCOMPARE(second->document().folder(), student.bench.lab().folder);
+    QCOMPARE(first->document().folder(), place);
+
+    // What is open already comes to the front.
+    student.window.authorLab();
+    QCOMPARE(student.window.author(), second.data());
+    QVERIFY(!student.bench.openLab(place, QStringLiteral("en")));
+    student.window.authorLab();
+    QCOMPARE(student.window.author(), second.data());
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    QCOMPARE(std::count_if(windows.begin(), windows.end(),
+                           [](QWidget *window) { return qobject_cast<AuthorWindow *>(window); }),
+             2);
+
+    QVERIFY(second->close());
+    QTRY_VERIFY(!second);
+    QCOMPARE(student.window.author(), first.data());
+    QVERIFY(student.window.close());
+    QTRY_VERIFY(!first);
 }
 
 QTEST_MAIN(TestAuthorLab)
