@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/authoring_labs.h"
 
+#include "tasks/authoring/text_gaps.h"
 #include "tasks/reading/lab_reader.h"
+#include "tasks/script/program_tokens.h"
 
 using namespace cradle;
 using namespace cradle::authoring;
@@ -21,6 +23,8 @@ private slots:
     void predictionIsTranslatedAsAWhole();
     void answersComeAndGoInAllLanguages();
     void predictionOutOfItsBoundsIsRefused();
+    void startersSpeakEveryLanguage();
+    void starterOfAnotherLanguageIsAFileOfTheLab();
 
 private:
     LabFiles m_lab;
@@ -210,6 +214,55 @@ void TestLabTranslations::predictionOutOfItsBoundsIsRefused()
     lab = withTask(m_lab, masses, form);
     QVERIFY(!lab);
     QCOMPARE(lab.error().pointer, text("/prediction/outcome"));
+}
+
+/// The first program that a student sees, in both shipped labs: one code, other comments.
+void TestLabTranslations::startersSpeakEveryLanguage()
+{
+    for (const char *folder : {"tasks/lab-4.2", "tasks/bouncing-ball"}) {
+        const QString english = readLab(sourcePath(folder))->tasks.front().starter;
+        for (const char *language : {"de", "fr", "ar"}) {
+            const Result<Lab> lab = readLab(sourcePath(folder), text(language));
+            const QString starter = lab->tasks.front().starter;
+            QVERIFY2(starter != english, language);
+            const auto words = programTokens(starter);
+            const auto wanted = programTokens(english);
+            QVERIFY2(std::equal(words.begin(), words.end(), wanted.begin(), wanted.end(),
+                                [](const ProgramToken &a, const ProgramToken &b) {
+                                    return a.text == b.text;
+                                }),
+                     language);
+        }
+        QCOMPARE(readLab(sourcePath(folder), text("it"))->tasks.front().starter, english);
+        const LabFiles files = *readLabFiles(sourcePath(folder));
+        QVERIFY(textGaps(files).empty());
+    }
+}
+
+void TestLabTranslations::starterOfAnotherLanguageIsAFileOfTheLab()
+{
+    LabFiles lab = m_lab;
+    const QString first = text("L42T1/starter.it.lua");
+    lab.contents[first] = lab.contents[text("L42T1/starter.lua")];
+    QVERIFY(languagesOf(lab).contains(text("it")));
+    QVERIFY(foreignFiles(lab, text("L42T1")).isEmpty());
+    const auto isTold = [&](const char *part) {
+        const std::vector<Error> gaps = textGaps(lab);
+        return std::any_of(gaps.begin(), gaps.end(), [&](const Error &gap) {
+            return gap.file == first && gap.message.contains(text(part));
+        });
+    };
+    QVERIFY(!isTold("code"));
+    lab.contents[first].replace("on_load", "at_load");
+    QVERIFY(isTold("its code is not that of starter.lua"));
+    lab.contents[first].replace("at_load", "on_load");
+    lab.contents.insert(text("L42T2/starter.lua"), "-- begins anew\n");
+    lab.contents.insert(text("L42T2/task.it.json"), "{}");
+    const std::vector<Error> gaps = textGaps(lab);
+    QVERIFY(std::any_of(gaps.begin(), gaps.end(), [](const Error &gap) {
+        return gap.file == text("L42T2/starter.it.lua")
+               && gap.message.contains(text("the starter's comments"));
+    }));
 }
 
 QTEST_GUILESS_MAIN(TestLabTranslations)

@@ -170,7 +170,8 @@ Result<LabFiles> withOwnLanguage(const LabFiles &files, const QString &language)
         const QString name = it->section(QLatin1Char('/'), -1);
         if (name == QStringLiteral("lab.%1.json").arg(language)
             || name == QStringLiteral("task.%1.json").arg(language)
-            || name == QStringLiteral("instructions.%1.md").arg(language))
+            || name == QStringLiteral("instructions.%1.md").arg(language)
+            || name == QStringLiteral("starter.%1.lua").arg(language))
             return Error{.message = EditText::tr("the lab has translations into this language; "
                                                  "its own texts are in another"),
                          .file = *it};
@@ -199,12 +200,13 @@ QStringList languagesOf(const LabFiles &files)
 {
     static const QRegularExpression translated(
         QStringLiteral("(?:^|/)(?:lab|task)\\.([a-z]{2}(?:_[A-Z]{2})?)\\.json$"
-                       "|/instructions\\.([a-z]{2}(?:_[A-Z]{2})?)\\.md$"));
+                       "|/instructions\\.([a-z]{2}(?:_[A-Z]{2})?)\\.md$"
+                       "|/starter\\.([a-z]{2}(?:_[A-Z]{2})?)\\.lua$"));
     QStringList languages;
     for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
         const QRegularExpressionMatch match = translated.match(it.key());
         if (match.hasMatch())
-            languages.append(match.captured(1) + match.captured(2));
+            languages.append(match.captured(match.lastCapturedIndex()));
     }
     languages.removeAll(ownLanguage(files));
     languages.removeDuplicates();

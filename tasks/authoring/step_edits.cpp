@@ -130,7 +130,7 @@ QStringList foreignFiles(const LabFiles &files, const QString &step)
 {
     static const QRegularExpression known(QStringLiteral(
         "^(task(\\.[A-Za-z_]+)?\\.json|instructions(\\.[A-Za-z_]+)?\\.md|preset\\.json|"
-        "solution-preset\\.json|(starter|solution)\\.lua|"
+        "solution-preset\\.json|starter(\\.[A-Za-z_]+)?\\.lua|solution\\.lua|"
         "(mistakes|remarks|checks)/[^/]+\\.(lua|diff))$"));
     const QString start = step + QLatin1Char('/');
     QStringList names;

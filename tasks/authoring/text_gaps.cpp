@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/lab_json.h"
+#include "tasks/script/program_tokens.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -102,6 +103,33 @@ QStringList leftFromTemplate(const LabFiles &files, const QString &step, const L
     return left;
 }
 
+/// A program as Lua reads it: without comments and white space.
+QStringList codeOf(const QString &source)
+{
+    QStringList words;
+    for (const ProgramToken &token : programTokens(source))
+        words.append(token.text);
+    return words;
+}
+
+/// What is wrong with the starter of a step in another language, which differs in comments alone.
+std::optional<Error> starterGap(const LabFiles &files, const QString &step, const QString &language)
+{
+    const QString own = textOf(files, step + QStringLiteral("/starter.lua"));
+    const QString path = QStringLiteral("%1/starter.%2.lua").arg(step, language);
+    if (!files.contents.contains(path))
+        return own.contains(QLatin1String("--")) ? std::optional(Error{
+                   .message = GapsText::tr("not in this language yet: the starter's comments"),
+                   .file = path})
+                                                 : std::nullopt;
+    if (codeOf(textOf(files, path)) == codeOf(own))
+        return std::nullopt;
+    return Error{.message =
+                     GapsText::tr("its code is not that of starter.lua; a starter in another "
+                                  "language differs in comments alone"),
+                 .file = path};
+}
+
 } // namespace
 
 std::vector<Error> textGaps(const LabFiles &files)
@@ -128,6 +156,8 @@ std::vector<Error> textGaps(const LabFiles &files)
             const QString text = QStringLiteral("instructions.%1.md").arg(language);
             if (!files.contents.contains(step + QLatin1Char('/') + text))
                 missing.append(text);
+            if (const auto gap = starterGap(files, step, language))
+                gaps.push_back(*gap);
             if (!missing.isEmpty())
                 gaps.push_back({.message = GapsText::tr("not in this language yet: %1")
                                                .arg(missing.join(QStringLiteral(", "))),

@@ -130,11 +130,13 @@ void readCheckScripts(const LabSource &source, const QString &step, Task &task, 
 
 } // namespace
 
-void readScripts(const LabSource &source, const QString &step, const QJsonObject &json,
-                 const QJsonObject &words, Task &task, Lab &lab)
+void readScripts(const LabSource &source, const QString &step, const QString &language,
+                 const QJsonObject &json, const QJsonObject &words, Task &task, Lab &lab)
 {
     task.solution = readIfThere(source, step + QStringLiteral("/solution.lua"), lab);
-    task.starter = readIfThere(source, step + QStringLiteral("/starter.lua"), lab);
+    const QString translated = QStringLiteral("%1/starter.%2.lua").arg(step, language);
+    task.starter = readIfThere(
+        source, source.has(translated) ? translated : step + QStringLiteral("/starter.lua"), lab);
     if (task.starter.isEmpty() && !lab.tasks.empty())
         task.starter = lab.forStudents ? lab.tasks.back().starter : lab.tasks.back().solution;
     const QJsonObject texts = words.value(QStringLiteral("mistakes")).toObject();

@@ -192,7 +192,7 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
                                 .file = source.fullPath(path),
                                 .pointer = QStringLiteral("/prediction/right")});
     findTranslationFaults(source, step, *json, language, lab);
-    readScripts(source, step, *json, words, task, lab);
+    readScripts(source, step, language, *json, words, task, lab);
     lab.tasks.push_back(task);
 }
 

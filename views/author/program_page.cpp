@@ -9,6 +9,7 @@
 #include "views/author/markdown_editor.h"
 #include "views/author/program_files.h"
 #include "views/author/remark_editor.h"
+#include "views/author/text_languages.h"
 #include "views/code/code_editor.h"
 #include "views/markdown_view.h"
 
@@ -144,6 +145,10 @@ void ProgramPage::showNote()
         m_note->setText(there ? tr("What a student's program starts from in this step.")
                               : tr("None of its own: students go on from the solution of the step "
                                    "before. Write here to start from something else."));
+    else if (m_program.startsWith(QLatin1String("starter.")))
+        m_note->setText(tr("The starter for students who read %1: the same code, with comments in "
+                           "that language. Without it they get starter.lua.")
+                            .arg(languageWithCode(m_program.section(QLatin1Char('.'), 1, 1))));
     else if (m_program == QLatin1String("solution.lua"))
         m_note->setText(tr("The reference: it should pass every check, with every seed."));
     else if (!m_applies)

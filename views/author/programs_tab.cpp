@@ -92,7 +92,14 @@ void ProgramsTab::fillList()
 {
     const LabFiles &files = m_document.files();
     const QString &step = m_document.step();
-    QStringList programs{QStringLiteral("starter.lua"), QStringLiteral("solution.lua")};
+    QStringList programs{QStringLiteral("starter.lua")};
+    for (const QString &language : languagesOf(files).mid(1)) {
+        const QString translated = QStringLiteral("starter.%1.lua").arg(language);
+        if (files.contents.contains(step + QStringLiteral("/starter.lua"))
+            || files.contents.contains(step + QLatin1Char('/') + translated))
+            programs.append(translated);
+    }
+    programs.append(QStringLiteral("solution.lua"));
     for (const KnownKind kind : {KnownKind::Mistake, KnownKind::Remark}) {
         for (const QString &name : knownNames(files, step, kind))
             programs.append(fileOfProgram(kind, name));

@@ -20,7 +20,8 @@ namespace cradle {
 [[nodiscard]] inline QStringList offeredLanguages(const LabFiles &files)
 {
     QStringList codes = languagesOf(files);
-    for (const QString &code : {QStringLiteral("en"), QStringLiteral("de")}) {
+    for (const QString &code :
+         {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("fr"), QStringLiteral("ar")}) {
         if (!codes.contains(code))
             codes.append(code);
     }
