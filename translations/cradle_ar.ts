@@ -4269,6 +4269,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>of what the step has not: %1</source>
         <translation>لما ليس في الخطوة: %1</translation>
     </message>
+    <message>
+        <source>not in this language yet: the starter&apos;s comments</source>
+        <translation>ليست بهذه اللغة بعد: تعليقات برنامج البداية</translation>
+    </message>
+    <message>
+        <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
+        <translation>شيفرته ليست شيفرة starter.lua؛ لا يختلف برنامج البداية بلغة أخرى إلا في التعليقات</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4403,6 +4411,13 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>What happens: %1</source>
         <translation>ما يحدث: ⁨%1⁩</translation>
+    </message>
+</context>
+<context>
+    <name>LabSearch</name>
+    <message>
+        <source>this file is broken, so nothing can be replaced in it, and nothing was replaced elsewhere; mend it first</source>
+        <translation>هذا الملف معطوب، فلا يمكن استبدال شيء فيه، ولم يُستبدل شيء في غيره؛ أصلحه أولًا</translation>
     </message>
 </context>
 <context>
@@ -10297,6 +10312,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>What the student reads, translated</source>
         <translation>ما يقرؤه الطالب، مترجمًا</translation>
+    </message>
+    <message>
+        <source>The starter for students who read %1: the same code, with comments in that language. Without it they get starter.lua.</source>
+        <translation>برنامج البداية لمن يقرأ %1: الشيفرة نفسها بتعليقات بهذه اللغة. ومن دونه يحصلون على starter.lua.</translation>
     </message>
 </context>
 <context>

@@ -4245,6 +4245,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>of what the step has not: %1</source>
         <translation>von etwas, das der Schritt nicht hat: %1</translation>
     </message>
+    <message>
+        <source>not in this language yet: the starter&apos;s comments</source>
+        <translation>noch nicht in dieser Sprache: die Kommentare des Startprogramms</translation>
+    </message>
+    <message>
+        <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
+        <translation>sein Code ist nicht der von starter.lua; ein Startprogramm in einer anderen Sprache unterscheidet sich nur in den Kommentaren</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4379,6 +4387,13 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>… and more, which no page holds.</source>
         <translation>… und mehr, was auf keine Seite passt.</translation>
+    </message>
+</context>
+<context>
+    <name>LabSearch</name>
+    <message>
+        <source>this file is broken, so nothing can be replaced in it, and nothing was replaced elsewhere; mend it first</source>
+        <translation>diese Datei ist beschädigt, darum kann in ihr nichts ersetzt werden, und auch sonst wurde nichts ersetzt; bring sie erst in Ordnung</translation>
     </message>
 </context>
 <context>
@@ -10229,6 +10244,10 @@ Ihre Nummer:</translation>
     <message>
         <source>It is kept as its difference from the solution, which is marked, and follows it.</source>
         <translation>Gespeichert ist sein Unterschied zur Lösung, der markiert ist; so folgt es ihr.</translation>
+    </message>
+    <message>
+        <source>The starter for students who read %1: the same code, with comments in that language. Without it they get starter.lua.</source>
+        <translation>Das Startprogramm für Studierende, die %1 lesen: derselbe Code mit Kommentaren in dieser Sprache. Ohne es bekommen sie starter.lua.</translation>
     </message>
 </context>
 <context>

@@ -4245,6 +4245,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>of what the step has not: %1</source>
         <translation>de ce que l&apos;étape n&apos;a pas&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>not in this language yet: the starter&apos;s comments</source>
+        <translation>pas encore dans cette langue&#xa0;: les commentaires du programme de départ</translation>
+    </message>
+    <message>
+        <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
+        <translation>son code n&apos;est pas celui de starter.lua&#xa0;; un programme de départ dans une autre langue n&apos;en diffère que par les commentaires</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4379,6 +4387,13 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>What happens: %1</source>
         <translation>Ce qui se passe&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>LabSearch</name>
+    <message>
+        <source>this file is broken, so nothing can be replaced in it, and nothing was replaced elsewhere; mend it first</source>
+        <translation>ce fichier est abîmé&#xa0;: rien ne peut y être remplacé, et rien n&apos;a été remplacé ailleurs&#xa0;; réparez-le d&apos;abord</translation>
     </message>
 </context>
 <context>
@@ -10229,6 +10244,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>What the student reads, translated</source>
         <translation>Ce que lit l&apos;étudiant, traduit</translation>
+    </message>
+    <message>
+        <source>The starter for students who read %1: the same code, with comments in that language. Without it they get starter.lua.</source>
+        <translation>Le programme de départ pour qui lit %1&#xa0;: le même code, avec des commentaires dans cette langue. Sans lui, c&apos;est starter.lua.</translation>
     </message>
 </context>
 <context>
