@@ -15,6 +15,10 @@ private slots:
     void comesToItsNumber();
     void saysWhatIsWrong_data();
     void saysWhatIsWrong();
+    void unitsAreTurnedIntoWhatIsAsked_data();
+    void unitsAreTurnedIntoWhatIsAsked();
+    void wrongUnitsAreSaid_data();
+    void wrongUnitsAreSaid();
     void ownNamesAreNoValues();
 };
 
@@ -71,6 +75,87 @@ void TestExpression::saysWhatIsWrong()
     QFETCH(QString, text);
     QFETCH(QString, part);
     const auto value = evaluated(text);
+    QVERIFY(!value.ok());
+    QVERIFY2(value.error().message.contains(part), qPrintable(value.error().message));
+}
+
+void TestExpression::unitsAreTurnedIntoWhatIsAsked_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<double>("number");
+    const auto row = [](const char *text, const char *unit, double number) {
+        QTest::addRow("%s in %s", text, unit)
+            << QString::fromUtf8(text) << QString::fromUtf8(unit) << number;
+    };
+    row("35 cm", "m", 0.35);
+    row("1 m + 20 cm", "m", 1.2);
+    row("36 km/h", "m/s", 10.0);
+    row("9.81 m/s^2", "m/s²", 9.81);
+    row("9.81 m/s²", "m/s²", 9.81);
+    row("1/60 s", "s", 1.0 / 60.0);
+    row("20 ms", "s", 0.02);
+    row("10 m / 4 s", "m/s", 2.5);
+    row("2 * 9.81 m/s² * 3 s", "m/s", 58.86);
+    row("sqrt(2 * 9.81 m/s² * 5 m)", "m/s", 9.904544411531507);
+    row("(2 m)^2 / 1 m", "m", 4.0);
+    row("(2 m)^2/1 m", "m", 4.0);
+    row("7800 kg/m³", "1000 kg/m³", 7.8);
+    row("7.8 t/m³", "· 1000 kg/m³", 7.8);
+    row("261.4 kg * 2 m/s", "kg m/s", 522.8);
+    row("0.5 * 2 kg * (3 m/s)^2", "J", 9.0);
+    row("2 m * sin(30°)", "m", 1.0);
+    row("max(20 cm, 0.1 m)", "m", 0.2);
+    row("-(3 + 4) cm", "m", -0.07);
+    // Without a unit a number is in the one that is asked for; of a value nobody knows it.
+    row("0.2", "m", 0.2);
+    row("k + 20 cm", "m", 0.8);
+    row("2 * k", "m/s", 1.2);
+    row("1 m/s * k", "m", 0.6);
+    row("3 m / s", "m", 1.5); // s is a value here
+    // Where none is asked for it is that of the SI.
+    row("20 cm", "", 0.2);
+    row("50 %", "", 0.5);
+    row("20", "px", 20.0);
+}
+
+void TestExpression::unitsAreTurnedIntoWhatIsAsked()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, unit);
+    QFETCH(double, number);
+    QMap<QString, double> values{{QStringLiteral("k"), 0.6}};
+    if (text == QStringLiteral("3 m / s"))
+        values.insert(QStringLiteral("s"), 2.0);
+    const auto value = evaluated(text, values, unit);
+    QVERIFY2(value.ok(), value ? "" : qPrintable(value.error().message));
+    QCOMPARE(*value, number);
+}
+
+void TestExpression::wrongUnitsAreSaid_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("part");
+    const auto row = [](const char *text, const char *part) {
+        QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(part);
+    };
+    row("2 s", "it is in s; m is right here");
+    row("9.81 m/s²", "it is in m/s²; m is right here");
+    row("3 kg + 2 m", "kg and m stand side by side");
+    row("max(1 m, 2 s)", "m and s stand side by side");
+    row("sin(2 m)", "sin is taken of a number without a unit, not of one in m");
+    row("2^(1 m)", "a power with that unit is none");
+    row("sqrt(2 m)", "a power with that unit is none");
+    row("(2 m) m", "there is a unit too many");
+    row("1 / 60 s", "it is in 1/s; m is right here");
+    row("2 furlong", "“furlong” is not expected there");
+}
+
+void TestExpression::wrongUnitsAreSaid()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, part);
+    const auto value = evaluated(text, {}, QStringLiteral("m"));
     QVERIFY(!value.ok());
     QVERIFY2(value.error().message.contains(part), qPrintable(value.error().message));
 }

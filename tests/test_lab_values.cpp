@@ -26,6 +26,7 @@ private slots:
     void valuesAreMadeOfOneAnother();
     void faultsAreNamedWithTheirPlace();
     void textsProgramsAndScenesHaveThem();
+    void unitsOfASceneAreChecked();
     void labWithoutValuesIsAsItIs();
     void unknownNameIsAFaultOfItsFile();
     void editOfASceneKeepsItsExpressions();
@@ -142,6 +143,38 @@ void TestLabValues::textsProgramsAndScenesHaveThem()
     QVERIFY(task.solution.contains(QStringLiteral("-- 9.81 {{1, 2}} {{nobody}}")));
     QCOMPARE(task.questions[0].number, 19.62);
     QVERIFY(!lab->drawsValues);
+}
+
+/// Lengths in cm, a timestep as 1/60 s; and a time is no radius.
+void TestLabValues::unitsOfASceneAreChecked()
+{
+    LabFiles files = labWith({}, "# Units\n");
+    const auto put = [&](const QString &key, const QJsonValue &value) {
+        edit(files, "S1/preset.json", [&](QJsonObject &scene) {
+            QJsonArray circles = scene.value(QStringLiteral("circles")).toArray();
+            QJsonObject circle = circles[0].toObject();
+            circle.insert(key, value);
+            circles[0] = circle;
+            scene.insert(QStringLiteral("circles"), circles);
+            scene.insert(QStringLiteral("timestep"), QStringLiteral("1/60 s"));
+        });
+    };
+    put(QStringLiteral("velocity"), QJsonArray{QStringLiteral("36 km/h"), 0});
+    put(QStringLiteral("radius"), QStringLiteral("35 cm"));
+    put(QStringLiteral("density"), QStringLiteral("7800 kg/m³"));
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QVERIFY2(lab->findings.empty(),
+             lab->findings.empty() ? "" : qPrintable(lab->findings[0].toString()));
+    const Preset &scene = lab->tasks[0].preset;
+    QCOMPARE(scene.timestep, 1.0 / 60.0);
+    QCOMPARE(scene.circles[0].body.velocity.x, 10.0);
+    QCOMPARE(scene.circles[0].body.radius, 0.35);
+    QCOMPARE(scene.circles[0].body.density, 7.8);
+    put(QStringLiteral("radius"), QStringLiteral("2 s"));
+    const auto wrong = readLab(files, QStringLiteral("here"));
+    QVERIFY(!wrong->findings.empty());
+    QCOMPARE(wrong->findings[0].pointer, QStringLiteral("/circles/0/radius"));
+    QVERIFY(wrong->findings[0].message.contains(QStringLiteral("it is in s; m is right here")));
 }
 
 void TestLabValues::labWithoutValuesIsAsItIs()

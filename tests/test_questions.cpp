@@ -7,7 +7,7 @@
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/questions/answers.h"
 #include "tasks/questions/question_json.h"
-#include "tasks/questions/unit.h"
+#include "model/files/unit.h"
 #include "tasks/reading/lab_reader.h"
 #include "tasks/report/report_formats.h"
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/expression.h"
 
+#include "model/files/expression_functions.h"
+#include "model/files/unit_number.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -21,36 +24,18 @@ struct ExpressionText {
 constexpr qsizetype longest = 400;
 constexpr int deepest = 50; ///< parentheses inside each other
 
-struct OfOne {
-    const char *name;
-    double (*of)(double);
-};
-constexpr OfOne ofOne[] = {
-    {"sqrt", [](double x) { return std::sqrt(x); }},
-    {"abs", [](double x) { return std::abs(x); }},
-    {"exp", [](double x) { return std::exp(x); }},
-    {"ln", [](double x) { return std::log(x); }},
-    {"log10", [](double x) { return std::log10(x); }},
-    {"sin", [](double x) { return std::sin(x); }},
-    {"cos", [](double x) { return std::cos(x); }},
-    {"tan", [](double x) { return std::tan(x); }},
-    {"asin", [](double x) { return std::asin(x); }},
-    {"acos", [](double x) { return std::acos(x); }},
-    {"atan", [](double x) { return std::atan(x); }},
-    {"floor", [](double x) { return std::floor(x); }},
-    {"ceil", [](double x) { return std::ceil(x); }},
-    {"round", [](double x) { return std::round(x); }},
-};
+Error noNumber(const QString &text, const QString &why)
+{
+    return {.message = ExpressionText::tr("“%1” is no number: %2").arg(text.left(60), why)};
+}
 
-struct OfTwo {
-    const char *name;
-    double (*of)(double, double);
-};
-constexpr OfTwo ofTwo[] = {
-    {"min", [](double x, double y) { return std::fmin(x, y); }},
-    {"max", [](double x, double y) { return std::fmax(x, y); }},
-    {"atan2", [](double x, double y) { return std::atan2(x, y); }},
-};
+/// So many times a unit: 35 cm are 35/100 m, and 36 km/h 36/3.6 m/s, to the last bit.
+double inUnits(double number, double scale)
+{
+    constexpr double decimals = 1e6;
+    const double parts = std::round(decimals / scale) / decimals;
+    return std::abs(parts * scale - 1.0) < 1e-15 ? number / parts : number * scale;
+}
 
 /// Reads one expression; used once. The first fault ends it.
 class Reader
@@ -62,27 +47,26 @@ public:
     {
     }
 
-    Result<double> read()
+    Result<UnitNumber> read()
     {
-        const double value = sum();
+        const UnitNumber value = sum();
         skipSpace();
         if (m_fault.isEmpty() && m_at < m_text.size())
             fail(ExpressionText::tr("“%1” is not expected there").arg(m_text.mid(m_at, 12)));
-        if (m_fault.isEmpty() && !std::isfinite(value))
+        if (m_fault.isEmpty() && !std::isfinite(value.number))
             fail(ExpressionText::tr("it comes to no finite number"));
         if (m_fault.isEmpty())
             return value;
-        return Error{.message =
-                         ExpressionText::tr("“%1” is no number: %2").arg(m_text.left(60), m_fault)};
+        return noNumber(m_text, m_fault);
     }
 
 private:
-    double fail(const QString &fault)
+    UnitNumber fail(const QString &fault)
     {
         if (m_fault.isEmpty())
             m_fault = fault;
         m_at = m_text.size();
-        return 0.0;
+        return {};
     }
 
     void skipSpace()
@@ -100,64 +84,86 @@ private:
         return true;
     }
 
-    double sum()
+    /// Of the sort of both; a fault if their units are not of one sort.
+    UnitNumber together(const UnitNumber &a, const UnitNumber &b, double number)
     {
-        double value = product();
+        return a.fits(b) ? likeBoth(a, b, number)
+                         : fail(ExpressionText::tr("%1 and %2 stand side by side")
+                                    .arg(nameOf(a.powers), nameOf(b.powers)));
+    }
+
+    UnitNumber sum()
+    {
+        UnitNumber value = product();
         for (;;) {
-            if (takes('+'))
-                value += product();
-            else if (takes('-'))
-                value -= product();
-            else
+            const bool plus = takes('+');
+            if (!plus && !takes('-'))
                 return value;
+            const UnitNumber next = product();
+            value = together(value, next, value.number + (plus ? next.number : -next.number));
         }
     }
 
-    double product()
+    UnitNumber product()
     {
-        double value = signedPower();
+        UnitNumber value = signedPower();
         for (;;) {
-            if (takes('*'))
-                value *= signedPower();
-            else if (takes('/'))
-                value /= signedPower();
-            else
+            const bool times = takes('*');
+            if (!times && !takes('/'))
                 return value;
+            value = timesPower(value, signedPower(), times ? 1 : -1);
         }
     }
 
-    double signedPower()
+    UnitNumber signedPower()
     {
         if (++m_depth > deepest)
             return fail(ExpressionText::tr("it is too deep"));
-        double value = 0.0;
+        UnitNumber value;
         if (takes('-')) {
-            value = -signedPower();
+            value = signedPower();
+            value.number = -value.number;
         } else if (takes('+')) {
             value = signedPower();
         } else {
             value = atom();
             if (takes('^'))
-                value = std::pow(value, signedPower());
+                value = power(value, signedPower());
         }
         --m_depth;
         return value;
     }
 
-    double atom()
+    UnitNumber power(const UnitNumber &base, const UnitNumber &exponent)
+    {
+        const auto value = raised(base, exponent);
+        return value ? *value : fail(ExpressionText::tr("a power with that unit is none"));
+    }
+
+    UnitNumber atom()
     {
         skipSpace();
         if (takes('(')) {
-            const double value = sum();
-            return takes(')') ? value
+            const UnitNumber value = sum();
+            return takes(')') ? withUnit(value)
                               : fail(ExpressionText::tr("a closing parenthesis is missing"));
         }
-        static const QRegularExpression number(
-            QStringLiteral("\\G(?:\\d+(?:\\.\\d*)?|\\.\\d+)(?:[eE][+-]?\\d+)?"));
+        static const QString digits =
+            QStringLiteral("(?:\\d+(?:\\.\\d*)?|\\.\\d+)(?:[eE][+-]?\\d+)?");
+        static const QRegularExpression number(QStringLiteral("\\G") + digits);
+        static const QRegularExpression fraction(
+            QStringLiteral("\\G(?<!\\^)(%1)/(%1)").arg(digits));
         static const QRegularExpression word(QStringLiteral("\\G[A-Za-z][A-Za-z0-9_]*"));
+        // "1/60 s" is a sixtieth of a second to everybody; "1 / 60 s" is no time.
+        if (const auto match = fraction.match(m_text, m_at);
+            match.hasMatch() && unitAt(m_text, match.capturedEnd(), m_isValue)) {
+            m_at = match.capturedEnd();
+            return withUnit(
+                {.number = match.captured(1).toDouble() / match.captured(2).toDouble()});
+        }
         if (const auto match = number.match(m_text, m_at); match.hasMatch()) {
             m_at = match.capturedEnd();
-            return match.captured().toDouble();
+            return withUnit({.number = match.captured().toDouble()});
         }
         if (const auto match = word.match(m_text, m_at); match.hasMatch()) {
             m_at = match.capturedEnd();
@@ -168,36 +174,63 @@ private:
                         : ExpressionText::tr("something is missing at its end"));
     }
 
-    double named(const QString &name)
+    /// A number or a parenthesis, with the unit behind it.
+    UnitNumber withUnit(const UnitNumber &value)
+    {
+        const auto unit = unitAt(m_text, m_at, m_isValue);
+        if (!unit)
+            return value;
+        m_at = unit->end;
+        if (value.kind == UnitNumber::Kind::Measured)
+            return fail(ExpressionText::tr("there is a unit too many"));
+        return UnitNumber::measured(inUnits(value.number, unit->unit.scale), unit->unit.powers);
+    }
+
+    UnitNumber named(const QString &name)
     {
         for (const OfOne &each : ofOne) {
             if (name == QLatin1String(each.name))
-                return takes('(') ? each.of(arguments(1).front()) : noArguments(name);
+                return takes('(') ? applied(each, arguments(1).front()) : noArguments(name);
         }
         for (const OfTwo &each : ofTwo) {
             if (name != QLatin1String(each.name))
                 continue;
             if (!takes('('))
                 return noArguments(name);
-            const std::vector<double> two = arguments(2);
-            return each.of(two[0], two[1]);
+            const std::vector<UnitNumber> two = arguments(2);
+            const double number = each.of(two[0].number, two[1].number);
+            const UnitNumber both = together(two[0], two[1], number);
+            return each.keepsUnit ? both : UnitNumber{.number = number};
         }
         if (name == QLatin1String("pi"))
-            return std::numbers::pi;
+            return {.number = std::numbers::pi};
         const auto value = m_values.constFind(name);
         return value != m_values.constEnd()
-                   ? *value
+                   ? UnitNumber{*value, UnitNumber::Kind::Any, {}}
                    : fail(ExpressionText::tr("there is no value called %1").arg(name));
     }
 
-    double noArguments(const QString &name)
+    UnitNumber applied(const OfOne &function, const UnitNumber &to)
+    {
+        const double number = function.of(to.number);
+        if (function.unit == UnitOf::Kept)
+            return {number, to.kind, to.powers};
+        if (to.kind != UnitNumber::Kind::Measured)
+            return {number, function.unit == UnitOf::Root ? to.kind : UnitNumber::Kind::Bare, {}};
+        if (function.unit == UnitOf::Root)
+            return power(to, {.number = 0.5});
+        return fail(ExpressionText::tr("%1 is taken of a number without a unit, not of one in %2")
+                        .arg(QLatin1String(function.name), nameOf(to.powers)));
+    }
+
+    UnitNumber noArguments(const QString &name)
     {
         return fail(ExpressionText::tr("a parenthesis behind %1 is missing").arg(name));
     }
 
-    std::vector<double> arguments(int count)
+    std::vector<UnitNumber> arguments(int count)
     {
-        std::vector<double> values;
+        std::vector<UnitNumber> values;
         for (int i = 0; i < count; ++i) {
             if (i > 0 && !takes(','))
                 fail(ExpressionText::tr("a comma and another number are missing"));
@@ -210,14 +243,30 @@ private:
 
     QString m_text;
     const QMap<QString, double> &m_values;
+    std::function<bool(const QString &)> m_isValue = [this](const QString &name) {
+        return m_values.contains(name);
+    };
     qsizetype m_at = 0;
     int m_depth = 0;
     QString m_fault{};
 };
 
+/// The unit that is asked for, as "m/s²" or "1000 kg/m³"; nothing where numbers have none.
+std::optional<UnitNumber> askedUnit(const QString &unit)
+{
+    static const QRegularExpression form(QStringLiteral("^\\s*·?\\s*(\\d*)\\s*(.*)$"));
+    const QRegularExpressionMatch match = form.match(unit);
+    const auto read = unitFrom(match.captured(2));
+    if (!read || read->powers == UnitPowers{})
+        return std::nullopt;
+    const double factor = match.captured(1).isEmpty() ? 1.0 : match.captured(1).toDouble();
+    return UnitNumber::measured(factor * read->scale, read->powers);
+}
+
 } // namespace
 
-Result<double> evaluated(const QString &text, const QMap<QString, double> &values)
+Result<double> evaluated(const QString &text, const QMap<QString, double> &values,
+                         const QString &unit)
 {
     if (text.size() > longest)
         return Error{
@@ -227,7 +276,17 @@ Result<double> evaluated(const QString &text, const QMap<QString, double> &value
     plain.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
     plain.replace(QChar(0x2044), QLatin1Char('/')); // fraction slash
     plain.replace(QChar(0x00B7), QLatin1Char('*')); // middle dot
-    return Reader(plain, values).read();
+    const Result<UnitNumber> value = Reader(plain, values).read();
+    if (!value)
+        return value.error();
+    const std::optional<UnitNumber> asked = askedUnit(unit);
+    if (!asked || value->kind != UnitNumber::Kind::Measured)
+        return value->number;
+    if (!value->fits(*asked))
+        return noNumber(
+            plain,
+            ExpressionText::tr("it is in %1; %2 is right here").arg(nameOf(value->powers), unit));
+    return value->number / asked->number;
 }
 
 bool isValueName(const QString &name)

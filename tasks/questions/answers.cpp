@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/questions/answers.h"
 
+#include "model/files/unit.h"
 #include "model/world/shortest_number.h"
-#include "tasks/questions/unit.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -3,7 +3,7 @@
 #include "tasks/questions/question_json.h"
 
 #include "model/files/expression.h"
-#include "tasks/questions/unit.h"
+#include "model/files/unit.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -55,7 +55,7 @@ void readRight(Question &question, const QJsonValue &right)
     if (question.kind == Kind::Number) {
         question.expression = right.toString();
         question.number = right.toDouble();
-        if (const Result<double> number = evaluated(question.expression);
+        if (const Result<double> number = evaluated(question.expression, {}, question.unit);
             right.isString() && number)
             question.number = *number;
         return;
@@ -203,7 +203,7 @@ std::vector<Error> questionFaults(const QJsonObject &task)
                                              .arg(question.id),
                               .pointer = place + QStringLiteral("/id")});
         ids.insert(question.id);
-        const Result<double> number = evaluated(right.toString());
+        const Result<double> number = evaluated(right.toString(), {}, question.unit);
         if (question.kind == Kind::Number && !right.isDouble() && !number)
             faults.push_back({.message = right.isString()
                                              ? number.error().message

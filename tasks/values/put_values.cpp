@@ -5,6 +5,7 @@
 #include "model/files/expression.h"
 #include "model/world/shortest_number.h"
 
+#include <QHash>
 #include <QJsonArray>
 #include <QRegularExpression>
 
@@ -26,6 +27,27 @@ QString onlyExpression(const QString &text)
     return form.match(text).captured(1);
 }
 
+/// The unit of the number at a place of a scene or of a check's parameters; empty if the name does
+/// not tell.
+QString unitAt(const QString &place)
+{
+    static const QHash<QString, QString> units = [] {
+        QHash<QString, QString> known;
+        const auto add = [&](const char *unit, std::initializer_list<const char *> names) {
+            for (const char *name : names)
+                known.insert(QLatin1String(name), QString::fromUtf8(unit));
+        };
+        add("m", {"position", "positions", "radius", "radii", "half_width"});
+        add("m/s", {"velocity", "velocities", "speeds", "rms_speed"});
+        add("m/s²", {"gravity"});
+        add("s", {"timestep", "timesteps", "duration"});
+        add("1000 kg/m³", {"density", "densities"});
+        return known;
+    }();
+    static const QRegularExpression index(QStringLiteral("(/\\d+)+$"));
+    return units.value(QString(place).remove(index).section(QLatin1Char('/'), -1));
+}
+
 /// Puts numbers into everything below a value of JSON.
 class Putting
 {
@@ -43,9 +65,10 @@ public:
         return put ? QJsonValue(*put) : fail(put.error(), place, value);
     }
 
-    QJsonValue number(const QString &expression, const QString &value, const QString &place)
+    QJsonValue number(const QString &expression, const QString &value, const QString &place,
+                      const QString &unit)
     {
-        const Result<double> number = evaluated(expression, m_values);
+        const Result<double> number = evaluated(expression, m_values, unit);
         return number ? QJsonValue(*number) : fail(number.error(), place, value);
     }
 
@@ -73,8 +96,8 @@ public:
         const QString written = value.toString();
         const QString only = onlyExpression(written);
         if (!only.isEmpty())
-            return number(only, written, place);
-        return ofScene ? number(written, written, place) : text(written, place);
+            return number(only, written, place, unitAt(place));
+        return ofScene ? number(written, written, place, unitAt(place)) : text(written, place);
     }
 
     /// A value of which texts stay texts, whatever is in them.
@@ -100,7 +123,8 @@ public:
             const bool numbers =
                 it.key() == QLatin1String("parameters") || it.key() == QLatin1String("scene");
             if (it.key() == QLatin1String("right") && it.value().isString())
-                it.value() = right(it.value().toString(), below);
+                it.value() = right(it.value().toString(), below,
+                                   json.value(QStringLiteral("unit")).toString());
             else if (it.key() != QLatin1String("values"))
                 it.value() = numbers ? all(it.value(), below, false) : textBelow(it.value(), below);
         }
@@ -117,10 +141,10 @@ private:
     }
 
     /// Of a question, with marks or without.
-    QJsonValue right(const QString &written, const QString &place)
+    QJsonValue right(const QString &written, const QString &place, const QString &unit)
     {
         const QString only = onlyExpression(written);
-        return number(only.isEmpty() ? written : only, written, place);
+        return number(only.isEmpty() ? written : only, written, place, unit);
     }
 
     QJsonValue fail(Error error, const QString &place, const QString &value)

@@ -20,6 +20,7 @@ private slots:
     void shippedTextsNameWhatThereIs();
     void valuesAreReadAsTheyAreShown_data();
     void valuesAreReadAsTheyAreShown();
+    void expressionsAreValues();
     void otherTextsAreNoValues_data();
     void otherTextsAreNoValues();
     void lockedFieldsCannotBeEdited();
@@ -109,6 +110,8 @@ void TestAuthorTexts::valuesAreReadAsTheyAreShown_data()
                              << QJsonValue(QJsonArray{0, 0.5, 1});
     QTest::newRow("vectors") << Type::Vectors << QStringLiteral("2, 0; 0, 0")
                              << QJsonValue(QJsonArray{QJsonArray{2, 0}, QJsonArray{0, 0}});
+    QTest::newRow("turned round") << Type::Number << QStringLiteral("-2/3")
+                                  << QJsonValue(-2.0 / 3.0);
     QTest::newRow("left out") << Type::Number << QString() << QJsonValue(QJsonValue::Undefined);
     QTest::newRow("script") << Type::Script << QStringLiteral("rises.lua")
                             << QJsonValue(QStringLiteral("rises.lua"));
@@ -123,6 +126,24 @@ void TestAuthorTexts::valuesAreReadAsTheyAreShown()
     QVERIFY(read.ok());
     QCOMPARE(*read, value);
     QCOMPARE(textOfParameter(info(type), value), text);
+}
+
+/// Expressions have spaces, commas and units; lists may be written with spaces alone.
+void TestAuthorTexts::expressionsAreValues()
+{
+    using Type = ParameterInfo::Type;
+    const auto read = [](Type type, const char *text) {
+        ParameterInfo made = info(type);
+        made.unit = QStringLiteral("m/s");
+        return parameterFromText(made, QString::fromUtf8(text));
+    };
+    QCOMPARE(*read(Type::Number, "1 + 2*max(1, 3)"), QJsonValue(7.0));
+    QCOMPARE(*read(Type::Number, "36 km/h - 8 m/s"), QJsonValue(2.0));
+    QCOMPARE(*read(Type::Vector, "max(1, 2), 36 km/h"), QJsonValue(QJsonArray{2, 10}));
+    QCOMPARE(*read(Type::Vector, "2 -1"), QJsonValue(QJsonArray{2, -1}));
+    QCOMPARE(*read(Type::Numbers, "1 2 3"), QJsonValue(QJsonArray{1, 2, 3}));
+    QVERIFY(!read(Type::Number, "2 s").ok());
+    QVERIFY(!read(Type::Number, "1 2").ok());
 }
 
 void TestAuthorTexts::otherTextsAreNoValues_data()

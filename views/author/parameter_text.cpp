@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cradle {
@@ -33,12 +34,6 @@ QString listText(const QJsonArray &list)
     for (const QJsonValue &value : list)
         texts.append(numberText(value));
     return texts.join(QStringLiteral(", "));
-}
-
-std::optional<double> numberFrom(const QString &text)
-{
-    const Result<double> number = evaluated(text);
-    return number ? std::optional(*number) : std::nullopt;
 }
 
 QString unitOf(const ParameterInfo &info)
@@ -83,17 +78,39 @@ Error rightWouldBe(const ParameterInfo &info)
     }
 }
 
+/// The parts of a list: between commas that stand in no parenthesis, or, where there are none,
+/// between spaces.
+QStringList partsOf(const ParameterInfo &info, const QString &text)
+{
+    QStringList parts{QString()};
+    int depth = 0;
+    for (const QChar letter : text.trimmed()) {
+        depth += letter == QLatin1Char('(') ? 1 : letter == QLatin1Char(')') ? -1 : 0;
+        if (letter == QLatin1Char(',') && depth == 0)
+            parts.append(QString());
+        else
+            parts.last().append(letter);
+    }
+    static const QRegularExpression spaces(QStringLiteral("\\s+"));
+    const bool isList = info.type != Type::Number && info.type != Type::Count;
+    const QStringList words = parts.front().split(spaces);
+    const bool areNumbers = std::all_of(words.begin(), words.end(), [&](const QString &word) {
+        return evaluated(word, {}, info.unit).ok();
+    });
+    return isList && parts.size() == 1 && areNumbers ? words : parts;
+}
+
 /// The numbers in \p text; none if one is no number or out of range.
 std::optional<QJsonArray> numbersFrom(const ParameterInfo &info, const QString &text)
 {
-    static const QRegularExpression between(QStringLiteral("[,\\s]+"));
     QJsonArray numbers;
-    for (const QString &part : text.trimmed().split(between)) {
+    for (const QString &each : partsOf(info, text)) {
+        const QString part = each.trimmed();
         if (part.startsWith(QLatin1String("{{")) && part.endsWith(QLatin1String("}}"))) {
             numbers.append(part); // judged with the values of the lab
             continue;
         }
-        const auto number = numberFrom(part);
+        const Result<double> number = evaluated(part, {}, info.unit);
         if (!number || (info.least && *number < *info.least) || (info.most && *number > *info.most))
             return std::nullopt;
         numbers.append(*number);

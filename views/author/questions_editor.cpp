@@ -3,10 +3,10 @@
 #include "views/author/questions_editor.h"
 
 #include "model/files/expression.h"
+#include "model/files/unit.h"
 #include "model/world/shortest_number.h"
 #include "tasks/authoring/free_name.h"
 #include "tasks/questions/answers.h"
-#include "tasks/questions/unit.h"
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/tool_buttons.h"
@@ -305,7 +305,7 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
 {
     static const QRegularExpression idForm(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     Question &question = current();
-    const Result<double> number = evaluated(text);
+    const Result<double> number = evaluated(text, {}, question.unit);
     switch (line) {
     case Title:
         if (text.isEmpty())

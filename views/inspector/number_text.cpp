@@ -17,11 +17,11 @@ constexpr int cleanDigits = 12; ///< of a spun number; a double holds nearly 16
 std::optional<double> readNumber(const QString &text, const QString &unit)
 {
     QString plain = text.trimmed();
-    if (!unit.isEmpty() && plain.endsWith(unit))
-        plain.chop(unit.size());
     if (!plain.contains(QLatin1Char('('))) // there a comma is between arguments
         plain.replace(QLatin1Char(','), QLatin1Char('.'));
-    const Result<double> value = evaluated(plain);
+    Result<double> value = evaluated(plain, {}, unit);
+    if (!value && !unit.isEmpty() && plain.endsWith(unit)) // one that is only a name, as "steps"
+        value = evaluated(plain.chopped(unit.size()), {}, unit);
     return value ? std::optional(*value) : std::nullopt;
 }
 

@@ -9,7 +9,8 @@
 namespace cradle {
 
 /// The number that a person typed: with a decimal point or comma, a minus sign of either kind,
-/// an exponent (1e-3), as an expression (1/240, 1 + 0.42*cos(pi/6)), and perhaps \p unit behind it.
+/// an exponent (1e-3), as an expression (1/240, 1 + 0.42*cos(pi/6)), and perhaps \p unit behind it
+/// or one that can be turned into it (20 cm for m).
 /// Finite, else nullopt.
 [[nodiscard]] std::optional<double> readNumber(const QString &text, const QString &unit = {});
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/questions/unit.h"
+#include "model/files/unit.h"
 
 #include <QRegularExpression>
 
