@@ -1594,6 +1594,26 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <source>an expression of at most %1 characters is right</source>
         <translation>الصواب عبارة من ⁨%1⁩ حرفًا على الأكثر</translation>
     </message>
+    <message>
+        <source>%1 and %2 stand side by side</source>
+        <translation>%1 و%2 متجاورتان</translation>
+    </message>
+    <message>
+        <source>a power with that unit is none</source>
+        <translation>لا معنى لقوة بهذه الوحدة</translation>
+    </message>
+    <message>
+        <source>there is a unit too many</source>
+        <translation>ثمة وحدة زائدة</translation>
+    </message>
+    <message>
+        <source>%1 is taken of a number without a unit, not of one in %2</source>
+        <translation>تؤخذ %1 لعدد بلا وحدة، لا لعدد بوحدة %2</translation>
+    </message>
+    <message>
+        <source>it is in %1; %2 is right here</source>
+        <translation>إنه بوحدة %1؛ والصحيح هنا %2</translation>
+    </message>
 </context>
 <context>
     <name>FileIo</name>

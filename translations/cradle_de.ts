@@ -1582,6 +1582,26 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <source>an expression of at most %1 characters is right</source>
         <translation>richtig ist ein Ausdruck von höchstens %1 Zeichen</translation>
     </message>
+    <message>
+        <source>%1 and %2 stand side by side</source>
+        <translation>%1 und %2 stehen nebeneinander</translation>
+    </message>
+    <message>
+        <source>a power with that unit is none</source>
+        <translation>eine Potenz mit dieser Einheit gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is a unit too many</source>
+        <translation>eine Einheit ist zu viel</translation>
+    </message>
+    <message>
+        <source>%1 is taken of a number without a unit, not of one in %2</source>
+        <translation>%1 nimmt man von einer Zahl ohne Einheit, nicht von einer in %2</translation>
+    </message>
+    <message>
+        <source>it is in %1; %2 is right here</source>
+        <translation>es ist in %1; richtig ist hier %2</translation>
+    </message>
 </context>
 <context>
     <name>FileIo</name>

@@ -1582,6 +1582,26 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <source>an expression of at most %1 characters is right</source>
         <translation>une expression d&apos;au plus %1 caractères convient</translation>
     </message>
+    <message>
+        <source>%1 and %2 stand side by side</source>
+        <translation>%1 et %2 se côtoient</translation>
+    </message>
+    <message>
+        <source>a power with that unit is none</source>
+        <translation>une puissance avec cette unité n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>there is a unit too many</source>
+        <translation>il y a une unité de trop</translation>
+    </message>
+    <message>
+        <source>%1 is taken of a number without a unit, not of one in %2</source>
+        <translation>%1 se prend d&apos;un nombre sans unité, non d&apos;un nombre en %2</translation>
+    </message>
+    <message>
+        <source>it is in %1; %2 is right here</source>
+        <translation>c&apos;est en %1&#xa0;; ici il faut %2</translation>
+    </message>
 </context>
 <context>
     <name>FileIo</name>
