@@ -4,6 +4,7 @@
 #include "tasks/grading/csv_text.h"
 #include "tasks/grading/gradebooks.h"
 #include "tasks/grading/grader_files.h"
+#include "tasks/grading/roster.h"
 #include "test_paths.h"
 
 #include <QJsonArray>
@@ -33,6 +34,9 @@ private slots:
     void tablesReadBack();
     void awkwardNamesReadBack_data();
     void awkwardNamesReadBack();
+    void marksAreWhereTheyDoNoHarm_data();
+    void marksAreWhereTheyDoNoHarm();
+    void plainTableIsARoster();
     void canvasHasItsTwoHeadLines();
     void numbersGoWhereTheyWereGivenOut();
     void gradescopeAddsUp();
@@ -44,7 +48,9 @@ private slots:
     void exercismShowsWhatIsAsked();
 
 private:
-    [[nodiscard]] QJsonArray tableOf(const char *name) const; ///< as Python's csv reads it
+    [[nodiscard]] QJsonArray tableOf(
+        const char *name,
+        const QString &encoding = QStringLiteral("utf-8-sig")) const; ///< as Python's csv reads it
     QTemporaryDir m_folder;
     Lab m_lab = smallLab();
     ClassFacts m_facts = facts();
@@ -86,15 +92,15 @@ void TestGradebooks::init()
     QVERIFY(!books.write(m_folder.path()));
 }
 
-QJsonArray TestGradebooks::tableOf(const char *name) const
+QJsonArray TestGradebooks::tableOf(const char *name, const QString &encoding) const
 {
     const Ended ended = run(QStringLiteral("python3"),
                             {QStringLiteral("-c"),
                              QStringLiteral("import csv, json, sys\n"
                                             "rows = list(csv.reader(open(sys.argv[1], newline='', "
-                                            "encoding='utf-8'), strict=True))\n"
+                                            "encoding=sys.argv[2]), strict=True))\n"
                                             "print(json.dumps(rows))"),
-                             m_folder.filePath(QString::fromLatin1(name))});
+                             m_folder.filePath(QString::fromLatin1(name)), encoding});
     return ended.code == 0 ? QJsonDocument::fromJson(ended.out).array() : QJsonArray();
 }
 
@@ -261,6 +267,40 @@ void TestGradebooks::awkwardNamesReadBack()
     for (const QJsonValue &cell : found)
         QVERIFY(cell.toString().isEmpty() || !QStringLiteral("=+-@").contains(cell.toString()[0]));
     QVERIFY(found.contains(QStringLiteral("4.4")));
+}
+
+void TestGradebooks::marksAreWhereTheyDoNoHarm_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("head");
+    const QString mark(QChar(0xFEFF));
+    QTest::newRow("people") << QStringLiteral("gradebook.csv") << mark + QStringLiteral("id");
+    QTest::newRow("Moodle takes it off")
+        << QStringLiteral("gradebooks/moodle.csv") << mark + QStringLiteral("Identifier");
+    QTest::newRow("Canvas looks for Student in it")
+        << QStringLiteral("gradebooks/canvas.csv") << mark + QStringLiteral("Student");
+    QTest::newRow("Blackboard") << QStringLiteral("gradebooks/blackboard.csv")
+                                << QStringLiteral("Last Name");
+}
+
+/// As a reader sees the first cell that knows nothing of marks.
+void TestGradebooks::marksAreWhereTheyDoNoHarm()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, head);
+    const QJsonArray rows = tableOf(file.toLatin1(), QStringLiteral("utf-8"));
+    QCOMPARE(rows[0].toArray()[0].toString(), head);
+    QFile written(m_folder.filePath(file));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll().count(byteOrderMark), head.startsWith(QChar(0xFEFF)) ? 1 : 0);
+}
+
+void TestGradebooks::plainTableIsARoster()
+{
+    const auto roster = readRoster(m_folder.filePath(QStringLiteral("gradebook.csv")));
+    QVERIFY2(roster, roster ? "" : qPrintable(roster.error().toString()));
+    QCOMPARE(roster->size(), std::size_t(4));
+    QCOMPARE(roster->front().id, QStringLiteral("ada"));
 }
 
 void TestGradebooks::canvasHasItsTwoHeadLines()

@@ -53,15 +53,18 @@ Gradebooks::Gradebooks(const Lab &lab, const ClassFacts &facts)
         m_most += mostPoints(task);
         plain.append(task.id);
     }
-    m_plain = csvRow(plain);
-    m_moodle = csvRow({QStringLiteral("Identifier"), QStringLiteral("Full name"),
-                       QStringLiteral("ID number"), QStringLiteral("Email address"), lab.title,
-                       QStringLiteral("%1 (Feedback)").arg(lab.title)});
+    m_plain = byteOrderMark + csvRow(plain);
+    m_moodle = byteOrderMark
+               + csvRow({QStringLiteral("Identifier"), QStringLiteral("Full name"),
+                         QStringLiteral("ID number"), QStringLiteral("Email address"), lab.title,
+                         QStringLiteral("%1 (Feedback)").arg(lab.title)});
     const QString most = pointsText(m_most);
     m_canvas =
-        csvRow({QStringLiteral("Student"), QStringLiteral("ID"), QStringLiteral("SIS User ID"),
-                QStringLiteral("SIS Login ID"), QStringLiteral("Section"), lab.title})
+        byteOrderMark
+        + csvRow({QStringLiteral("Student"), QStringLiteral("ID"), QStringLiteral("SIS User ID"),
+                  QStringLiteral("SIS Login ID"), QStringLiteral("Section"), lab.title})
         + csvRow({QStringLiteral("    Points Possible"), {}, {}, {}, {}, most});
+    // No mark: nobody outside knows whether Blackboard reads quotes that come behind one.
     m_blackboard = csvRow({QStringLiteral("Last Name"), QStringLiteral("First Name"),
                            QStringLiteral("Username"), QStringLiteral("Student ID"),
                            QStringLiteral("%1 [Total Pts: %2 Score]").arg(lab.title, most)},

@@ -8,7 +8,8 @@ namespace cradle {
 
 /// The points of a class as tables that learning platforms import, gathered student by student.
 /// Where a step has no verdict, its cell and the sum stay empty: importing an empty cell changes no
-/// grade. Points are rounded to the hundredth, halves up, after lateness.
+/// grade. Points are rounded to the hundredth, halves up, after lateness. All but Blackboard's
+/// begin with a byte order mark, without which Excel misreads names.
 class Gradebooks
 {
 public:
