@@ -196,8 +196,9 @@ std::optional<Fault> outside(const CheckSpec &check, const Observation &o, doubl
                                                        "beyond the %4; at most the way of one "
                                                        "step, %5 m, is right")
                                             .arg(QString::number(k), QString::number(i + 1),
-                                                 motion::figure(beyond), motion::wallName(wall),
-                                                 motion::figure(allowed)),
+                                                 motion::figureBeside(beyond, allowed),
+                                                 motion::wallName(wall),
+                                                 motion::figureBeside(allowed, beyond)),
                              .expected = allowed,
                              .observed = beyond,
                              .unit = QStringLiteral("m"),

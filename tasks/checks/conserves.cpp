@@ -132,7 +132,8 @@ std::optional<Fault> losesEnergy(const CheckSpec &check, const Observation &o)
                      ConserveText::tr("At step %1 the kinetic energy was %2 J before the hit "
                                       "and %3 J after it; with e below 1 it should be less")
                          .arg(QString::number(found.front().step + 1),
-                              motion::figure(b.energyBefore), motion::figure(b.energyAfter)),
+                              motion::figureBeside(b.energyBefore, b.energyAfter),
+                              motion::figureBeside(b.energyAfter, b.energyBefore)),
                  .expected = b.energyBefore,
                  .observed = b.energyAfter,
                  .unit = QStringLiteral("J"),
@@ -154,8 +155,10 @@ std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o)
                                                      "from %3 to %4 m/s; the circles should pass "
                                                      "through each other unchanged")
                                         .arg(QString::number(k + 1), QString::number(i + 1),
-                                             motion::figure(o.circle(i, k).velocity),
-                                             motion::figure(o.circle(i, k + 1).velocity)),
+                                             motion::figureBeside(o.circle(i, k).velocity,
+                                                                  o.circle(i, k + 1).velocity),
+                                             motion::figureBeside(o.circle(i, k + 1).velocity,
+                                                                  o.circle(i, k).velocity)),
                          .step = k + 1};
         }
     }

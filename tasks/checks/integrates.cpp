@@ -100,11 +100,11 @@ Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
     const Vec2 change = o.circle(i, k + 1).velocity - o.circle(i, k).velocity;
     const Vec2 observed = change / o.timestep();
     const bool x = std::abs(observed.x - gravity.x) > std::abs(observed.y - gravity.y);
-    return {.message =
-                IntegratorText::tr("At step %1 the velocity of circle %2 changed by %3 m/s, "
-                                   "an acceleration of %4 m/s²; %5 m/s² is right here")
-                    .arg(QString::number(k + 1), QString::number(i + 1), motion::figure(change),
-                         motion::figureBeside(observed, gravity), motion::figure(gravity)),
+    return {.message = IntegratorText::tr("At step %1 the velocity of circle %2 changed by %3 m/s, "
+                                          "an acceleration of %4 m/s²; %5 m/s² is right here")
+                           .arg(QString::number(k + 1), QString::number(i + 1),
+                                motion::figure(change), motion::figureBeside(observed, gravity),
+                                motion::figureBeside(gravity, observed)),
             .expected = x ? gravity.x : gravity.y,
             .observed = x ? observed.x : observed.y,
             .unit = QStringLiteral("m/s²"),
@@ -185,7 +185,8 @@ std::optional<Fault> tooLittle(const CheckSpec &check, const Observation &o, int
                      IntegratorText::tr("Circle %1 was free of walls and other circles for "
                                         "%2 s only; at least %3 s must be seen to judge its "
                                         "motion")
-                         .arg(QString::number(i + 1), motion::figure(seen), motion::figure(wanted))
+                         .arg(QString::number(i + 1), motion::figureBeside(seen, wanted),
+                              motion::figureBeside(wanted, seen))
                      + IntegratorText::tr(". It was close to a wall for %1 s, and to another "
                                           "circle for %2 s: look at what it does there")
                            .arg(motion::figure(near.wall), motion::figure(near.circle)),

@@ -6,6 +6,8 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace cradle::motion {
 
@@ -24,6 +26,34 @@ double nearestCentres(const Circle &a, const Circle &b, double seconds)
     const double speed2 = lengthSquared(v);
     const double s = speed2 > 0.0 ? std::clamp(-dot(d, v) / speed2, 0.0, seconds) : 0.0;
     return quickLength(d + s * v);
+}
+
+constexpr int enoughDigits = 4;
+constexpr int mostDigits = 16; ///< where two numbers differ by no more than the last bits
+
+QString figureOf(double value, int digits)
+{
+    // The rounding noise of a sum that should be zero is not worth a reader's time.
+    const double size = std::abs(value);
+    if (size < 1e-12)
+        return QStringLiteral("0");
+    // None that a circle's energy may have is written with an exponent.
+    if (size >= 1e3 && size < 1e6 && size >= std::pow(10.0, digits - 1))
+        return QString::number(value, 'f', 0);
+    return QString::number(value, 'g', digits);
+}
+
+/// With how many digits the two are not written alike; nothing if only noise of rounding is between
+/// them.
+std::optional<int> digitsThatTell(double value, double other)
+{
+    if (std::abs(value - other) <= 1e-9 * (1.0 + std::abs(other)))
+        return std::nullopt;
+    for (int digits = enoughDigits; digits < mostDigits; ++digits) {
+        if (figureOf(value, digits) != figureOf(other, digits))
+            return digits;
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -223,8 +253,7 @@ QString integratorName(Integrator integrator)
 
 QString figure(double value)
 {
-    // The rounding noise of a sum that should be zero is not worth a reader's time.
-    return QString::number(std::abs(value) < 1e-12 ? 0.0 : value, 'g', 6);
+    return figureOf(value, enoughDigits);
 }
 
 QString figure(Vec2 value)
@@ -234,21 +263,16 @@ QString figure(Vec2 value)
 
 QString figureBeside(double value, double other)
 {
-    // Noise of rounding is no difference.
-    if (std::abs(value - other) <= 1e-9 * (1.0 + std::abs(other)))
-        return figure(value);
-    for (int digits = 4; digits < 16; ++digits) {
-        const QString text = QString::number(value, 'g', digits);
-        if (text != QString::number(other, 'g', digits))
-            return digits < 6 ? figure(value) : QString::number(value, 'g', digits + 1);
-    }
-    return figure(value);
+    return figureOf(value, digitsThatTell(value, other).value_or(enoughDigits));
 }
 
 QString figureBeside(Vec2 value, Vec2 other)
 {
-    return QStringLiteral("(%1, %2)")
-        .arg(figureBeside(value.x, other.x), figureBeside(value.y, other.y));
+    // As soon as one of them tells, the other has no need to.
+    const int digits = std::min(digitsThatTell(value.x, other.x).value_or(mostDigits),
+                                digitsThatTell(value.y, other.y).value_or(mostDigits));
+    const int used = digits < mostDigits ? digits : enoughDigits;
+    return QStringLiteral("(%1, %2)").arg(figureOf(value.x, used), figureOf(value.y, used));
 }
 
 QString circleName(int index)

@@ -83,9 +83,14 @@ struct Contact {
 
 [[nodiscard]] QString wallName(Wall wall); ///< "right wall"
 [[nodiscard]] QString integratorName(Integrator integrator);
-[[nodiscard]] QString figure(double value);                     ///< enough digits to read
-[[nodiscard]] QString figure(Vec2 value);                       ///< "(2, 0)"
-[[nodiscard]] QString figureBeside(double value, double other); ///< enough to see the difference
+
+/// \p value for people, in any language: four digits, and the whole part of up to a million, with
+/// a point.
+[[nodiscard]] QString figure(double value);
+[[nodiscard]] QString figure(Vec2 value); ///< "(2, 0)"
+/// As figure(), but with as many digits more as tell \p value from \p other, beside which it
+/// stands.
+[[nodiscard]] QString figureBeside(double value, double other);
 [[nodiscard]] QString figureBeside(Vec2 value, Vec2 other);
 [[nodiscard]] QString circleName(int index); ///< "circle 1"
 

@@ -79,13 +79,14 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
                          .circle = i};
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
-            return Fault{.message = SettleText::tr("After %1 s circle %2 still comes %3 m above "
-                                                   "the floor with e = %4; at most %5 m is right "
-                                                   "for its integrator")
-                                        .arg(motion::figure(o.variant.duration),
-                                             QString::number(i + 1), motion::figure(observed),
-                                             motion::figure(o.variant.preset.restitution),
-                                             motion::figure(allowed)),
+            return Fault{.message =
+                             SettleText::tr("After %1 s circle %2 still comes %3 m above "
+                                            "the floor with e = %4; at most %5 m is right "
+                                            "for its integrator")
+                                 .arg(motion::figure(o.variant.duration), QString::number(i + 1),
+                                      motion::figureBeside(observed, allowed),
+                                      motion::figure(o.variant.preset.restitution),
+                                      motion::figureBeside(allowed, observed)),
                          .expected = allowed,
                          .observed = observed,
                          .unit = QStringLiteral("m"),

@@ -128,8 +128,9 @@ std::optional<Fault> together(const CheckSpec &check, const Observation &o)
         return Fault{.message =
                          StartText::tr("Circle %1 came %2 m far in %3 s; at least its diameter of "
                                        "%4 m must be seen to judge whether they stay together")
-                             .arg(QString::number(a + 1), motion::figure(way),
-                                  motion::figure(o.states.time(o.steps())), motion::figure(wanted)),
+                             .arg(QString::number(a + 1), motion::figureBeside(way, wanted),
+                                  motion::figure(o.states.time(o.steps())),
+                                  motion::figureBeside(wanted, way)),
                      .expected = wanted,
                      .observed = way,
                      .unit = QStringLiteral("m"),
