@@ -80,8 +80,9 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
 }
 
 /// Runs bubblewrap until it ends or the other end of \p serverControl is closed, and ends with it.
-/// The process that bubblewrap starts waits for it for ever where bubblewrap is killed early, or
-/// gives up; here all of them end.
+/// The process that bubblewrap starts waits for it for ever where bubblewrap is killed early. Until
+/// it has said that it wants to die with bubblewrap, it is of this process's group, which is killed
+/// whole: here, or by collectServer() where this process was killed.
 [[noreturn]] void guard(const std::vector<char *> &arguments)
 {
     sigset_t children;
@@ -97,12 +98,10 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent)
             _exit(1);
-        setpgid(0, 0);
         sigprocmask(SIG_UNBLOCK, &children, nullptr);
         execv(arguments.front(), arguments.data());
         _exit(1);
     }
-    setpgid(child, child); // whichever of the two comes first
     close(serverLab);
     int status = 0;
     bool ended = false;
@@ -117,9 +116,12 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
             (void)!read(childEnds, &ignored, sizeof ignored);
         ended = waitpid(child, &status, WNOHANG) == child;
     }
-    kill(-child, SIGKILL);
-    if (!ended)
+    if (!ended) {
+        kill(child, SIGKILL);
         waitpid(child, &status, 0);
+    }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        kill(0, SIGKILL); // and this one with them, as bubblewrap was
     _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 
@@ -159,6 +161,18 @@ pid_t startForked(const Lab &lab, int control)
     keepOnly(control, -1);
     serveJudging(serverControl, lab, false);
     _exit(0);
+}
+
+int collectServer(pid_t server)
+{
+    siginfo_t ended{};
+    while (waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOWAIT) != 0
+           && errno == EINTR) {
+    }
+    kill(-server, SIGKILL); // until it is collected no other group has its number
+    int status = 0;
+    waitpid(server, &status, 0);
+    return status;
 }
 
 } // namespace cradle

@@ -20,4 +20,8 @@ pid_t startBubblewrapped(const QString &program, const QString &language, int co
 /// As a fork of this process.
 pid_t startForked(const Lab &lab, int control);
 
+/// Waits for the end of \p server, which one of these has started, and ends what it left behind.
+/// \return how it ended, as wait() tells it
+int collectServer(pid_t server);
+
 } // namespace cradle

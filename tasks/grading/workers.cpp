@@ -130,7 +130,7 @@ bool Workers::connect(pid_t server, Descriptor control)
     m_alive = hello && hello->message.kind == ServerMessage::Kind::Hello;
     if (!m_alive) {
         // It has closed its end, so it ends.
-        waitpid(m_server, &m_endOfServer, 0);
+        m_endOfServer = collectServer(m_server);
         m_server = -1;
         m_control.close();
         return false;
@@ -150,7 +150,7 @@ void Workers::stop()
         // as the line is closed.
         if (!m_isolation.namespaces)
             kill(m_server, SIGKILL);
-        waitpid(m_server, nullptr, 0);
+        collectServer(m_server);
     }
     m_server = -1;
 }

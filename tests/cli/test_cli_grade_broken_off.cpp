@@ -22,6 +22,8 @@ private slots:
     void stoppedGraderLeavesNoWorkers();
     void graderKilledWhileBubblewrapStartsLeavesNothing();
     void killedBubblewrapLeavesNobodyWaiting();
+    void killedGuardLeavesNobodyWaiting_data();
+    void killedGuardLeavesNobodyWaiting();
     void stopIsCleanAndResumable();
 };
 
@@ -239,6 +241,37 @@ void TestCliGradeBrokenOff::killedBubblewrapLeavesNobodyWaiting()
     const auto waiting = static_cast<pid_t>(contentOf(made.at(text("note"))).trimmed().toInt());
     QVERIFY(waiting > 0);
     QTRY_VERIFY_WITH_TIMEOUT(!isThere(waiting), patience);
+}
+
+void TestCliGradeBrokenOff::killedGuardLeavesNobodyWaiting_data()
+{
+    QTest::addColumn<int>("kills");
+    QTest::newRow("once") << 1;
+    QTest::newRow("whenever it starts") << 100;
+}
+
+/// Who watches bubblewrap is killed by it. What is left holds the lines to the grader open, reads
+/// nothing and says nothing; nobody waits for it, and it ends, too.
+void TestCliGradeBrokenOff::killedGuardLeavesNobodyWaiting()
+{
+    QFETCH(int, kills);
+    const GradedClass made;
+    made.putStudent(text("ada"));
+    const QByteArray note = QFile::encodeName(made.at(text("note")));
+    QProcess process;
+    process.setProcessEnvironment(withBubblewrap(
+        made, "touch '" + note + "'\n[ $(wc -l < '" + note + "') -lt " + QByteArray::number(kills)
+                  + " ] || exit 1\nsleep infinity &\necho $! >> '" + note
+                  + "'\nkill -9 $PPID\nsleep infinity\n"));
+    process.start(cradle::cliProgram(), made.arguments(text("out")));
+    QVERIFY(process.waitForFinished(patience));
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(made.verdicts(text("out"), text("ada")),
+             (QStringList{text("passed"), text("failed"), text("missing")}));
+    const QByteArrayList left = contentOf(made.at(text("note"))).trimmed().split('\n');
+    QCOMPARE(left.size(), std::min(kills, 5)); // so often it is tried
+    for (const QByteArray &one : left)
+        QTRY_VERIFY_WITH_TIMEOUT(!isThere(static_cast<pid_t>(one.toInt())), patience);
 }
 
 void TestCliGradeBrokenOff::stopIsCleanAndResumable()
