@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "class_of_three.h"
+#include "page_faults.h"
 #include "tasks/grading/class_page.h"
 #include "tasks/grading/page.h"
 #include "tasks/grading/student_page.h"
 
 #include <QFile>
-#include <QProcess>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,6 +14,7 @@
 
 using namespace cradle;
 using namespace cradle::classes;
+using cradle::pages::faultsOf;
 
 /// The pages of a class and of a student: valid, harmless, true, and silent about others.
 class TestClassPage : public QObject
@@ -28,10 +28,6 @@ private slots:
     void pagesNeedNothingElse();
     void nothingOfAStudentBecomesAnElement_data();
     void nothingOfAStudentBecomesAnElement();
-    void studentPageTellsVerdictLineAndMoment();
-    void studentPageHoldsNothingOfOthers();
-    void latenessIsToldWithTheSum();
-    void whatIsNotGradedIsNeitherPassedNorFailed();
     void classPageTellsWhoIsWhere();
     void numbersThatAreNotClearAreTold();
     void examplesAreWithoutNames();
@@ -41,7 +37,6 @@ private slots:
     void emptyClassHasAPage();
     void resultsOfAnotherNameAreRefused();
     void brokenResultIsNamed();
-    void codeAroundMarksItsLine();
 
 private:
     [[nodiscard]] QByteArray page(const char *name) const;
@@ -51,64 +46,6 @@ private:
     Lab m_lab = smallLab();
     ClassFacts m_facts = facts();
 };
-
-namespace {
-
-/// Whether Python's parser finds every element closed and no other than we write; and whether Tidy
-/// has nothing to say, where it is installed.
-QByteArray faultsOf(const QByteArray &html)
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("page.html"));
-    if (writeFile(path, html))
-        return "cannot be written";
-    const QString script = QStringLiteral(R"py(
-import html.parser, sys
-VOID = {'meta', 'br', 'rect', 'circle', 'polyline', 'polygon'}
-OPTIONAL = {'td', 'th', 'tr'}
-KNOWN = VOID | OPTIONAL | set('''html head title style body header main footer h1 h2 h3 h4 p ul ol li
-    a b i bdi code pre span div section table caption thead tbody details summary figure figcaption
-    svg text'''.split())
-class Reader(html.parser.HTMLParser):
-    stack, faults, ids = [], [], set()
-    def handle_starttag(self, tag, attributes):
-        if tag not in KNOWN: self.faults.append('unknown ' + tag)
-        for name, value in attributes:
-            if name.startswith('on'): self.faults.append('script in ' + name)
-            if name == 'id' and value in self.ids: self.faults.append('twice ' + value)
-            if name == 'id': self.ids.add(value)
-        if tag in ('td', 'th', 'tr'):
-            while self.stack and self.stack[-1] in OPTIONAL and (tag == 'tr' or self.stack[-1] != 'tr'):
-                self.stack.pop()
-        if tag not in VOID: self.stack.append(tag)
-    def handle_startendtag(self, tag, attributes):
-        if tag not in VOID: self.faults.append('empty ' + tag)
-    def handle_endtag(self, tag):
-        while self.stack and self.stack[-1] != tag and self.stack[-1] in OPTIONAL: self.stack.pop()
-        if not self.stack or self.stack[-1] != tag: self.faults.append('stray end of ' + tag)
-        else: self.stack.pop()
-reader = Reader()
-reader.feed(open(sys.argv[1], encoding='utf-8').read())
-reader.close()
-print('\n'.join(reader.faults + ['open ' + tag for tag in reader.stack]), end='')
-)py");
-    const auto run = [](const QString &program, const QStringList &arguments) {
-        QProcess process;
-        process.setProcessChannelMode(QProcess::MergedChannels);
-        process.start(program, arguments);
-        if (!process.waitForFinished(60'000))
-            return QByteArray("does not run");
-        return process.readAll();
-    };
-    QByteArray faults = run(QStringLiteral("python3"), {QStringLiteral("-c"), script, path});
-    if (!QStandardPaths::findExecutable(QStringLiteral("tidy")).isEmpty())
-        faults += run(QStringLiteral("tidy"),
-                      {QStringLiteral("-q"), QStringLiteral("-e"),
-                       QStringLiteral("--drop-empty-elements"), QStringLiteral("no"), path});
-    return faults;
-}
-
-} // namespace
 
 void TestClassPage::init()
 {
@@ -174,51 +111,6 @@ void TestClassPage::nothingOfAStudentBecomesAnElement()
     QVERIFY(!html.contains("<script"));
     QVERIFY(!html.contains("<img"));
     QVERIFY(!html.contains("<b>the sign"));
-}
-
-void TestClassPage::studentPageTellsVerdictLineAndMoment()
-{
-    const QString html = QString::fromUtf8(page("students/mallory.html"));
-    QVERIFY(html.contains(QStringLiteral("It goes backwards</summary>")));
-    QVERIFY(html.contains(QStringLiteral("<code>v * t</code>")));
-    QVERIFY(html.contains(QStringLiteral("<details class=\"printed\" open>")));
-    QVERIFY(html.contains(QStringLiteral("<span data-line=\"2\" class=\"marked\">local mallory = "
-                                         "&quot;&lt;!--&quot; ]]&gt; &amp; Mallory")));
-    QVERIFY(html.contains(QStringLiteral("first goes wrong here, at 0.50 s.")));
-    QVERIFY(html.contains(QStringLiteral("<polyline points=")));
-    QVERIFY(html.contains(QStringLiteral("0 of 2 steps pass · 1 of 5.5 points")));
-    QVERIFY(html.contains(QStringLiteral("Nothing was handed in for this step.")));
-}
-
-void TestClassPage::studentPageHoldsNothingOfOthers()
-{
-    for (const auto &[own, others] :
-         {std::pair{"students/ada.html", QList<QByteArray>{"Bob", "Mallory", "alert", "backwards"}},
-          std::pair{"students/bob.html", QList<QByteArray>{"Ada", "Mallory", "alert"}},
-          std::pair{"students/mallory.html", QList<QByteArray>{"Ada", "Bob", "Eve"}}}) {
-        const QByteArray html = page(own);
-        QVERIFY(!html.isEmpty());
-        for (const QByteArray &other : others)
-            QVERIFY2(!html.contains(other), other);
-    }
-}
-
-void TestClassPage::latenessIsToldWithTheSum()
-{
-    const QByteArray html = page("students/ada.html");
-    QVERIFY(html.contains("2 of 2 steps pass · 4.4 of 5.5 points"));
-    QVERIFY(html.contains("That takes 20 % of the points"));
-    QVERIFY(!page("students/bob.html").contains("taken off already"));
-}
-
-void TestClassPage::whatIsNotGradedIsNeitherPassedNorFailed()
-{
-    const QByteArray html = page("students/bob.html");
-    QVERIFY(html.contains("? not graded"));
-    QVERIFY(html.contains("the machine &amp; all failed"));
-    QVERIFY(html.contains("<p class=\"sum\">1 of 2 steps pass</p>"));
-    QVERIFY(html.contains("– of 2.5"));
-    QVERIFY(page("class.html").contains("<bdi>Bob Dobbs</bdi>, S2: the machine &amp; all failed"));
 }
 
 void TestClassPage::classPageTellsWhoIsWhere()
@@ -336,19 +228,6 @@ void TestClassPage::brokenResultIsNamed()
     QVERIFY(!writeFile(folder.filePath(QStringLiteral("students/bob.json")), "{\"format\": 1"));
     const auto fault = writeClassResults(folder.path(), m_lab, m_facts);
     QVERIFY(fault && fault->file.endsWith(QStringLiteral("students/bob.json")));
-}
-
-void TestClassPage::codeAroundMarksItsLine()
-{
-    const QString program = QStringLiteral("one\ntwo\nthree\nfour\nfive");
-    const QString code = codeAround(program, 4, 1);
-    QVERIFY(code.contains(QStringLiteral(
-        "<span data-line=\"3\">three</span><span data-line=\"4\" class=\"marked\">four</span>"
-        "<span data-line=\"5\">five</span></pre>")));
-    QVERIFY(!code.contains(QStringLiteral("two")));
-    QVERIFY(codeAround(program, 0).isEmpty());
-    QVERIFY(codeAround(program, 6).isEmpty());
-    QVERIFY(codeAround({}, 3).isEmpty());
 }
 
 QTEST_APPLESS_MAIN(TestClassPage)

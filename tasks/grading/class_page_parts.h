@@ -8,8 +8,8 @@ namespace cradle {
 
 // The sections of class.html, appended to it in their order.
 
-[[nodiscard]] QString heading(const QString &text);
-[[nodiscard]] QString paragraph(const QString &text);
+/// The steps as heads of columns, without what all their ids begin with.
+[[nodiscard]] QString headCells(const std::vector<ClassSummary::Step> &steps);
 
 /// A bar for every step: how many pass, do not, handed in nothing.
 void writeStand(QString &html, const ClassSummary &summary);

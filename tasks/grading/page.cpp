@@ -6,6 +6,7 @@
 #include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -154,6 +155,23 @@ QString belowHeadline(const QString &message)
 {
     const auto end = message.indexOf(QLatin1Char('\n'));
     return end < 0 ? QString() : message.mid(end + 1).trimmed();
+}
+
+QString heading(const QString &text)
+{
+    return QStringLiteral("<h2>%1</h2>\n").arg(escaped(text));
+}
+
+QString paragraph(const QString &text, const char *kind)
+{
+    return QStringLiteral("<p%1>%2</p>\n")
+        .arg(*kind ? QStringLiteral(" class=\"%1\"").arg(QLatin1String(kind)) : QString(),
+             escaped(text));
+}
+
+QString countText(double value)
+{
+    return QLocale().toString(value, 'g', 8);
 }
 
 QString badge(const QString &text, Tone tone)

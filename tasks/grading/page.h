@@ -20,6 +20,12 @@ namespace cradle {
                                 const QString &style);
 [[nodiscard]] QString pageEnd(const QString &footer);
 
+[[nodiscard]] QString heading(const QString &text);
+/// \param kind  a class of the page's style; none if empty
+[[nodiscard]] QString paragraph(const QString &text, const char *kind = "");
+/// Points, days or a count as the language of the page writes them.
+[[nodiscard]] QString countText(double value);
+
 /// A part of a program around \p line (from 1), which is marked; nothing if it has no such line.
 [[nodiscard]] QString codeAround(const QString &program, int line, int context = 3);
 

@@ -8,6 +8,7 @@
 #include <QLibraryInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -17,6 +18,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -161,6 +163,31 @@ pid_t startForked(const Lab &lab, int control)
     keepOnly(control, -1);
     serveJudging(serverControl, lab, false);
     _exit(0);
+}
+
+bool isReady(pid_t server, int line, short what)
+{
+    for (;;) {
+        pollfd watched{line, what, 0};
+        if (poll(&watched, 1, 200) > 0)
+            return true;
+        siginfo_t ended{};
+        if (waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOHANG | WNOWAIT) == 0
+            && ended.si_pid == server)
+            return false;
+    }
+}
+
+void sendToServer(pid_t server, int stream, const QByteArray &bytes)
+{
+    for (qsizetype at = 0; at < bytes.size() && isReady(server, stream, POLLOUT);) {
+        const ssize_t size =
+            ::send(stream, bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at),
+                   MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (size < 0 && errno != EINTR && errno != EAGAIN)
+            return; // its end says the rest
+        at += std::max<ssize_t>(size, 0);
+    }
 }
 
 int collectServer(pid_t server)

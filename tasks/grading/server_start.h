@@ -20,6 +20,14 @@ pid_t startBubblewrapped(const QString &program, const QString &language, int co
 /// As a fork of this process.
 pid_t startForked(const Lab &lab, int control);
 
+/// Waits until \p line is ready for \p what. \return false if the process \p server has ended
+/// instead: what it left behind may hold the other end, and never read or write.
+bool isReady(pid_t server, int line, short what);
+
+/// Writes \p bytes to the socket \p stream, of which \p server reads the other end, unless that
+/// ends.
+void sendToServer(pid_t server, int stream, const QByteArray &bytes);
+
 /// Waits for the end of \p server, which one of these has started, and ends what it left behind.
 /// \return how it ended, as wait() tells it
 int collectServer(pid_t server);

@@ -3,14 +3,10 @@
 #include "tasks/grading/student_page.h"
 
 #include "tasks/grading/page.h"
-#include "tasks/lab_report/lab_report.h"
-#include "tasks/lab_report/markdown_html.h"
-#include "tasks/text/quantity_text.h"
+#include "tasks/grading/student_page_report.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 
 namespace cradle {
@@ -20,8 +16,6 @@ namespace {
 struct StudentText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
-
-constexpr std::size_t mostLocals = 6; ///< that are told with an error
 
 const QString style = QStringLiteral(R"css(
 .who { font-size: 1.05rem; margin: 0 0 1rem; }
@@ -74,16 +68,6 @@ public:
     }
 
 private:
-    void paragraph(const QString &text, const char *kind = "")
-    {
-        m_html +=
-            QStringLiteral("<p%1>%2</p>\n")
-                .arg(*kind ? QStringLiteral(" class=\"%1\"").arg(QLatin1String(kind)) : QString(),
-                     escaped(text));
-    }
-
-    static QString number(double value) { return QLocale().toString(value, 'g', 8); }
-
     void writeSum()
     {
         int passed = 0;
@@ -97,25 +81,26 @@ private:
         const QString steps =
             StudentText::tr("%1 of %2 steps pass").arg(passed).arg(m_lab.tasks.size());
         if (points.earned)
-            paragraph(QStringLiteral("%1 · %2").arg(
-                          steps, StudentText::tr("%1 of %2 points")
-                                     .arg(number(*points.earned), number(points.most))),
-                      "sum");
+            m_html +=
+                paragraph(QStringLiteral("%1 · %2").arg(
+                              steps, StudentText::tr("%1 of %2 points")
+                                         .arg(countText(*points.earned), countText(points.most))),
+                          "sum");
         else
-            paragraph(steps, "sum");
+            m_html += paragraph(steps, "sum");
         if (notGraded > 0)
-            paragraph(
+            m_html += paragraph(
                 StudentText::tr("Steps that could not be graded: %1. There is no sum of points "
                                 "yet; that is not the fault of what was handed in.")
                     .arg(notGraded));
         writeNumbers();
         const double kept = keptWhenLate(m_student.lateDays, m_facts.late);
         if (kept < 1.0)
-            paragraph(
+            m_html += paragraph(
                 StudentText::tr("Days late, a begun one counted whole: %1. That takes %2 % of "
                                 "the points; the sum above has them taken off already.")
-                    .arg(number(std::ceil(m_student.lateDays)),
-                         number(roundedPoints(100.0 * (1.0 - kept)))));
+                    .arg(countText(std::ceil(m_student.lateDays)),
+                         countText(roundedPoints(100.0 * (1.0 - kept)))));
         if (!m_student.remark.trimmed().isEmpty())
             m_html += QStringLiteral("<div class=\"note\">%1</div>\n")
                           .arg(escaped(m_student.remark)
@@ -129,15 +114,17 @@ private:
             return;
         const StepResult &step = m_student.steps.front();
         if (step.hasForeignNumber())
-            paragraph(StudentText::tr("What was handed in has the number %2, which the roster does "
-                                      "not have for this student: it was judged with the values "
-                                      "that are drawn by the number %1.")
-                          .arg(step.drawnBy, step.ownNumber),
-                      "note");
+            m_html += paragraph(
+                StudentText::tr("What was handed in has the number %2, which the roster does "
+                                "not have for this student: it was judged with the values "
+                                "that are drawn by the number %1.")
+                    .arg(step.drawnBy, step.ownNumber),
+                "note");
         else if (!step.drawnBy.isEmpty())
-            paragraph(StudentText::tr("The values of this lab were drawn by the number %1.")
-                          .arg(step.drawnBy),
-                      "muted");
+            m_html +=
+                paragraph(StudentText::tr("The values of this lab were drawn by the number %1.")
+                              .arg(step.drawnBy),
+                          "muted");
     }
 
     static QString verdictBadge(const StepResult &step)
@@ -160,8 +147,8 @@ private:
 
     static QString pointsCell(const Points &points)
     {
-        const QString most = number(points.most);
-        return points.earned ? StudentText::tr("%1 of %2").arg(number(*points.earned), most)
+        const QString most = countText(points.most);
+        return points.earned ? StudentText::tr("%1 of %2").arg(countText(*points.earned), most)
                              : StudentText::tr("– of %1").arg(most);
     }
 
@@ -186,131 +173,20 @@ private:
         m_html += QStringLiteral("<section id=\"%1\">\n<h2>%1 · %2 %3</h2>\n")
                       .arg(escaped(task.id), escaped(task.title), verdictBadge(step));
         if (step.status == StepResult::Status::Missing)
-            paragraph(StudentText::tr("Nothing was handed in for this step."), "muted");
+            m_html += paragraph(StudentText::tr("Nothing was handed in for this step."), "muted");
         if (!step.reason.isEmpty())
-            paragraph(step.reason);
+            m_html += paragraph(step.reason);
         if (step.status == StepResult::Status::NotGraded)
-            paragraph(StudentText::tr("There is no verdict: this step counts neither as passed nor "
-                                      "as failed."));
+            m_html += paragraph(
+                StudentText::tr("There is no verdict: this step counts neither as passed nor "
+                                "as failed."));
         if (step.attempts > 0)
-            paragraph(
+            m_html += paragraph(
                 StudentText::tr("Checked %n time(s) while working on it.", nullptr, step.attempts),
                 "muted");
         if (step.report)
-            writeReport(task, step, *step.report);
+            writeReport(m_html, task, step, *step.report);
         m_html += QStringLiteral("</section>\n");
-    }
-
-    void writeReport(const Task &task, const StepResult &step, const CheckReport &report)
-    {
-        if (report.error)
-            writeError(step, *report.error);
-        for (std::size_t i = 0; i < report.findings.size(); ++i)
-            writeFinding(step, report.findings[i], i);
-        if (report.findings.empty() && !report.error) {
-            for (const StepMoment &moment : step.moments)
-                writeMoment(report, moment);
-        }
-        for (const Remark &remark : report.remarks)
-            m_html += QStringLiteral("<div class=\"note\">\n%1</div>\n")
-                          .arg(markdownHtml(remark.message));
-        if (!report.passed)
-            writeChecks(task, report);
-    }
-
-    void writeError(const StepResult &step, const ProgramError &error)
-    {
-        const bool loads = error.step > 0;
-        paragraph(loads ? StudentText::tr("The program stopped in step %1 of a scene, at %2 s.")
-                              .arg(error.step)
-                              .arg(number(error.time))
-                        : StudentText::tr("The program does not load."));
-        m_html +=
-            QStringLiteral("<pre class=\"message\">%1</pre>\n")
-                .arg(escaped(error.line > 0
-                                 ? StudentText::tr("line %1: %2").arg(error.line).arg(error.message)
-                                 : error.message));
-        m_html += codeAround(step.program, error.line);
-        QStringList values;
-        for (const ProgramValue &local : error.locals) {
-            if (static_cast<std::size_t>(values.size()) < mostLocals)
-                values.append(QStringLiteral("<code>%1 = %2</code>")
-                                  .arg(escaped(local.name), escaped(local.value)));
-        }
-        if (!values.isEmpty())
-            m_html +=
-                QStringLiteral("<p>%1 %2</p>\n")
-                    .arg(escaped(StudentText::tr("There:")), values.join(QStringLiteral(", ")));
-    }
-
-    void writeFinding(const StepResult &step, const Finding &finding, std::size_t index)
-    {
-        m_html +=
-            QStringLiteral(
-                "<details class=\"printed\"%1>\n<summary>%2</summary>\n<div class=\"finding\">\n"
-                "<div>\n%3")
-                .arg(index == 0 ? QStringLiteral(" open") : QString(),
-                     escaped(headlineOf(finding.message)),
-                     markdownHtml(belowHeadline(finding.message)));
-        const QString code = codeAround(step.program, finding.line);
-        if (!code.isEmpty())
-            paragraph(StudentText::tr("Look at line %1 of your program.").arg(finding.line));
-        if (!finding.calls.empty()) {
-            QStringList lines;
-            for (const int line : finding.calls)
-                lines.append(QString::number(line));
-            paragraph(StudentText::tr("It is reached by the calls in line %1.")
-                          .arg(lines.join(QStringLiteral(", "))),
-                      "muted");
-        }
-        m_html += QStringLiteral("</div>\n");
-        for (const StepMoment &moment : step.moments) {
-            if (moment.check == finding.check)
-                writeMoment(*step.report, moment);
-        }
-        m_html += QStringLiteral("</div>\n%1</details>\n").arg(code);
-    }
-
-    void writeMoment(const CheckReport &report, const StepMoment &moment)
-    {
-        const auto check =
-            std::find_if(report.checks.begin(), report.checks.end(),
-                         [&](const CheckOutcome &each) { return each.id == moment.check; });
-        if (check == report.checks.end())
-            return;
-        QString caption =
-            moment.scene.time > 0.0
-                ? StudentText::tr("“%1” first goes wrong here, at %2 s.")
-                      .arg(check->title, quantityText(moment.scene.time, 'f', 2))
-                : StudentText::tr("“%1” goes wrong from the start.").arg(check->title);
-        if (!check->variant.isEmpty() && check->variant != QLatin1String("preset"))
-            caption += QLatin1Char(' ') + StudentText::tr("Scene: %1.").arg(check->variant);
-        m_html += QStringLiteral("<figure class=\"scene\">\n%1<figcaption>%2</figcaption>\n"
-                                 "</figure>\n")
-                      .arg(QString::fromUtf8(sceneSvg(moment.scene)), escaped(caption));
-    }
-
-    void writeChecks(const Task &task, const CheckReport &report)
-    {
-        m_html += QStringLiteral("<table class=\"checks\">\n<caption class=\"muted\">%1</caption>\n"
-                                 "<tbody>\n")
-                      .arg(escaped(StudentText::tr("The checks of this step")));
-        for (const CheckOutcome &check : report.checks) {
-            QString text = escaped(check.title);
-            if ((!check.passed || check.forTeacher) && !check.message.isEmpty())
-                text += QStringLiteral("<br><span class=\"muted\">%1</span>")
-                            .arg(escaped(check.message));
-            const double worth = roundedPoints(pointsInside(task, check.id) * pointScale(task));
-            m_html +=
-                QStringLiteral("<tr><td aria-label=\"%1\">%2</td><td>%3</td>"
-                               "<td class=\"number\">%4</td></tr>\n")
-                    .arg(escaped(check.passed ? StudentText::tr("passed")
-                                              : StudentText::tr("did not pass")),
-                         check.passed ? QStringLiteral("✓") : QStringLiteral("✗"), text,
-                         escaped(StudentText::tr("%1 of %2")
-                                     .arg(number(check.passed ? worth : 0.0), number(worth))));
-        }
-        m_html += QStringLiteral("</tbody>\n</table>\n");
     }
 
     const StudentResult &m_student;

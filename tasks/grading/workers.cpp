@@ -9,14 +9,12 @@
 #include <QCoreApplication>
 #include <QtEndian>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <ctime>
 
 #include <poll.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,33 +35,6 @@ double now()
     timespec time{};
     clock_gettime(CLOCK_MONOTONIC, &time);
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
-
-/// Waits until \p line is ready for \p what. \return false if the process \p server has ended
-/// instead: what it left behind may hold the other end, and never read or write.
-bool isReady(pid_t server, int line, short what)
-{
-    for (;;) {
-        pollfd watched{line, what, 0};
-        if (poll(&watched, 1, 200) > 0)
-            return true;
-        siginfo_t ended{};
-        if (waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOHANG | WNOWAIT) == 0
-            && ended.si_pid == server)
-            return false;
-    }
-}
-
-void sendToServer(pid_t server, int stream, const QByteArray &bytes)
-{
-    for (qsizetype at = 0; at < bytes.size() && isReady(server, stream, POLLOUT);) {
-        const ssize_t size =
-            ::send(stream, bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at),
-                   MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (size < 0 && errno != EINTR && errno != EAGAIN)
-            return; // its end says the rest
-        at += std::max<ssize_t>(size, 0);
-    }
 }
 
 } // namespace
