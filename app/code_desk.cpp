@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/code_desk.h"
 
+#include "tasks/text/quantity_text.h"
 #include "views/code/api_page.h"
 #include "views/code/code_editor.h"
 
@@ -151,7 +152,8 @@ void CodeDesk::showError(const ProgramError &error)
     QString message = error.message;
     if (error.step > 0)
         message +=
-            QLatin1Char('\n') + tr("in step %1, at %2 s").arg(error.step).arg(figure(error.time));
+            QLatin1Char('\n')
+            + tr("in step %1, at %2 s").arg(error.step).arg(quantityText(error.time, 'g', 4));
     m_pane.editor().setError(error.line, message);
     m_pane.setExecuting(0);
     if (error.locals.empty())

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "class_of_three.h"
 #include "tasks/grading/page.h"
+#include "tasks/grading/student_page.h"
 
 #include <QFile>
+#include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -24,6 +26,7 @@ private slots:
     void latenessIsToldWithTheSum();
     void whatIsNotGradedIsNeitherPassedNorFailed();
     void codeAroundMarksItsLine();
+    void momentOfAnErrorIsShort();
 
 private:
     [[nodiscard]] QByteArray page(const char *name) const;
@@ -102,6 +105,19 @@ void TestStudentPage::codeAroundMarksItsLine()
     QVERIFY(codeAround(program, 0).isEmpty());
     QVERIFY(codeAround(program, 6).isEmpty());
     QVERIFY(codeAround({}, 3).isEmpty());
+}
+
+/// With a point, as in the program, though the page is German.
+void TestStudentPage::momentOfAnErrorIsShort()
+{
+    StudentResult student = mallory(m_lab);
+    student.steps[0].report->error =
+        ProgramError{.message = QStringLiteral("stopped"), .step = 4, .time = 4.0 / 60.0};
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QByteArray html = studentPage(student, m_lab, facts());
+    QLocale::setDefault(QLocale::c());
+    QVERIFY(html.contains("The program stopped in step 4 of a scene, at 0.06667 s."));
+    QVERIFY(html.contains("1 of 5,5 points"));
 }
 
 QTEST_APPLESS_MAIN(TestStudentPage)

@@ -45,7 +45,7 @@ void writeError(QString &html, const StepResult &step, const ProgramError &error
     const bool loads = error.step > 0;
     html += paragraph(loads ? StudentText::tr("The program stopped in step %1 of a scene, at %2 s.")
                                   .arg(error.step)
-                                  .arg(countText(error.time))
+                                  .arg(quantityText(error.time, 'g', 4))
                             : StudentText::tr("The program does not load."));
     html += QStringLiteral("<pre class=\"message\">%1</pre>\n")
                 .arg(escaped(error.line > 0

@@ -3,6 +3,7 @@
 #include "tasks/report/report_text.h"
 
 #include "tasks/text/plain_text.h"
+#include "tasks/text/quantity_text.h"
 
 #include <QCoreApplication>
 
@@ -59,7 +60,9 @@ QString describe(const ProgramError &error, const QString &program)
     QStringList parts{
         wrapped(placedMessage(error, program).simplified(), terminalColumns - 2, {}, margin)};
     if (error.step > 0)
-        parts.append(ReportText::tr("in step %1, at %2 s").arg(error.step).arg(error.time));
+        parts.append(ReportText::tr("in step %1, at %2 s")
+                         .arg(error.step)
+                         .arg(quantityText(error.time, 'g', 4)));
     if (!error.locals.empty())
         parts.append(wrapped(printable(ReportText::tr("with %1").arg(localsOf(error))).simplified(),
                              terminalColumns - 2, {}, margin));
