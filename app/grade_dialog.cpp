@@ -15,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QUrl>
@@ -28,6 +29,13 @@ QString chosenFolder(QWidget *parent, const QString &title, const QString &befor
 {
     return QFileDialog::getExistingDirectory(parent, title, before,
                                              QFileDialog::DontUseNativeDialog);
+}
+
+/// Words of the command as a sentence of the window. What begins with a file or a student stays.
+QString sentence(const QString &words)
+{
+    return words.section(u' ', 0, 0).contains(u':') ? words
+                                                    : words.left(1).toUpper() + words.mid(1);
 }
 
 } // namespace
@@ -77,6 +85,17 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setAccessibleName(tr("How the grading goes"));
+    m_message->setText(tr("Choose what was handed in, and a folder for the results. Grading can be "
+                          "stopped at any time, and goes on where it was."));
+    // Of a class there may be hundreds: they scroll, and the window stays as large as it is.
+    m_remarks = new QPlainTextEdit(this);
+    m_remarks->setReadOnly(true);
+    m_remarks->setTabChangesFocus(true);
+    m_remarks->setAccessibleName(tr("Remarks on what was handed in"));
+    QSizePolicy policy = m_remarks->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_remarks->setSizePolicy(policy);
+    m_remarks->hide();
     m_progress->setAccessibleName(tr("Students done"));
     m_progress->setTextVisible(false); // the message has the numbers, and the bar is thin
     m_progress->hide();
@@ -89,7 +108,8 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(m_progress);
-    column->addWidget(m_message, 1);
+    column->addWidget(m_message);
+    column->addWidget(m_remarks, 1);
     column->addWidget(buttons);
     resize(680, 360);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -97,15 +117,13 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     connect(m_stop, &QPushButton::clicked, &m_run, &GradeRun::stop);
     connect(m_open, &QPushButton::clicked, this, &GradeDialog::openResults);
     connect(&m_run, &GradeRun::progressed, this, &GradeDialog::showState);
-    connect(&m_run, &GradeRun::remarked, this, [this](const QString &text) {
-        m_remarks += (m_remarks.isEmpty() ? QString() : QStringLiteral("\n")) + text;
-        showState();
-    });
+    connect(&m_run, &GradeRun::remarked, this, &GradeDialog::addRemark);
     connect(&m_run, &GradeRun::ended, this, &GradeDialog::end);
     const auto refresh = [this] {
         m_open->setEnabled(!m_results->text().isEmpty() && QFileInfo::exists(resultsPage()));
         m_start->setEnabled(!m_run.isRunning() && !m_submissions->text().isEmpty()
                             && !m_results->text().isEmpty());
+        m_start->setDefault(true); // else the results of before would be opened by Enter
     };
     connect(m_submissions, &QLineEdit::textChanged, this, refresh);
     connect(m_results, &QLineEdit::textChanged, this, refresh);
@@ -151,7 +169,8 @@ QString GradeDialog::resultsPage() const
 
 void GradeDialog::grade()
 {
-    m_remarks.clear();
+    m_remarks->clear();
+    m_remarks->hide();
     m_message->setText(tr("What was handed in is read…"));
     m_progress->setRange(0, 0);
     m_progress->show();
@@ -182,9 +201,13 @@ void GradeDialog::showState()
     if (state.kept > 0)
         text +=
             QLatin1Char(' ') + tr("%n of the students as they were before.", nullptr, state.kept);
-    if (!m_remarks.isEmpty())
-        text += QLatin1Char('\n') + m_remarks;
     m_message->setText(text);
+}
+
+void GradeDialog::addRemark(const QString &text)
+{
+    m_remarks->appendPlainText(sentence(text));
+    m_remarks->show();
 }
 
 void GradeDialog::end(bool complete, const QString &fault)
@@ -199,12 +222,16 @@ void GradeDialog::end(bool complete, const QString &fault)
         return;
     }
     if (fault.isEmpty()) {
+        const QString stopped =
+            tr("Stopped. What is judged stays; grading again goes on from here.");
         showState();
-        m_message->setText(tr("Stopped. What is judged stays; grading again goes on from here.")
-                           + QLatin1Char('\n') + m_message->text());
-    } else {
-        m_message->setText(fault);
+        m_message->setText(
+            m_run.state().students > 0 ? stopped + QLatin1Char('\n') + m_message->text() : stopped);
+        return;
     }
+    m_message->setText(sentence(fault.section(u'\n', 0, 0)));
+    if (const QString more = fault.section(u'\n', 1); !more.isEmpty())
+        addRemark(more);
 }
 
 void GradeDialog::openResults()

@@ -15,6 +15,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 QT_END_NAMESPACE
@@ -38,6 +39,7 @@ private:
     QLineEdit *addPath(QFormLayout *form, const QString &label, const QString &about,
                        const std::function<QString(const QString &)> &choose);
     void showState();
+    void addRemark(const QString &text);
     void end(bool complete, const QString &fault);
     void openResults();
 
@@ -49,10 +51,10 @@ private:
     QDoubleSpinBox *m_late = nullptr;
     QProgressBar *m_progress = nullptr;
     QLabel *m_message = nullptr;
+    QPlainTextEdit *m_remarks = nullptr; ///< hidden while there are none
     QPushButton *m_start;
     QPushButton *m_stop;
     QPushButton *m_open;
-    QString m_remarks{};
 };
 
 } // namespace cradle

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -28,6 +29,7 @@ private slots:
     void gradingAgainKeepsWhatIsThere();
     void faultOfTheCommandIsTold();
     void missingProgramIsTold();
+    void manyRemarksScroll();
     void closingEndsTheCommand();
     void everyFieldHasANameAndAKey();
     void tabGoesDownTheForm();
@@ -142,7 +144,9 @@ void TestGradeDialog::faultOfTheCommandIsTold()
     dialog.setFolders(m_folder.filePath(QStringLiteral("nowhere")),
                       m_folder.filePath(QStringLiteral("out2")));
     QVERIFY(!wait(dialog));
-    QVERIFY2(messageOf(dialog).contains(QStringLiteral("nowhere")), qPrintable(messageOf(dialog)));
+    QVERIFY2(messageOf(dialog).startsWith(QStringLiteral("There is no folder "))
+                 && messageOf(dialog).endsWith(QStringLiteral("nowhere")),
+             qPrintable(messageOf(dialog)));
     QVERIFY(button(dialog, "Grade")->isEnabled());
     QVERIFY(!button(dialog, "Open the results")->isEnabled());
 }
@@ -154,6 +158,28 @@ void TestGradeDialog::missingProgramIsTold()
     dialog.setFolders(m_submissions, m_folder.filePath(QStringLiteral("out3")));
     QVERIFY(!wait(dialog));
     QVERIFY(messageOf(dialog).contains(QStringLiteral("/nowhere/cradle-cli cannot be started")));
+}
+
+/// A class has hundreds of them; the window stays as it was, and all can be read.
+void TestGradeDialog::manyRemarksScroll()
+{
+    GradeDialog dialog(m_lab);
+    const auto *remarks = dialog.findChild<QPlainTextEdit *>();
+    QVERIFY(remarks && remarks->isReadOnly() && !remarks->accessibleName().isEmpty());
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    QVERIFY(!remarks->isVisible());
+    const QSize before = dialog.size();
+    for (int i = 0; i < 300; ++i)
+        emit dialog.run().remarked(QStringLiteral("left out of the zip: file %1").arg(i));
+    emit dialog.run().remarked(QStringLiteral("ada: passed over"));
+    QCoreApplication::processEvents();
+    QVERIFY(remarks->isVisible());
+    QCOMPARE(dialog.size(), before);
+    QVERIFY(remarks->toPlainText().startsWith(QStringLiteral("Left out of the zip: file 0\n")));
+    QVERIFY(remarks->toPlainText().endsWith(QStringLiteral("\nada: passed over")));
+    if (const QString picture = qEnvironmentVariable("CRADLE_TEST_PICTURE"); !picture.isEmpty())
+        dialog.grab().save(picture + QStringLiteral(".remarks.png"));
 }
 
 void TestGradeDialog::closingEndsTheCommand()
