@@ -8929,6 +8929,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>No program opened the page. It is %1</source>
         <translation>لم يفتح أي برنامج الصفحة. هي ⁨%1⁩</translation>
     </message>
+    <message>
+        <source>Choose what was handed in, and a folder for the results. Grading can be stopped at any time, and goes on where it was.</source>
+        <translation>اختر ما سُلِّم، ومجلدًا للنتائج. يمكن إيقاف التقييم في أي وقت، ثم يتابع من حيث توقف.</translation>
+    </message>
+    <message>
+        <source>Remarks on what was handed in</source>
+        <translation>ملاحظات على ما سُلِّم</translation>
+    </message>
 </context>
 <context>
     <name>cradle::GradeRun</name>

@@ -8869,6 +8869,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>No program opened the page. It is %1</source>
         <translation>Kein Programm hat die Seite geöffnet. Sie liegt in %1</translation>
     </message>
+    <message>
+        <source>Choose what was handed in, and a folder for the results. Grading can be stopped at any time, and goes on where it was.</source>
+        <translation>Wähle, was abgegeben wurde, und einen Ordner für die Ergebnisse. Das Bewerten lässt sich jederzeit anhalten und geht dann dort weiter.</translation>
+    </message>
+    <message>
+        <source>Remarks on what was handed in</source>
+        <translation>Bemerkungen zu den Abgaben</translation>
+    </message>
 </context>
 <context>
     <name>cradle::GradeRun</name>

@@ -8869,6 +8869,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>No program opened the page. It is %1</source>
         <translation>Aucun programme n&apos;a ouvert la page. C&apos;est %1</translation>
     </message>
+    <message>
+        <source>Choose what was handed in, and a folder for the results. Grading can be stopped at any time, and goes on where it was.</source>
+        <translation>Choisissez ce qui a été rendu, et un dossier pour les résultats. On peut arrêter la notation à tout moment&#xa0;; elle reprend ensuite où elle en était.</translation>
+    </message>
+    <message>
+        <source>Remarks on what was handed in</source>
+        <translation>Remarques sur ce qui a été rendu</translation>
+    </message>
 </context>
 <context>
     <name>cradle::GradeRun</name>
