@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/files/unit.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/task_form.h"
 #include "tasks/grading/judging_request.h"
@@ -7,7 +8,6 @@
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/questions/answers.h"
 #include "tasks/questions/question_json.h"
-#include "model/files/unit.h"
 #include "tasks/reading/lab_reader.h"
 #include "tasks/report/report_formats.h"
 
