@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/proof/hit_answer.h"
 #include "tasks/proof/sensitivity.h"
 #include "tasks/reading/lab_reader.h"
 
@@ -20,6 +21,9 @@ private slots:
     void endIsJustMissed();
     void whatIsNotNoticedIsNotTold();
     void keptQuantitiesAreHeldToABillionth();
+    void restitutionAndMassesOfAHitAreShifted();
+    void wrongMassesAndRestitutionAreNoticed_data();
+    void wrongMassesAndRestitutionAreNoticed();
     void nothingIsMeasuredOfAWrongSolution();
 };
 
@@ -93,6 +97,8 @@ void TestSensitivity::whatIsNotNoticedIsNotTold()
     QCOMPARE(describe(*found), QStringLiteral("– · – · –"));
     QCOMPARE(describe({.turn = 0.0624, .speed = 0.005, .drift = 0.0012}),
              QStringLiteral("0.062° · 0.5 % · 1.2 mm/s"));
+    QCOMPARE(describe({.turn = 0.0624, .restitution = 0.01, .massExponent = 1e-7}),
+             QStringLiteral("0.062° · – · – · e ± 0.01 · r^(3 ± 1e-7)"));
 }
 
 /// In the shipped lab, from both sides: its solution passes, and what is wrong by so little fails.
@@ -116,6 +122,73 @@ void TestSensitivity::keptQuantitiesAreHeldToABillionth()
         }
     }
     QVERIFY(checks >= 15);
+}
+
+/// By hand: 1 kg meets 8 kg (r twice as large) at rest with 9 m/s, e = 0.5. Right: the first goes
+/// on with 9 - 1.5·9·8/9 = -3 m/s, the second with 1.5·9/9 = 1.5 m/s. With m ∝ r^4 it is 16 kg, and
+/// the two get -1.5·9·16/17 and 1.5·9/17; with e = 1 they get -2·9·8/9 = -16 and 2.
+void TestSensitivity::restitutionAndMassesOfAHitAreShifted()
+{
+    const HitAnswer hit{.after = 1,
+                        .a = 0,
+                        .b = 1,
+                        .normal = {-1, 0},
+                        .approach = 9.0,
+                        .restitution = 0.5,
+                        .massRatio = 8.0,
+                        .radiusRatio = 2.0};
+    const auto none = hit.shifts(2, 0.0, 0.0);
+    QCOMPARE(none[0], (Vec2{}));
+    QCOMPARE(none[1], (Vec2{}));
+    const auto heavier = hit.shifts(2, 0.0, 1.0);
+    QCOMPARE(heavier[0].x, -1.5 * 9.0 * 16.0 / 17.0 + 12.0);
+    QCOMPARE(heavier[1].x, 1.5 * 9.0 / 17.0 - 1.5);
+    const auto elastic = hit.shifts(2, 0.5, 0.0);
+    QCOMPARE(elastic[0].x, -16.0 + 12.0);
+    QCOMPARE(elastic[1].x, 2.0 - 1.5);
+    // Momentum stays whatever e is.
+    QCOMPARE(elastic[0].x + 8.0 * elastic[1].x, 0.0);
+    const HitAnswer wall{.after = 1, .normal = {0, 1}, .approach = 4.0};
+    QCOMPARE(wall.shifts(1, 0.25, 0.0)[0], (Vec2{0, 1}));
+}
+
+void TestSensitivity::wrongMassesAndRestitutionAreNoticed_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("check");
+    QTest::addColumn<bool>("masses");
+    QTest::addColumn<bool>("restitution");
+    const auto row = [](const char *step, const char *check, bool masses, bool restitution) {
+        QTest::addRow("%s %s", step, check)
+            << QString::fromLatin1(step) << QString::fromLatin1(check) << masses << restitution;
+    };
+    row("L42T14", "masses", true, true);
+    row("L42T14", "known-values", true, true);
+    row("L42T16", "restitution", true, true);
+    row("L42T17", "wall-restitution", false, true);
+    row("L42T11", "glancing-anywhere", false, true); // of equal circles r says nothing
+    row("L42T2", "start-velocity", false, false);
+}
+
+void TestSensitivity::wrongMassesAndRestitutionAreNoticed()
+{
+    QFETCH(const QString, step);
+    QFETCH(const QString, check);
+    const Result<Lab> lab = readLab(QLatin1String(shippedLab));
+    for (const Task &task : lab->tasks) {
+        for (const CheckSpec &each : task.checks) {
+            if (task.id != step || each.id != check)
+                continue;
+            const auto found = sensitivityOf(task, each, never);
+            QVERIFY(found);
+            QTEST(found->massExponent.has_value(), "masses");
+            QTEST(found->restitution.has_value(), "restitution");
+            QVERIFY2(found->massExponent.value_or(0.0) < 1e-4, qPrintable(describe(*found)));
+            QVERIFY2(found->restitution.value_or(0.0) < 1e-4, qPrintable(describe(*found)));
+            return;
+        }
+    }
+    QFAIL("no such check");
 }
 
 void TestSensitivity::nothingIsMeasuredOfAWrongSolution()

@@ -3,6 +3,7 @@
 #include "tasks/proof/sensitivity.h"
 
 #include "tasks/checks/check_library.h"
+#include "tasks/proof/hit_answer.h"
 #include "tasks/runs/observation.h"
 
 #include <QRegularExpression>
@@ -23,9 +24,11 @@ constexpr double hitShare = 1e-3;     ///< of a speed: a larger change in a step
 constexpr double mostTurn = 45.0;     ///< °
 constexpr double mostSpeed = 0.5;
 constexpr double mostDrift = 1.0; ///< m/s
+constexpr double mostRestitution = 1.0;
+constexpr double mostExponent = 3.0;
 
 /// A way to be wrong: by how much of it.
-enum class Bend { Turn, Speed, Drift };
+enum class Bend { Turn, Speed, Drift, Restitution, MassExponent };
 
 /// The first state after a hit of the circle: bent from there, its run is wrong in that hit and
 /// right again after it. 0 if it never was hit: then it is wrong in its first step.
@@ -75,17 +78,50 @@ Observation bent(const Observation &run, int circle, qint64 from, Bend bend, dou
     return wrong;
 }
 
+/// \p run with what its first hit answers shifted.
+Observation answered(const Observation &run, const HitAnswer &answer, Bend bend, double amount)
+{
+    Observation wrong;
+    wrong.variant = run.variant;
+    wrong.fields = run.fields;
+    wrong.instructions = run.instructions;
+    const auto shifts =
+        answer.shifts(run.states.circleCount(), bend == Bend::Restitution ? amount : 0.0,
+                      bend == Bend::MassExponent ? amount : 0.0);
+    for (qint64 k = run.states.first(); k <= run.steps(); ++k) {
+        World world = run.states.world(k);
+        const double seconds = static_cast<double>(k - answer.after) * run.timestep();
+        for (std::size_t i = 0; k >= answer.after && i < shifts.size(); ++i) {
+            world.circles[i].velocity += shifts[i];
+            world.circles[i].position += seconds * shifts[i];
+        }
+        wrong.states.append(world);
+    }
+    return wrong;
+}
+
 /// One scene of the check with the right run.
 struct RightRun {
     Observation run;
     int circle = 0;
     qint64 from = 0;
+    std::optional<HitAnswer> answer{};
 };
+
+std::optional<Observation> wrongRun(const RightRun &right, Bend bend, double amount)
+{
+    if (bend != Bend::Restitution && bend != Bend::MassExponent)
+        return bent(right.run, right.circle, right.from, bend, amount);
+    if (!right.answer || (bend == Bend::MassExponent && right.answer->b < 0))
+        return std::nullopt;
+    return answered(right.run, *right.answer, bend, amount);
+}
 
 bool notices(const CheckSpec &check, const std::vector<RightRun> &runs, Bend bend, double amount)
 {
     return std::any_of(runs.begin(), runs.end(), [&](const RightRun &right) {
-        return judge(check, bent(right.run, right.circle, right.from, bend, amount)).has_value();
+        const auto wrong = wrongRun(right, bend, amount);
+        return wrong && judge(check, *wrong).has_value();
     });
 }
 
@@ -119,13 +155,16 @@ std::optional<Sensitivity> sensitivityOf(const Task &task, const CheckSpec &chec
         if (right.run.error || right.circle >= right.run.circleCount() || judge(check, right.run))
             return std::nullopt;
         right.from = firstHit(right.run, right.circle);
+        right.answer = answerIn(check, right.run, right.from);
         runs.push_back(std::move(right));
     }
     if (runs.empty() || stop())
         return std::nullopt;
     return Sensitivity{.turn = leastNoticed(check, runs, Bend::Turn, mostTurn),
                        .speed = leastNoticed(check, runs, Bend::Speed, mostSpeed),
-                       .drift = leastNoticed(check, runs, Bend::Drift, mostDrift)};
+                       .drift = leastNoticed(check, runs, Bend::Drift, mostDrift),
+                       .restitution = leastNoticed(check, runs, Bend::Restitution, mostRestitution),
+                       .massExponent = leastNoticed(check, runs, Bend::MassExponent, mostExponent)};
 }
 
 QString describe(const Sensitivity &sensitivity)
@@ -137,9 +176,13 @@ QString describe(const Sensitivity &sensitivity)
                          + QString::fromUtf8(unit)
                    : QStringLiteral("–");
     };
-    return QStringList{figure(sensitivity.turn, 1.0, "°"), figure(sensitivity.speed, 100.0, " %"),
-                       figure(sensitivity.drift, 1000.0, " mm/s")}
-        .join(QStringLiteral(" · "));
+    QStringList figures{figure(sensitivity.turn, 1.0, "°"), figure(sensitivity.speed, 100.0, " %"),
+                        figure(sensitivity.drift, 1000.0, " mm/s")};
+    if (sensitivity.restitution)
+        figures.append(QStringLiteral("e ± ") + figure(sensitivity.restitution, 1.0, ""));
+    if (sensitivity.massExponent)
+        figures.append(QStringLiteral("r^(3 ± %1)").arg(figure(sensitivity.massExponent, 1.0, "")));
+    return figures.join(QStringLiteral(" · "));
 }
 
 } // namespace cradle

@@ -16,6 +16,10 @@ struct Sensitivity {
     std::optional<double> turn{};  ///< °: the way after its first hit, or from the start; up to 45
     std::optional<double> speed{}; ///< share by which it goes on too fast after that; up to 0.5
     std::optional<double> drift{}; ///< m/s by which positions run away from velocities; up to 1
+    std::optional<double> restitution{}; ///< by which e of its first hit is larger; up to 1
+    /// By which mass grows with a higher power of the radius than r³ in its first hit of two
+    /// circles; up to 3.
+    std::optional<double> massExponent{};
 
     friend bool operator==(const Sensitivity &, const Sensitivity &) = default;
 };
@@ -26,7 +30,8 @@ struct Sensitivity {
 [[nodiscard]] std::optional<Sensitivity> sensitivityOf(const Task &task, const CheckSpec &check,
                                                        const std::function<bool()> &stop);
 
-/// "0.06° · 0.3 % · 2 mm/s": what is noticed, in words of that order, with "–" for what is not.
+/// "0.06° · 0.3 % · 2 mm/s": what is noticed, in words of that order, with "–" for what is not;
+/// then "e ± 0.001" and "r^(3 ± 0.02)" where those are.
 [[nodiscard]] QString describe(const Sensitivity &sensitivity);
 
 } // namespace cradle

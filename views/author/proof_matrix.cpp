@@ -112,12 +112,13 @@ void ProofMatrix::fill()
 void ProofMatrix::addSensitivity(int row)
 {
     auto *name = new QTableWidgetItem(tr("Just wrong enough"));
-    name->setToolTip(tr("By how much a right run must be turned, too fast or adrift for the check "
-                        "to fail it"));
+    name->setToolTip(tr("By how much a right run must be turned, too fast or adrift, or how wrong "
+                        "restitution and masses must be in its first hit, for the check to fail "
+                        "it"));
     setItem(row, 0, name);
     for (int i = 0; i < m_task.checks.size(); ++i) {
         const QStringList figures = wrongEnough(m_task, i).split(QStringLiteral(" · "));
-        const bool measured = figures.size() == 3;
+        const bool measured = figures.size() >= 3;
         const auto seen = std::find_if(figures.begin(), figures.end(), [](const QString &figure) {
             return figure != QStringLiteral("–");
         });
@@ -125,9 +126,12 @@ void ProofMatrix::addSensitivity(int row)
             new QTableWidgetItem(measured && seen != figures.end() ? *seen : QStringLiteral("–"));
         cell->setTextAlignment(Qt::AlignCenter);
         cell->setForeground(theme().mutedText);
-        cell->setToolTip(measured ? tr("%1: turned by %2, too fast by %3, adrift by %4")
-                                        .arg(m_task.checks[i], figures[0], figures[1], figures[2])
-                                  : tr("%1: not measured").arg(m_task.checks[i]));
+        QString tip = measured ? tr("%1: turned by %2, too fast by %3, adrift by %4")
+                                     .arg(m_task.checks[i], figures[0], figures[1], figures[2])
+                               : tr("%1: not measured").arg(m_task.checks[i]);
+        if (figures.size() > 3)
+            tip += tr("; a hit with %1").arg(figures.mid(3).join(QStringLiteral(", ")));
+        cell->setToolTip(tip);
         cell->setData(Qt::AccessibleTextRole, cell->toolTip());
         setItem(row, i + 1, cell);
     }
