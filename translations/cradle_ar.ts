@@ -10444,10 +10444,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>خاطئ بالقدر الكافي تمامًا</translation>
     </message>
     <message>
-        <source>By how much a right run must be turned, too fast or adrift for the check to fail it</source>
-        <translation>كم يجب أن يدور تشغيل صحيح، أو يزيد سرعة، أو يحيد حتى يخفق في الفحص</translation>
-    </message>
-    <message>
         <source>%1: turned by %2, too fast by %3, adrift by %4</source>
         <translation>⁨%1⁩: بدوران ⁨%2⁩، بزيادة سرعة ⁨%3⁩، بحيود ⁨%4⁩</translation>
     </message>
@@ -10466,6 +10462,14 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>not recognised</source>
         <translation>لم يُتعرَّف عليه</translation>
+    </message>
+    <message>
+        <source>By how much a right run must be turned, too fast or adrift, or how wrong restitution and masses must be in its first hit, for the check to fail it</source>
+        <translation>بكم يجب أن يُدار تشغيل صحيح أو يسرع أو ينحرف، أو كم يجب أن يكون معامل الارتداد والكتل خاطئة في تصادمه الأول، حتى يخفق في الفحص</translation>
+    </message>
+    <message>
+        <source>; a hit with %1</source>
+        <translation>؛ تصادم مع %1</translation>
     </message>
 </context>
 <context>

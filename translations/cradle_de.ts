@@ -10388,16 +10388,20 @@ Ihre Nummer:</translation>
         <translation>Gerade falsch genug</translation>
     </message>
     <message>
-        <source>By how much a right run must be turned, too fast or adrift for the check to fail it</source>
-        <translation>Um wie viel ein richtiger Lauf gedreht, zu schnell oder weggetrieben sein muss, damit die Prüfung ihn durchfallen lässt</translation>
-    </message>
-    <message>
         <source>%1: turned by %2, too fast by %3, adrift by %4</source>
         <translation>%1: gedreht um %2, zu schnell um %3, weggetrieben um %4</translation>
     </message>
     <message>
         <source>%1: not measured</source>
         <translation>%1: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>By how much a right run must be turned, too fast or adrift, or how wrong restitution and masses must be in its first hit, for the check to fail it</source>
+        <translation>Um wie viel ein richtiger Lauf gedreht, zu schnell oder abgetrieben sein muss, oder wie falsch Restitution und Massen in seinem ersten Stoß, damit er an der Prüfung scheitert</translation>
+    </message>
+    <message>
+        <source>; a hit with %1</source>
+        <translation>; ein Stoß mit %1</translation>
     </message>
 </context>
 <context>

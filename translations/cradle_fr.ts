@@ -10376,10 +10376,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Juste assez faux</translation>
     </message>
     <message>
-        <source>By how much a right run must be turned, too fast or adrift for the check to fail it</source>
-        <translation>De combien une exécution juste doit être tournée, trop rapide ou décalée pour que la vérification la refuse</translation>
-    </message>
-    <message>
         <source>%1: turned by %2, too fast by %3, adrift by %4</source>
         <translation>%1&#xa0;: tournée de %2, trop rapide de %3, décalée de %4</translation>
     </message>
@@ -10398,6 +10394,14 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>not recognised</source>
         <translation>non reconnu</translation>
+    </message>
+    <message>
+        <source>By how much a right run must be turned, too fast or adrift, or how wrong restitution and masses must be in its first hit, for the check to fail it</source>
+        <translation>De combien un calcul juste doit être tourné, trop rapide ou à la dérive, ou combien la restitution et les masses doivent être fausses dans son premier choc, pour que la vérification échoue</translation>
+    </message>
+    <message>
+        <source>; a hit with %1</source>
+        <translation>; un choc avec %1</translation>
     </message>
 </context>
 <context>
