@@ -10397,7 +10397,7 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>By how much a right run must be turned, too fast or adrift, or how wrong restitution and masses must be in its first hit, for the check to fail it</source>
-        <translation>Um wie viel ein richtiger Lauf gedreht, zu schnell oder abgetrieben sein muss, oder wie falsch Restitution und Massen in seinem ersten Stoß, damit er an der Prüfung scheitert</translation>
+        <translation>Um wie viel ein richtiger Lauf gedreht, zu schnell oder abgetrieben sein muss, oder wie falsch Stoßzahl und Massen in seinem ersten Stoß, damit er an der Prüfung scheitert</translation>
     </message>
     <message>
         <source>; a hit with %1</source>

@@ -13,6 +13,8 @@
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
 #include "views/code/code_editor.h"
+#include "views/markdown_view.h"
+#include "views/task_pane/instructions_pane.h"
 
 #include <Qsci/qsciscintilla.h>
 
@@ -35,6 +37,15 @@
 #include <memory>
 
 namespace cradle::windows {
+
+/// What stands in the instructions that are shown, without the cards among them.
+inline QString textShown(const InstructionsPane &pane)
+{
+    QString text;
+    for (const auto *view : pane.findChildren<MarkdownView *>())
+        text += view->toPlainText() + QLatin1Char('\n');
+    return text;
+}
 
 /// The window in which a lab is written, as an author has it open.
 class OpenAuthor

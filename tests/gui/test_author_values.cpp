@@ -71,8 +71,8 @@ void TestAuthorValues::valueIsNamedAndUsed()
     QVERIFY(facts->text().contains(QLatin1String("Used in BALL1/task.json.")));
     // The preview is what the student reads.
     author.find<QComboBox>("textPart")->setCurrentIndex(0);
-    QTRY_VERIFY(author.window.textTab().preview().toPlainText().contains(
-        QLatin1String("It comes with 9.9045444")));
+    QTRY_VERIFY(textShown(author.window.textTab().student())
+                    .contains(QLatin1String("It comes with 9.9045444")));
 }
 
 void TestAuthorValues::rangeIsDrawnForEachStudent()

@@ -54,7 +54,7 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
     QTest::keyClick(text, Qt::Key_Return);
     QTest::keyClicks(text, QStringLiteral("Set `gravity` in `on_load`."));
     QTRY_VERIFY(
-        author.window.textTab().preview().toPlainText().contains(QStringLiteral("Let it fall")));
+        textShown(author.window.textTab().student()).contains(QStringLiteral("Let it fall")));
     QVERIFY(textOf(author.files(), instructionsPath(author.files(), step))
                 .startsWith(QStringLiteral("# Let it fall")));
     author.fill("stepCommit", QStringLiteral("Let it fall"));

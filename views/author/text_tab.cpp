@@ -3,8 +3,6 @@
 #include "views/author/text_tab.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tasks/lab/mode.h"
-#include "tasks/values/put_values.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
@@ -13,6 +11,7 @@
 #include "views/author/values_editor.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
+#include "views/task_pane/instructions_pane.h"
 #include "views/theme.h"
 
 #include <QComboBox>
@@ -68,7 +67,13 @@ void TextTab::makeLayout()
     m_preview = new MarkdownView(this, m_renderer);
     m_splitter = new QSplitter(Qt::Horizontal, this);
     m_splitter->addWidget(makeEditorColumn());
-    m_splitter->addWidget(m_preview);
+    m_student = new InstructionsPane(this, m_renderer);
+    auto *previews = new QWidget(m_splitter);
+    auto *layers = new QVBoxLayout(previews);
+    layers->setContentsMargins(0, 0, 0, 0);
+    layers->addWidget(m_student);
+    layers->addWidget(m_preview);
+    m_splitter->addWidget(previews);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setSizes({500, 500});
 
@@ -126,6 +131,11 @@ void TextTab::wire()
             m_editor->goTo(m_editor->unknown().front());
     });
     connect(m_figure, &QPushButton::clicked, this, &TextTab::figureRequested);
+    connect(m_student, &InstructionsPane::predicted, this,
+            [this](int answer) { m_student->setGuess({.answer = answer, .watched = true}); });
+    connect(m_student, &InstructionsPane::outcomeRequested, this, [this] {
+        m_student->setGuess({.answer = Guess::notSure, .watched = true, .revealed = true});
+    });
     connect(m_prediction, &PredictionEditor::edited, this, &TextTab::takePrediction);
     connect(m_questions, &QuestionsEditor::edited, this, &TextTab::takeQuestions);
     connect(&m_document, &AuthorDocument::opened, m_questions, &QuestionsEditor::forgetTexts);
@@ -197,19 +207,6 @@ void TextTab::reloadText()
     m_editor->setReadOnly(m_document.isReadOnly()
                           || (part() != Instructions && m_hints->current() < 0));
     m_previewTimer.start();
-}
-
-void TextTab::showPreview()
-{
-    const QString folder = m_pictures.follow(m_document.files(), m_document.step());
-    const Mode mode = m_mode->currentIndex() == 0 ? Mode::Code : Mode::Explore;
-    const QString typed = m_editor->toPlainText();
-    // Students see numbers where values stand.
-    const Result<QString> put =
-        withNumbers(typed, valuesOf(m_document.files(), m_document.step(), {}));
-    const QString text = put ? *put : typed;
-    m_preview->setMarkdown(part() == Instructions ? textFor(mode, text) : text,
-                           QUrl::fromLocalFile(folder));
 }
 
 void TextTab::followNames()

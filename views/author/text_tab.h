@@ -18,6 +18,7 @@ namespace cradle {
 
 class FormulaRenderer;
 class HintsList;
+class InstructionsPane;
 class MarkdownEditor;
 class MarkdownView;
 class PredictionEditor;
@@ -35,7 +36,8 @@ public:
     ~TextTab() override;
 
     [[nodiscard]] MarkdownEditor &editor() { return *m_editor; }
-    [[nodiscard]] MarkdownView &preview() { return *m_preview; }
+    /// The instructions as a student sees them.
+    [[nodiscard]] InstructionsPane &student() { return *m_student; }
     /// Writes the figure \p name of the step's folder into the text, where the cursor is.
     void insertFigure(const QString &name, const QString &description);
     void openPrediction(); ///< of the step
@@ -85,8 +87,9 @@ private:
     QSplitter *m_splitter = nullptr;
     HintsList *m_hints = nullptr;
     MarkdownEditor *m_editor = nullptr;
-    QPushButton *m_unknown = nullptr; ///< names that nothing is called
-    MarkdownView *m_preview = nullptr;
+    QPushButton *m_unknown = nullptr;      ///< names that nothing is called
+    InstructionsPane *m_student = nullptr; ///< the instructions with what stands among them
+    MarkdownView *m_preview = nullptr;     ///< of a hint
     PredictionEditor *m_prediction = nullptr;
     QuestionsEditor *m_questions = nullptr;
     ValuesEditor *m_values = nullptr;

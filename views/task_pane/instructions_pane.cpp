@@ -58,9 +58,9 @@ QString withoutTitle(const Task &task)
 
 } // namespace
 
-InstructionsPane::InstructionsPane(QWidget *parent)
+InstructionsPane::InstructionsPane(QWidget *parent, FormulaRenderer *renderer)
     : QWidget(parent)
-    , m_renderer(new FormulaRenderer(this))
+    , m_renderer(renderer ? renderer : new FormulaRenderer(this))
 {
     makeLayout();
     retranslate();
@@ -135,6 +135,7 @@ void InstructionsPane::addView(MarkdownView *view)
 
 void InstructionsPane::showTask(const Task &task, int hintsOpened)
 {
+    const bool isOther = task.id.isEmpty() || task.id != m_task.id;
     m_task = task;
     const QUrl folder = QUrl::fromLocalFile(task.folder);
     const QString text = withoutTitle(task);
@@ -145,7 +146,8 @@ void InstructionsPane::showTask(const Task &task, int hintsOpened)
     m_prediction->setPrediction(task.prediction);
     m_questions->setQuestions(task.questions, folder);
     m_revealed = true; // only what is revealed before the student's eyes comes in sight
-    m_scroll->verticalScrollBar()->setValue(0);
+    if (isOther)
+        m_scroll->verticalScrollBar()->setValue(0);
     m_opened = -1;
     setHintsOpened(hintsOpened);
 }

@@ -23,9 +23,11 @@ class InstructionsPane final : public QWidget
 {
     Q_OBJECT
 public:
-    explicit InstructionsPane(QWidget *parent = nullptr);
+    /// \param renderer  of formulas, which lives longer; one of its own if there is none
+    explicit InstructionsPane(QWidget *parent = nullptr, FormulaRenderer *renderer = nullptr);
     ~InstructionsPane() override;
 
+    /// At its beginning; the step that is shown already, with other texts, where it was.
     void showTask(const Task &task, int hintsOpened);
     void setHintsOpened(int count);
     /// What the student expects of the step; once it is revealed, it comes in sight.
