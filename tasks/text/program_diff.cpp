@@ -29,19 +29,6 @@ QString commentOf(const QString &message)
     return comment + QLatin1Char('\n');
 }
 
-/// The program after its first comment and the empty line that follows it.
-QString withoutComment(const QString &program)
-{
-    qsizetype at = 0;
-    while (program.mid(at, 2) == QLatin1String("--")) {
-        const qsizetype end = program.indexOf(QLatin1Char('\n'), at);
-        at = end < 0 ? program.size() : end + 1;
-    }
-    if (at > 0 && program.mid(at, 1) == QLatin1String("\n"))
-        ++at;
-    return program.mid(at);
-}
-
 } // namespace
 
 Result<QString> programFromDiff(const QString &diff, const QString &solution)
@@ -66,13 +53,25 @@ QString diffOfProgram(const QString &program, const QString &solution, const QSt
     const QString message = firstCommentBlock(program);
     return (message.isEmpty() ? QString() : message + QStringLiteral("\n\n")) + oldName
            + QLatin1Char('\n') + newName + file + QLatin1Char('\n')
-           + unifiedDiff(solution, withoutComment(program));
+           + unifiedDiff(solution, withoutFirstComment(program));
+}
+
+QString withoutFirstComment(const QString &program)
+{
+    qsizetype at = 0;
+    while (program.mid(at, 2) == QLatin1String("--")) {
+        const qsizetype end = program.indexOf(QLatin1Char('\n'), at);
+        at = end < 0 ? program.size() : end + 1;
+    }
+    if (at > 0 && program.mid(at, 1) == QLatin1String("\n"))
+        ++at;
+    return program.mid(at);
 }
 
 QString withCommentOf(const QString &solution, const QString &program)
 {
-    const QString rest = withoutComment(program);
-    const QString code = withoutComment(solution);
+    const QString rest = withoutFirstComment(program);
+    const QString code = withoutFirstComment(solution);
     const bool follows = !rest.isEmpty() && code.startsWith(rest.section(QLatin1Char('\n'), 0, 0));
     if (code.size() == solution.size() || !follows)
         return program;
@@ -81,7 +80,7 @@ QString withCommentOf(const QString &solution, const QString &program)
 
 bool isWorthADiff(const QString &program, const QString &solution)
 {
-    const QString whole = withoutComment(program);
+    const QString whole = withoutFirstComment(program);
     const QString diff = unifiedDiff(solution, whole);
     const qsizetype names = 2; // lines
     return !solution.isEmpty()

@@ -35,6 +35,9 @@ namespace cradle {
 /// Whether the difference takes fewer lines than the program.
 [[nodiscard]] bool isWorthADiff(const QString &program, const QString &solution);
 
+/// The program after its first comment and the empty line that follows it.
+[[nodiscard]] QString withoutFirstComment(const QString &program);
+
 /// The comment block that a program begins with, without the dashes: CommonMark.
 [[nodiscard]] QString firstCommentBlock(const QString &source);
 

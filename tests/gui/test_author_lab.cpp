@@ -30,6 +30,7 @@ private slots:
     void stepThatIsWrittenOpensAsAStudentSeesIt();
     void everyLabHasAWindowOfItsOwn();
     void predictionStandsWhereTheStudentFindsIt();
+    void mistakeOfAnotherStepIsTakenOver();
 };
 
 namespace {
@@ -263,6 +264,38 @@ void TestAuthorLab::predictionStandsWhereTheStudentFindsIt()
     QTest::keyClicks(text, QStringLiteral("More."));
     QTRY_VERIFY(textShown(student).contains(QStringLiteral("More.")));
     QTRY_COMPARE(bar->value(), 150);
+}
+
+/// From the menu of the plus: offered by step, taken over by one entry, and undone as one edit.
+void TestAuthorLab::mistakeOfAnotherStepIsTakenOver()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/lab-4.2"));
+    QVERIFY(lab);
+    author.document().begin(*lab);
+    author.document().setStep(QStringLiteral("L42T10"));
+    author.window.showTab(AuthorWindow::Programs);
+    auto *others = author.find<QMenu>("otherMistakes");
+    auto *menu = qobject_cast<QMenu *>(others->parent());
+    QVERIFY(menu);
+    emit menu->aboutToShow();
+    QVERIFY(others->menuAction()->isEnabled());
+    QAction *chosen = nullptr;
+    for (const QMenu *step : others->findChildren<QMenu *>()) {
+        for (QAction *action : step->actions()) {
+            if (action->toolTip() == QStringLiteral("ceiling-asks-downward"))
+                chosen = action;
+        }
+    }
+    QVERIFY(chosen);
+    chosen->trigger();
+    QCOMPARE(author.window.programsTab().program(),
+             QStringLiteral("mistakes/ceiling-asks-downward.lua"));
+    QVERIFY(author.window.programsTab().editor().text().contains(
+        QStringLiteral("p.y + r > square.top and v.y < 0")));
+    author.document().undoStack().undo();
+    QCOMPARE(author.files(), *lab);
 }
 
 QTEST_MAIN(TestAuthorLab)

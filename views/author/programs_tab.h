@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/authoring/lab_edits.h"
+#include "tasks/authoring/other_mistakes.h"
 #include "views/author/author_document.h"
 
 #include <QWidget>
@@ -52,6 +52,8 @@ private:
     void fillList();
     void showProgram();
     void addKnown(KnownKind kind);
+    void fillOthers();
+    void takeOver(const OtherMistake &mistake);
     void takeName(QListWidgetItem *item);
     void renameTo(const QString &file, const QString &name);
     [[nodiscard]] QString path() const; ///< in the lab
@@ -61,6 +63,7 @@ private:
     QListWidget *m_list = nullptr;
     QToolButton *m_add = nullptr;
     QMenu *m_addMenu = nullptr;
+    QMenu *m_otherMenu = nullptr; ///< mistakes of other steps that may be made here
     QToolButton *m_rename = nullptr;
     QToolButton *m_remove = nullptr;
     ProgramPage *m_page = nullptr;
