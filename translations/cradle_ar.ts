@@ -10420,6 +10420,18 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>A &amp;remark on work that passes</source>
         <translation>تعقيب على عمل يجتاز (&amp;R)</translation>
     </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>لا خطأ في مرحلة أخرى ينطبق على هذا الحل وليس في المرحلة بعد</translation>
+    </message>
+    <message>
+        <source>Take over a mistake</source>
+        <translation>أخذ خطأ</translation>
+    </message>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>خطأ من مر&amp;حلة أخرى</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ProofMatrix</name>

@@ -10352,6 +10352,18 @@ Ihre Nummer:</translation>
         <source>F2</source>
         <translation>F2</translation>
     </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>Kein Fehler eines anderen Schritts passt zu dieser Lösung, den der Schritt nicht schon hat</translation>
+    </message>
+    <message>
+        <source>Take over a mistake</source>
+        <translation>Einen Fehler übernehmen</translation>
+    </message>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>Ein Fehler eines anderen &amp;Schritts</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ProofMatrix</name>

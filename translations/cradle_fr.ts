@@ -10352,6 +10352,18 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>A &amp;remark on work that passes</source>
         <translation>Une &amp;appréciation sur un travail qui réussit</translation>
     </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>Aucune erreur d&apos;une autre étape ne s&apos;applique à cette solution sans y être déjà</translation>
+    </message>
+    <message>
+        <source>Take over a mistake</source>
+        <translation>Reprendre une erreur</translation>
+    </message>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>Une erreur d&apos;une autre &amp;étape</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ProofMatrix</name>
