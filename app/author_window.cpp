@@ -68,7 +68,6 @@ void AuthorWindow::makePanes()
     m_broken = new BrokenFile(m_document, m_centre);
     m_centre->addWidget(m_tabs);
     m_centre->addWidget(m_broken);
-    m_tabs->setDocumentMode(true);
     m_tabs->setCornerWidget(makeLanguageCorner());
     m_sceneTab = new SceneTab(m_document, m_tabs);
     m_textTab = new TextTab(m_document, m_tabs);

@@ -10430,7 +10430,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>A mistake of another &amp;step</source>
-        <translation>خطأ من مر&amp;حلة أخرى</translation>
+        <translation>خطأ من مرحلة أخرى (&amp;S)</translation>
     </message>
 </context>
 <context>
