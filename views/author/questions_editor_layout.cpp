@@ -4,6 +4,7 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
+#include "views/author/question_bounds.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/task_pane/questions_card.h"
@@ -158,6 +159,49 @@ QWidget *QuestionsEditor::makeCard(FormulaRenderer *renderer)
     column->addWidget(m_card);
     column->addStretch(1);
     return side;
+}
+
+void QuestionsEditor::retranslate()
+{
+    m_heading->setText(tr("Questions · %1").arg(m_list->count()));
+    m_list->setAccessibleName(tr("Questions of the step"));
+    nameButton(m_add, tr("Add a question"));
+    nameButton(m_remove, tr("Remove the question"), tr("Delete"));
+    nameButton(m_up, tr("Move the question up"), tr("Alt+Up"));
+    nameButton(m_down, tr("Move the question down"), tr("Alt+Down"));
+    m_empty->setText(tr("This step asks no question that counts. Add one with the plus: a number "
+                        "with its unit, a choice, an order, or a text that you read yourself."));
+    const QString names[] = {tr("A number"), tr("One choice"), tr("Several choices"),
+                             tr("An order"), tr("A text for the teacher")};
+    const int kind = m_kind->currentIndex();
+    m_kind->clear();
+    for (std::size_t i = 0; i < std::size(questions::kinds); ++i)
+        m_kind->addItem(names[i], nameOf(questions::kinds[i]));
+    m_kind->setCurrentIndex(kind);
+    m_kindCaption->setText(tr("Kind"));
+    m_kind->setAccessibleName(tr("Kind of the question"));
+    const QString captions[] = {tr("Title"),        tr("Id"),        tr("Points"),
+                                tr("Right number"), tr("Tolerance"), tr("Unit")};
+    for (int i = 0; i < LineCount; ++i) {
+        m_captions[i]->setText(captions[i]);
+        m_lines[i]->setAccessibleName(captions[i]);
+    }
+    m_lines[Title]->setToolTip(tr("Reports name the question by it"));
+    m_lines[Points]->setPlaceholderText(QStringLiteral("1"));
+    m_lines[Points]->setToolTip(tr("What a right answer is worth; of a text, what you may give"));
+    m_lines[Number]->setToolTip(tr("A number, or an expression like 2*9.81*5"));
+    m_lines[Tolerance]->setPlaceholderText(QStringLiteral("0"));
+    m_lines[Tolerance]->setToolTip(tr("How far off is still right, in the unit"));
+    m_lines[Unit]->setToolTip(tr("Such as m/s, kg m/s, N s, J, ° or %; answers in other units of "
+                                 "the same kind are converted"));
+    m_textCaption->setText(tr("What is asked"));
+    m_text->setAccessibleName(tr("What is asked"));
+    m_answers->setAccessibleName(tr("Answers"));
+    nameButton(m_addAnswer, tr("Add an answer"));
+    nameButton(m_removeAnswer, tr("Remove the answer"), tr("Delete"));
+    nameButton(m_answerUp, tr("Move the answer up"), tr("Alt+Up"));
+    nameButton(m_answerDown, tr("Move the answer down"), tr("Alt+Down"));
+    m_cardCaption->setText(tr("What the student sees, answered rightly"));
 }
 
 } // namespace cradle
