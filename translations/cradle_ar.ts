@@ -7892,6 +7892,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>How the check went</source>
         <translation>كيف جرى الفحص</translation>
     </message>
+    <message>
+        <source>This is the check as it was before: a field of it holds what is no value.</source>
+        <translation>هذا هو الفحص كما كان من قبل: في أحد حقوله ما ليس قيمة.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ChecksTab</name>

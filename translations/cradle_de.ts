@@ -7856,6 +7856,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>How the check went</source>
         <translation>Wie die Prüfung ausging</translation>
     </message>
+    <message>
+        <source>This is the check as it was before: a field of it holds what is no value.</source>
+        <translation>Das ist die Prüfung, wie sie vorher war: Eines ihrer Felder enthält etwas, das kein Wert ist.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ChecksTab</name>

@@ -7856,6 +7856,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>How the check went</source>
         <translation>Résultat de la vérification</translation>
     </message>
+    <message>
+        <source>This is the check as it was before: a field of it holds what is no value.</source>
+        <translation>C&apos;est la vérification telle qu&apos;elle était&#xa0;: un de ses champs contient ce qui n&apos;est pas une valeur.</translation>
+    </message>
 </context>
 <context>
     <name>cradle::ChecksTab</name>

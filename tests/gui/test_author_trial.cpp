@@ -19,6 +19,7 @@ private slots:
     void programOpenIsOffered();
     void whatIsSaidGoesWithTheNextEdit();
     void programThatStopsIsTold();
+    void refusedFieldIsTold();
 };
 
 namespace {
@@ -93,6 +94,27 @@ void TestAuthorTrial::programThatStopsIsTold()
                                                        QStringLiteral("\nlocal a = nil + 1\n"))));
     const QString said = tried(author, QStringLiteral("starter.lua"));
     QVERIFY2(said.startsWith(QLatin1String("starter.lua stops in line 2: ")), qPrintable(said));
+}
+
+/// What is tried is the check before what is typed in a field and is no value.
+void TestAuthorTrial::refusedFieldIsTold()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openCheck(author, folder);
+    auto *gravity = author.find<QLineEdit>("gravity");
+    QVERIFY(gravity);
+    gravity->setFocus();
+    gravity->selectAll();
+    QTest::keyClicks(gravity, QStringLiteral("0, down"));
+    QTest::keyClick(gravity, Qt::Key_Tab);
+    const QString said = tried(author, QStringLiteral("solution.lua"));
+    QVERIFY2(said.startsWith(QStringLiteral("solution.lua passes.\nThis is the check as it was")),
+             qPrintable(said));
+    gravity->selectAll();
+    QTest::keyClicks(gravity, QStringLiteral("0, -9.81 m/s^2"));
+    QTest::keyClick(gravity, Qt::Key_Tab);
+    QCOMPARE(tried(author, QStringLiteral("solution.lua")), QStringLiteral("solution.lua passes."));
 }
 
 QTEST_MAIN(TestAuthorTrial)

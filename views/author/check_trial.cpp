@@ -87,6 +87,14 @@ void CheckTrial::setCheck(const QString &id)
     forget();
 }
 
+void CheckTrial::setRefused(bool refused)
+{
+    if (refused == m_refused)
+        return;
+    m_refused = refused;
+    forget();
+}
+
 void CheckTrial::setProgram(const QString &file)
 {
     if (const int index = m_program->findText(file); index >= 0)
@@ -129,20 +137,25 @@ void CheckTrial::attempt()
 
 void CheckTrial::tell(const CheckReport &report)
 {
+    const QString before = tr("This is the check as it was before: a field of it holds what is no "
+                              "value.");
+    m_result->setText(m_refused ? wordsOf(report) + QLatin1Char('\n') + before : wordsOf(report));
+}
+
+QString CheckTrial::wordsOf(const CheckReport &report) const
+{
     const QString program = m_program->currentText();
     if (report.error && report.error->line > 0)
-        m_result->setText(tr("%1 stops in line %2: %3")
-                              .arg(program)
-                              .arg(report.error->line)
-                              .arg(report.error->message));
-    else if (report.error)
-        m_result->setText(tr("%1 stops: %2").arg(program, report.error->message));
-    else if (report.passed)
-        m_result->setText(tr("%1 passes.").arg(program));
-    else
-        m_result->setText(
-            tr("%1 fails: %2")
-                .arg(program, report.checks.empty() ? QString() : report.checks.front().message));
+        return tr("%1 stops in line %2: %3")
+            .arg(program)
+            .arg(report.error->line)
+            .arg(report.error->message);
+    if (report.error)
+        return tr("%1 stops: %2").arg(program, report.error->message);
+    return report.passed ? tr("%1 passes.").arg(program)
+                         : tr("%1 fails: %2")
+                               .arg(program, report.checks.empty() ? QString()
+                                                                   : report.checks.front().message);
 }
 
 void CheckTrial::retranslate()

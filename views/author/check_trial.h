@@ -23,7 +23,9 @@ class CheckTrial final : public QWidget
 public:
     explicit CheckTrial(AuthorDocument &document, QWidget *parent = nullptr);
 
-    void setCheck(const QString &id);     ///< empty: none, and the button is disabled
+    void setCheck(const QString &id); ///< empty: none, and the button is disabled
+    /// Whether a field of it holds what is no value: then it is tried as it was before.
+    void setRefused(bool refused);
     void setProgram(const QString &file); ///< "mistakes/NAME.lua", if the step has it
 
 protected:
@@ -36,10 +38,12 @@ private:
     void forget();
     void attempt();
     void tell(const CheckReport &report);
+    [[nodiscard]] QString wordsOf(const CheckReport &report) const;
 
     AuthorDocument &m_document;
     Checker m_checker;
     QString m_check;
+    bool m_refused = false;
     QPushButton *m_try = nullptr;
     QComboBox *m_program = nullptr;
     QLabel *m_result = nullptr;

@@ -159,6 +159,7 @@ void ChecksTab::showCurrent()
     m_script->showCheck(check);
     m_trial->setVisible(at >= 0);
     m_trial->setCheck(check.id);
+    markRefused();
 }
 
 /// Marks the checks in which something is typed that is no value.
@@ -170,6 +171,8 @@ void ChecksTab::markRefused()
             m_document.step() + QLatin1Char('/') + m_checks[static_cast<std::size_t>(i)].id;
         m_list->item(i)->setIcon(refused.contains(subject) ? icon(u"warning", IconTint::Warning)
                                                            : QIcon());
+        if (i == m_list->currentRow())
+            m_trial->setRefused(refused.contains(subject));
     }
 }
 
