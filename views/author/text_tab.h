@@ -95,6 +95,7 @@ private:
     ValuesEditor *m_values = nullptr;
     StepFields *m_fields = nullptr;
     QStringList m_shownHints;
+    QString m_previewed; ///< the step in the preview
     bool m_loading = false;
 };
 

@@ -12,6 +12,7 @@
 #include <QComboBox>
 
 #include <functional>
+#include <utility>
 
 namespace cradle {
 
@@ -65,7 +66,10 @@ void TextTab::showPreview()
     task.id = m_document.step();
     task.folder = folder;
     task.instructions = textFor(mode, text);
-    m_student->showTask(task, 0);
+    if (std::exchange(m_previewed, task.id) == task.id)
+        m_student->followTask(task);
+    else
+        m_student->showTask(task, 0);
 }
 
 } // namespace cradle

@@ -135,7 +135,14 @@ void InstructionsPane::addView(MarkdownView *view)
 
 void InstructionsPane::showTask(const Task &task, int hintsOpened)
 {
-    const bool isOther = task.id.isEmpty() || task.id != m_task.id;
+    followTask(task);
+    m_scroll->verticalScrollBar()->setValue(0);
+    m_opened = -1;
+    setHintsOpened(hintsOpened);
+}
+
+void InstructionsPane::followTask(const Task &task)
+{
     m_task = task;
     const QUrl folder = QUrl::fromLocalFile(task.folder);
     const QString text = withoutTitle(task);
@@ -146,10 +153,8 @@ void InstructionsPane::showTask(const Task &task, int hintsOpened)
     m_prediction->setPrediction(task.prediction);
     m_questions->setQuestions(task.questions, folder);
     m_revealed = true; // only what is revealed before the student's eyes comes in sight
-    if (isOther)
-        m_scroll->verticalScrollBar()->setValue(0);
     m_opened = -1;
-    setHintsOpened(hintsOpened);
+    setHintsOpened(0);
 }
 
 void InstructionsPane::setHintsOpened(int count)

@@ -27,8 +27,9 @@ public:
     explicit InstructionsPane(QWidget *parent = nullptr, FormulaRenderer *renderer = nullptr);
     ~InstructionsPane() override;
 
-    /// At its beginning; the step that is shown already, with other texts, where it was.
-    void showTask(const Task &task, int hintsOpened);
+    void showTask(const Task &task, int hintsOpened); ///< at its beginning
+    /// The step as it is written: what is in sight stays there, as far as it can.
+    void followTask(const Task &task);
     void setHintsOpened(int count);
     /// What the student expects of the step; once it is revealed, it comes in sight.
     void setGuess(const Guess &guess);
