@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -67,7 +68,7 @@ void MainWindow::authorLab()
 {
     const QString folder = m_workbench.lab().folder;
     for (const QPointer<AuthorWindow> &author : std::as_const(m_authors)) {
-        if (!author || author->document().folder() != folder)
+        if (!author || QFileInfo(author->document().folder()) != QFileInfo(folder))
             continue;
         author->raise();
         author->activateWindow();

@@ -143,7 +143,7 @@ Result<QByteArray> put(const QString &path, const QByteArray &bytes, const Value
         const QString name = path.section(QLatin1Char('/'), -1);
         const bool ofTexts = name == labPath || name.startsWith(QLatin1String("task."))
                              || name.startsWith(QLatin1String("lab."));
-        if (ofTexts && values.isEmpty())
+        if (ofTexts && values.isEmpty() && !bytes.contains("{{"))
             return bytes;
         const QJsonDocument json = QJsonDocument::fromJson(bytes);
         if (!json.isObject())

@@ -59,8 +59,11 @@ public:
 
     [[nodiscard]] const std::optional<Error> &fault() const { return m_fault; }
 
+    /// As it is in a lab without values, where braces are braces.
     QJsonValue text(const QString &value, const QString &place)
     {
+        if (m_values.isEmpty())
+            return value;
         const Result<QString> put = withNumbers(value, m_values);
         return put ? QJsonValue(*put) : fail(put.error(), place, value);
     }
@@ -122,7 +125,7 @@ public:
             const QString below = place + QLatin1Char('/') + it.key();
             const bool numbers =
                 it.key() == QLatin1String("parameters") || it.key() == QLatin1String("scene");
-            if (it.key() == QLatin1String("right") && it.value().isString())
+            if (it.key() == QLatin1String("right") && it.value().isString() && !m_values.isEmpty())
                 it.value() = right(it.value().toString(), below,
                                    json.value(QStringLiteral("unit")).toString());
             else if (it.key() != QLatin1String("values"))

@@ -20,6 +20,7 @@ private slots:
     void whatIsSaidGoesWithTheNextEdit();
     void programThatStopsIsTold();
     void refusedFieldIsTold();
+    void expressionIsThereWhenTheLabIsOpenedAgain();
 };
 
 namespace {
@@ -114,6 +115,34 @@ void TestAuthorTrial::refusedFieldIsTold()
     gravity->selectAll();
     QTest::keyClicks(gravity, QStringLiteral("0, -9.81 m/s^2"));
     QTest::keyClick(gravity, Qt::Key_Tab);
+    QCOMPARE(tried(author, QStringLiteral("solution.lua")), QStringLiteral("solution.lua passes."));
+}
+
+/// As it was typed, and judged as the number that it comes to.
+void TestAuthorTrial::expressionIsThereWhenTheLabIsOpenedAgain()
+{
+    const QTemporaryDir folder;
+    const QString typed = QStringLiteral("0, -9.81*(1/20)*20");
+    QString place;
+    {
+        OpenAuthor author(folder);
+        openCheck(author, folder);
+        auto *gravity = author.find<QLineEdit>("gravity");
+        gravity->setFocus();
+        gravity->selectAll();
+        QTest::keyClicks(gravity, typed);
+        QTest::keyClick(gravity, Qt::Key_Tab);
+        QCOMPARE(gravity->text(), typed);
+        QCOMPARE(tried(author, QStringLiteral("solution.lua")),
+                 QStringLiteral("solution.lua passes."));
+        QVERIFY(author.window.save());
+        place = author.document().folder();
+    }
+    OpenAuthor author(folder);
+    QVERIFY(!author.window.open(place));
+    author.window.showTab(AuthorWindow::Checks);
+    author.find<QListWidget>("checks")->setCurrentRow(1);
+    QCOMPARE(author.find<QLineEdit>("gravity")->text(), typed);
     QCOMPARE(tried(author, QStringLiteral("solution.lua")), QStringLiteral("solution.lua passes."));
 }
 

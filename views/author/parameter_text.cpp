@@ -22,10 +22,36 @@ struct ParameterMessage {
     Q_DECLARE_TR_FUNCTIONS(ParameterText)
 };
 
-/// An expression as it is written, {{k}}, and a number so that 1/30 stays that.
+const QString opening = QStringLiteral("{{");
+const QString closing = QStringLiteral("}}");
+
+bool isMarked(const QString &text)
+{
+    return text.startsWith(opening) && text.endsWith(closing);
+}
+
+/// A number so that 1/30 stays that; an expression as it was typed, but with its marks, {{k}},
+/// where it needs the values of the lab.
 QString numberText(const QJsonValue &value)
 {
-    return value.isString() ? value.toString() : fractionOrNumber(value.toDouble());
+    if (!value.isString())
+        return fractionOrNumber(value.toDouble());
+    const QString text = value.toString();
+    const QString inner = text.mid(opening.size()).chopped(closing.size());
+    return isMarked(text) && evaluated(inner) ? inner : text;
+}
+
+/// What keeps a number as it was typed: an expression without units, which its place in the file
+/// may not know, and which is no other way to write the number.
+QJsonValue kept(const QString &typed, double number)
+{
+    bool isPlain = false;
+    (void)typed.toDouble(&isPlain);
+    const bool hasUnit =
+        !evaluated(typed, {}, QStringLiteral("m")) || !evaluated(typed, {}, QStringLiteral("s"));
+    if (isPlain || hasUnit || fractionOrNumber(number) == typed)
+        return number;
+    return QString(opening + typed + closing);
 }
 
 QString listText(const QJsonArray &list)
@@ -106,14 +132,14 @@ std::optional<QJsonArray> numbersFrom(const ParameterInfo &info, const QString &
     QJsonArray numbers;
     for (const QString &each : partsOf(info, text)) {
         const QString part = each.trimmed();
-        if (part.startsWith(QLatin1String("{{")) && part.endsWith(QLatin1String("}}"))) {
+        if (isMarked(part)) {
             numbers.append(part); // judged with the values of the lab
             continue;
         }
         const Result<double> number = evaluated(part, {}, info.unit);
         if (!number || (info.least && *number < *info.least) || (info.most && *number > *info.most))
             return std::nullopt;
-        numbers.append(*number);
+        numbers.append(kept(part, *number));
     }
     return numbers;
 }
@@ -178,13 +204,12 @@ Result<QJsonValue> parameterFromText(const ParameterInfo &info, const QString &t
                                     : Result<QJsonValue>(rightWouldBe(info));
     if (info.type == Type::Numbers)
         return QJsonValue(*numbers);
-    if (numbers->size() == 1 && numbers->at(0).isString())
-        return numbers->at(0);
-    const double number = numbers->at(0).toDouble();
-    const bool whole = info.type != Type::Count || std::floor(number) == number;
-    if (numbers->size() != 1 || !whole)
+    if (numbers->size() != 1)
         return rightWouldBe(info);
-    return QJsonValue(number);
+    const QJsonValue one = numbers->at(0);
+    const Result<double> number = evaluated(numberText(one)); // none of a value
+    const bool whole = info.type != Type::Count || !number || std::floor(*number) == *number;
+    return whole ? Result<QJsonValue>(one) : Result<QJsonValue>(rightWouldBe(info));
 }
 
 } // namespace cradle
