@@ -24,6 +24,8 @@ private slots:
     void undoTakesAllBack();
     void valueMovesToTheWholeLab();
     void findingLeadsToItsValue();
+    void tabFollowsTheEye_data();
+    void tabFollowsTheEye();
 };
 
 namespace {
@@ -188,6 +190,47 @@ void TestAuthorValues::findingLeadsToItsValue()
     QCOMPARE(author.document().step(), QStringLiteral("BALL2"));
     QCOMPARE(author.find<QLineEdit>("valueName")->text(), QStringLiteral("b"));
     QVERIFY(author.find<QLabel>("valueRefusal")->text().contains(QLatin1Char('c')));
+}
+
+void TestAuthorValues::tabFollowsTheEye_data()
+{
+    QTest::addColumn<bool>("drawn");
+    QTest::addColumn<int>("fields");
+    QTest::newRow("number") << false << 4; // name, kind, expression, place
+    QTest::newRow("drawn") << true << 6;   // name, kind, from, to, step, place
+}
+
+/// From the name through the fields of the value, each below or right of the one before.
+void TestAuthorValues::tabFollowsTheEye()
+{
+    QFETCH(const bool, drawn);
+    QFETCH(const int, fields);
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openValues(author, folder);
+    addValue(author, "e", "0.6");
+    auto *name = author.find<QLineEdit>("valueName");
+    if (drawn) {
+        auto *kind = author.find<QComboBox>("valueKind");
+        QVERIFY(kind);
+        kind->setCurrentIndex(1);
+        emit kind->activated(1);
+    }
+    QVERIFY(QTest::qWaitForWindowActive(&author.window));
+    name->setFocus();
+    QPoint before = name->mapToGlobal(QPoint());
+    QSet<QWidget *> seen{name};
+    for (int i = 1; i < fields; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QWidget *now = QApplication::focusWidget();
+        QVERIFY(now && name->parentWidget()->isAncestorOf(now));
+        QVERIFY2(!seen.contains(now), qPrintable(now->objectName()));
+        seen.insert(now);
+        const QPoint at = now->mapToGlobal(QPoint());
+        QVERIFY2(at.y() > before.y() || (at.y() == before.y() && at.x() > before.x()),
+                 qPrintable(now->objectName()));
+        before = at;
+    }
 }
 
 QTEST_MAIN(TestAuthorValues)

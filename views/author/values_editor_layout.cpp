@@ -67,14 +67,15 @@ QWidget *ValuesEditor::makeForm()
     auto *side = new QWidget;
     m_empty = makeMutedText(side);
     m_form = new QWidget(side);
-    m_kindCaption = new QLabel(m_form);
-    m_kind = new QComboBox(m_form);
-    m_placeCaption = new QLabel(m_form);
-    m_place = new QComboBox(m_form);
-    m_kind->setObjectName(QStringLiteral("valueKind"));
-    m_place->setObjectName(QStringLiteral("valuePlace"));
-    m_kindCaption->setBuddy(m_kind);
-    m_placeCaption->setBuddy(m_place);
+    const auto addBox = [this](QFormLayout *rows, QLabel *&caption, QComboBox *&box,
+                               const QString &name) {
+        caption = new QLabel(m_form);
+        box = new QComboBox(m_form);
+        box->setObjectName(name);
+        caption->setBuddy(box);
+        rows->addRow(caption, box);
+    };
+    // Made in the order in which Tab reaches them.
     const char *const names[] = {"valueName", "valueExpression", "valueFrom", "valueTo",
                                  "valueStep"};
     QFormLayout *rows = makeFormRows();
@@ -86,9 +87,9 @@ QWidget *ValuesEditor::makeForm()
         m_captions[i]->setBuddy(m_lines[i]);
         rows->addRow(m_captions[i], m_lines[i]);
         if (i == Name)
-            rows->addRow(m_kindCaption, m_kind);
+            addBox(rows, m_kindCaption, m_kind, QStringLiteral("valueKind"));
     }
-    rows->addRow(m_placeCaption, m_place);
+    addBox(rows, m_placeCaption, m_place, QStringLiteral("valuePlace"));
     m_refusal = makeRefusal(m_form);
     m_refusal->setObjectName(QStringLiteral("valueRefusal"));
     auto *column = new QVBoxLayout(m_form);
@@ -101,10 +102,6 @@ QWidget *ValuesEditor::makeForm()
     both->addWidget(m_empty);
     both->addWidget(m_form);
     both->addStretch(1);
-    // Made in another order than they are reached.
-    setTabOrder(m_lines[Name], m_kind);
-    setTabOrder(m_kind, m_lines[Expression]);
-    setTabOrder(m_lines[Step], m_place);
     return side;
 }
 
