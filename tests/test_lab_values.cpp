@@ -345,7 +345,17 @@ void TestLabValues::verifyTriesTenStudents()
         "\nif {{k}} > 0.7 then error('too stiff') end\n";
     const auto lab = readLab(files, QStringLiteral("here"));
     QVERIFY(lab.ok());
-    const auto verified = verifyLab(*lab);
+    int last = 0;
+    int all = 0;
+    // One bar, which does not begin anew for every student.
+    const JudgeHooks hooks{.progress = [&](int done, int total) {
+        QVERIFY(done >= last && done <= total);
+        QVERIFY(all == 0 || all == total);
+        last = done;
+        all = total;
+    }};
+    const auto verified = verifyLab(*lab, {}, hooks);
+    QCOMPARE(last, all);
     QVERIFY(!verified[0].findings.empty());
     bool told = false;
     for (const LabFinding &finding : verified[0].findings)

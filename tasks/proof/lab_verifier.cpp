@@ -172,15 +172,29 @@ bool isTold(const std::vector<LabFinding> &known, const LabFinding &finding)
     });
 }
 
+/// Hooks for one of several rounds, whose progress is a part of the whole.
+JudgeHooks partOf(const JudgeHooks &hooks, int round, int rounds)
+{
+    JudgeHooks part = hooks;
+    if (rounds == 1 || !hooks.progress)
+        return part;
+    part.progress = [&hooks, round, rounds](int done, int total) {
+        constexpr int share = 1000;
+        hooks.progress(round * share + share * done / std::max(total, 1), rounds * share);
+    };
+    return part;
+}
+
 } // namespace
 
 std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks,
                                     int seeds)
 {
-    std::vector<VerifiedTask> result = verifyOne(lab, only, hooks, seeds);
-    for (int i = 1; lab.drawsValues && !result.empty() && i <= students; ++i) {
-        const auto drawn =
-            verifyOne(forStudent(lab, QString::number(i)), only, hooks, std::min(seeds, 5));
+    const int rounds = lab.drawsValues ? 1 + students : 1;
+    std::vector<VerifiedTask> result = verifyOne(lab, only, partOf(hooks, 0, rounds), seeds);
+    for (int i = 1; i < rounds && !result.empty(); ++i) {
+        const auto drawn = verifyOne(forStudent(lab, QString::number(i)), only,
+                                     partOf(hooks, i, rounds), std::min(seeds, 5));
         if (drawn.size() != result.size())
             return {}; // cancelled
         for (std::size_t t = 0; t < drawn.size(); ++t) {
