@@ -31,8 +31,8 @@ using Values = QMap<QString, double>;
 
 /// \p files with their values put in: {{EXPRESSION}} in texts and programs; in scenes and in
 /// parameters of checks an expression in the place of a number. Files of a lab without values are
-/// as they are, but for the expressions in scenes and those in parameters of checks. A text with a fault stays as it is; a JSON file
-/// with one is left out.
+/// as they are, but for the expressions in scenes and those in parameters of checks. A text with a
+/// fault stays as it is; a JSON file with one is left out.
 [[nodiscard]] LabFiles withValues(const LabFiles &files, const QString &student,
                                   std::vector<Error> *faults = nullptr);
 
