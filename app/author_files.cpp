@@ -101,8 +101,13 @@ bool AuthorWindow::saveInto(bool overwrite)
         return false;
     }
     const Result<LabFiles> theirs = readLabFiles(m_document.folder());
-    DifferenceDialog dialog(error->message, m_document.files(), theirs ? *theirs : LabFiles(),
-                            this);
+    if (!theirs) {
+        report(theirs.error());
+        return false;
+    }
+    // What they changed, and nothing of what only waits to be saved.
+    const LabFiles merged = withTheirs(m_document.files(), m_document.onDisk(), *theirs);
+    DifferenceDialog dialog(error->message, m_document.files(), merged, this);
     enum { ReplaceTheirs = 1, TakeTheirs };
     dialog.addChoice(tr("Replace with mine"), ReplaceTheirs);
     dialog.addChoice(tr("Take theirs"), TakeTheirs);
@@ -110,8 +115,12 @@ bool AuthorWindow::saveInto(bool overwrite)
     if (choice == ReplaceTheirs)
         return saveInto(true);
     if (choice == TakeTheirs) {
-        if (const auto unread = m_document.reload())
+        if (const auto unread = m_document.takeTheirs()) {
             report(*unread);
+            return false;
+        }
+        m_notice->clearNotice(); // that something changed
+        return saveInto(false);
     }
     return false;
 }
@@ -138,7 +147,8 @@ void AuthorWindow::reload()
 /// What is typed and is no value is not in the lab, and so not in what was saved.
 void AuthorWindow::tellRefused()
 {
-    const QStringList refused = m_checksTab->refusedChecks() + m_textTab->refusedValues();
+    const QStringList refused =
+        m_checksTab->refusedChecks() + m_textTab->refusedValues() + m_sceneTab->refusedScenes();
     if (!refused.isEmpty())
         m_notice->showNotice(tr("Saved, but for fields that hold no value yet: %1")
                                  .arg(refused.join(QStringLiteral(", "))));

@@ -117,8 +117,17 @@ void AuthorWindow::wire()
         connect(&m_document, signal, this, &AuthorWindow::showBroken);
     connect(m_steps, &StepsPanel::said, this,
             [this](const QString &text) { m_notice->showNotice(text); });
-    connect(m_find, &FindPanel::said, this,
-            [this](const QString &text) { m_notice->showNotice(text); });
+    // It says that Undo brings back what was replaced, which holds until something is undone.
+    connect(m_find, &FindPanel::said, this, [this](const QString &text) {
+        m_notice->showNotice(text);
+        m_toldAt = m_document.undoStack().index();
+    });
+    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (m_toldAt && index < *m_toldAt) {
+            m_toldAt.reset();
+            m_notice->clearNotice();
+        }
+    });
     connect(m_find, &FindPanel::chosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
     connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);

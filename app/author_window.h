@@ -122,6 +122,7 @@ private:
     ProgramsTab *m_programsTab = nullptr;
     ProofTab *m_proofTab = nullptr;
     /// What the notice is about: the two in the middle have a button.
+    std::optional<int> m_toldAt; ///< index of the undo stack when a replacement was told
     enum class Offer { None, Copy, Reload, Visit } m_offer = Offer::None;
     QString m_visited; ///< the finding whose run the scene shows
 };

@@ -303,6 +303,15 @@ QFont numericFont()
     return font;
 }
 
+QFont codeFont()
+{
+    constexpr int codePixels = 13;
+    QFont font = numericFont();
+    font.setPixelSize(scaledByText(codePixels));
+    font.setStyleStrategy(QFont::PreferNoShaping); // <!-- is no arrow, != two signs
+    return font;
+}
+
 QFont headingFont()
 {
     QFont font = QApplication::font();

@@ -69,6 +69,9 @@ QPalette paletteOf(const Theme &theme);
 /// Figures that stand still: one width for all digits, the size of the application's text.
 QFont numericFont();
 
+/// Code and files that are edited: no two signs become one.
+QFont codeFont();
+
 /// Section headings: small, spaced, upper case.
 QFont headingFont();
 

@@ -67,6 +67,8 @@ struct LabForm {
 /// The scene that a step starts with (the file that its task.json names) or that passes it.
 enum class StepPreset { Start, Solution };
 [[nodiscard]] QString solutionPresetPath(const QString &step);
+[[nodiscard]] Result<QString> presetPath(const LabFiles &files, const QString &step,
+                                         StepPreset which);
 [[nodiscard]] Result<Preset> presetOf(const LabFiles &files, const QString &step,
                                       StepPreset which = StepPreset::Start);
 [[nodiscard]] Result<LabFiles> withPreset(const LabFiles &files, const QString &step,

@@ -21,16 +21,6 @@ struct EditText {
     Q_DECLARE_TR_FUNCTIONS(LabEdits)
 };
 
-Result<QString> presetPath(const LabFiles &files, const QString &step, StepPreset which)
-{
-    if (which == StepPreset::Solution)
-        return solutionPresetPath(step);
-    const Result<TaskForm> form = taskForm(files, step);
-    if (!form)
-        return form.error();
-    return QString(step + QLatin1Char('/') + form->preset);
-}
-
 QJsonObject jsonFrom(const Preset &preset)
 {
     return QJsonDocument::fromJson(writePreset(preset)).object();
@@ -54,6 +44,16 @@ Result<Preset> sceneFrom(const QByteArray &text, const QString &path, const Valu
 QString solutionPresetPath(const QString &step)
 {
     return step + QStringLiteral("/solution-preset.json");
+}
+
+Result<QString> presetPath(const LabFiles &files, const QString &step, StepPreset which)
+{
+    if (which == StepPreset::Solution)
+        return solutionPresetPath(step);
+    const Result<TaskForm> form = taskForm(files, step);
+    if (!form)
+        return form.error();
+    return QString(step + QLatin1Char('/') + form->preset);
 }
 
 Result<Preset> presetOf(const LabFiles &files, const QString &step, StepPreset which)

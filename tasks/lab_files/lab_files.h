@@ -51,6 +51,10 @@ Result<LabFiles> readLabFiles(const QString &folder, std::vector<Error> *finding
 /// removed or added them.
 [[nodiscard]] QStringList changedOnDisk(const LabFiles &asOnDisk, const QString &folder);
 
+/// \p mine, but what \p theirs has otherwise than \p asOnDisk, as \p theirs has it.
+[[nodiscard]] LabFiles withTheirs(const LabFiles &mine, const LabFiles &asOnDisk,
+                                  const LabFiles &theirs);
+
 /// What saveLabFiles() does with files that another program changed.
 enum class OnConflict { Refuse, Overwrite };
 

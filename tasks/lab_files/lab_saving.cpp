@@ -121,6 +121,21 @@ QStringList changedOnDisk(const LabFiles &asOnDisk, const QString &folder)
     return changed;
 }
 
+LabFiles withTheirs(const LabFiles &mine, const LabFiles &asOnDisk, const LabFiles &theirs)
+{
+    LabFiles merged = mine;
+    for (const QString &path : asOnDisk.contents.keys()) {
+        if (!theirs.contents.contains(path))
+            merged.contents.remove(path);
+    }
+    for (auto it = theirs.contents.begin(); it != theirs.contents.end(); ++it) {
+        const auto old = asOnDisk.contents.find(it.key());
+        if (old == asOnDisk.contents.end() || *old != *it)
+            merged.contents.insert(it.key(), *it);
+    }
+    return merged;
+}
+
 std::optional<Error> saveLabFiles(const LabFiles &files, const LabFiles &asOnDisk,
                                   const QString &folder, OnConflict onConflict)
 {

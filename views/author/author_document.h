@@ -67,6 +67,9 @@ public:
     std::optional<Error> saveCopy(const QString &folder, const LabFiles &files);
     /// Takes the folder's files as they are now, as one edit that can be undone.
     std::optional<Error> reload();
+    /// Takes what another program changed in the folder, file by file, as one edit that can be
+    /// undone; all else stays as it is here.
+    std::optional<Error> takeTheirs();
     /// Reads the lab at once instead of a little later.
     void readNow();
     /// Where changes that are not saved are kept, within 0.5 s; without it nowhere.
@@ -103,6 +106,7 @@ private:
 
     void apply(const State &state);
     void take(const LabFiles &files, const QString &folder);
+    std::optional<Error> readAgain(const QString &name, bool whole);
     void readSoon();
     void startReading();
     void takeLab(const Result<Lab> &lab);

@@ -100,13 +100,25 @@ std::optional<Error> AuthorDocument::saveCopy(const QString &folder, const LabFi
 
 std::optional<Error> AuthorDocument::reload()
 {
+    return readAgain(tr("Reload from the folder"), true);
+}
+
+std::optional<Error> AuthorDocument::takeTheirs()
+{
+    return readAgain(tr("Take what another program changed"), false);
+}
+
+/// \param whole  what is not saved goes; else only what is otherwise on disk than it was
+std::optional<Error> AuthorDocument::readAgain(const QString &name, bool whole)
+{
     std::vector<Error> findings;
     const Result<LabFiles> files = readLabFiles(m_folder, &findings);
     if (!files)
         return files.error();
     m_unread = findings;
+    const LabFiles taken = whole ? *files : withTheirs(m_files, m_onDisk, *files);
     m_onDisk = *files;
-    edit(tr("Reload from the folder"), *files);
+    edit(name, taken);
     if (!steps().contains(m_step))
         setStep(steps().value(0));
     watch();

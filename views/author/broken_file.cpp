@@ -8,7 +8,6 @@
 #include "views/theme.h"
 
 #include <QEvent>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QTextBlock>
@@ -29,7 +28,7 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     setKind(m_reason, "warning");
     setKind(m_text, "field");
     m_text->setObjectName(QStringLiteral("brokenText"));
-    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_text->setFont(codeFont());
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setUndoRedoEnabled(false); // undo is the lab's
     m_text->setTabChangesFocus(true);

@@ -4,10 +4,10 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/text/unified_diff.h"
+#include "views/theme.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -57,7 +57,7 @@ DifferenceDialog::DifferenceDialog(const QString &question, const LabFiles &mine
     auto *text = new QPlainTextEdit(differenceOf(mine, theirs), this);
     text->setObjectName(QStringLiteral("difference"));
     text->setReadOnly(true);
-    text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    text->setFont(codeFont());
     text->setLineWrapMode(QPlainTextEdit::NoWrap);
     text->setAccessibleName(tr("Difference of the two versions"));
     caption->setBuddy(text);

@@ -6,7 +6,6 @@
 #include "views/theme.h"
 
 #include <QEvent>
-#include <QFontDatabase>
 #include <QTextBlock>
 
 #include <algorithm>
@@ -128,11 +127,7 @@ void MarkdownEditor::lookForNames()
 
 void MarkdownEditor::applyLook()
 {
-    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    font.setFamilies({QStringLiteral("JetBrains Mono"), font.family()});
-    font.setPixelSize(13);
-    font.setStyleStrategy(QFont::PreferNoShaping); // <!-- is no arrow
-    setFont(font);
+    setFont(codeFont());
 }
 
 void MarkdownEditor::changeEvent(QEvent *event)

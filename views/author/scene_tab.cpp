@@ -4,6 +4,7 @@
 
 #include "tasks/script/student_script.h"
 #include "views/author/form_rows.h"
+#include "views/author/scene_text.h"
 #include "views/error_line.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
@@ -53,6 +54,11 @@ SceneTab::SceneTab(AuthorDocument &document, QWidget *parent)
     });
     connect(m_mover, &QComboBox::activated, this, &SceneTab::chooseMover);
     connect(m_which, &QComboBox::currentIndexChanged, this, &SceneTab::reload);
+    connect(m_asText, &QPushButton::toggled, this, [this](bool shown) {
+        enableControls();
+        if (shown)
+            m_text->setFocus();
+    });
     connect(m_make, &QPushButton::clicked, this, &SceneTab::makeSolution);
     connect(m_remove, &QPushButton::clicked, this, &SceneTab::removeSolution);
     reload();
@@ -70,6 +76,7 @@ void SceneTab::makeLayout()
     m_templateButton = new QPushButton(this);
     m_lockButton = new QPushButton(this);
     m_fromMoment = new QPushButton(this);
+    m_asText = new QPushButton(this);
     m_leave = new QPushButton(this);
     m_remove = new QPushButton(this);
     m_which = new QComboBox(this);
@@ -82,10 +89,13 @@ void SceneTab::makeLayout()
     top->setSpacing(8);
     top->setContentsMargins(12, 8, 12, 0);
     top->addWidget(m_which);
-    for (QPushButton *button : {m_templateButton, m_fromMoment, m_lockButton, m_remove, m_leave}) {
+    for (QPushButton *button :
+         {m_templateButton, m_fromMoment, m_lockButton, m_asText, m_remove, m_leave}) {
         setKind(button, button->menu() ? "menu" : "small");
         top->addWidget(button);
     }
+    m_asText->setCheckable(true);
+    m_asText->setObjectName(QStringLiteral("asText"));
     setKind(m_leave, "primary");
     m_leave->hide();
     top->addStretch(1);
@@ -102,9 +112,12 @@ void SceneTab::makeLayout()
     m_splitter = new QSplitter(Qt::Horizontal, this);
     m_splitter->addWidget(m_scene);
     m_splitter->addWidget(m_inspector);
+    m_text = new SceneText(m_document, m_splitter);
+    m_text->hide();
+    m_splitter->addWidget(m_text);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setStretchFactor(0, 1);
-    m_splitter->setSizes({560, 440});
+    m_splitter->setSizes({560, 440, 440});
 
     m_missing = new QWidget(this);
     m_missingText = makeMutedText(m_missing);
@@ -142,8 +155,14 @@ void SceneTab::reload()
         followMover();
     }
     m_preset.setReadOnly(m_document.whyReadOnly());
+    m_text->showScene(which());
     showLocks();
     enableControls();
+}
+
+QStringList SceneTab::refusedScenes() const
+{
+    return m_text->refused();
 }
 
 StepPreset SceneTab::which() const
@@ -213,6 +232,10 @@ void SceneTab::enableControls()
     m_templateButton->setEnabled(own);
     m_lockButton->setEnabled(own);
     m_fromMoment->setEnabled(own && !m_simulation.atStart());
+    const bool asText = m_asText->isChecked() && !visiting;
+    m_asText->setVisible(!visiting && !missing);
+    m_inspector->setVisible(!asText);
+    m_text->setVisible(asText);
     m_lockButton->setVisible(!solution); // what is locked is of the step
     m_remove->setVisible(solution && !missing);
     m_remove->setEnabled(own);
@@ -229,6 +252,8 @@ void SceneTab::retranslate()
     m_fromMoment->setToolTip(
         tr("The circles start where, and as fast as, they are at the moment shown"));
     m_lockButton->setToolTip(tr("What the student may not change in this step"));
+    m_asText->setText(tr("As text"));
+    m_asText->setToolTip(tr("The file of this scene, in which numbers may be expressions"));
     m_leave->setText(tr("Back to the step's scene"));
     m_remove->setText(tr("Remove this scene"));
     m_missingText->setText(tr("Students may also pass without a program, by setting the scene and "

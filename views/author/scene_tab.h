@@ -24,6 +24,7 @@ namespace cradle {
 
 class ErrorLine;
 class Inspector;
+class SceneText;
 class SceneView;
 class StudentScript;
 class Timeline;
@@ -49,6 +50,8 @@ public:
     void openSolution(); ///< shows what passes without a program
     /// Makes \p run up to its step, to be looked at; not the step's own scene.
     void visit(const SceneVisit &run);
+    /// The files of which something is typed as text that cannot be read.
+    [[nodiscard]] QStringList refusedScenes() const;
 
 public slots:
     /// The circles start where, and as fast as, they are at the moment shown.
@@ -94,6 +97,7 @@ private:
     QPushButton *m_templateButton = nullptr;
     QPushButton *m_lockButton = nullptr;
     QPushButton *m_fromMoment = nullptr;
+    QPushButton *m_asText = nullptr; ///< checked: the text stands in place of the inspector
     QPushButton *m_leave = nullptr;  ///< a visit
     QPushButton *m_remove = nullptr; ///< the scene that passes
     QComboBox *m_which = nullptr;    ///< of the step's two scenes
@@ -106,6 +110,7 @@ private:
     QSplitter *m_splitter = nullptr;
     SceneView *m_scene = nullptr;
     Inspector *m_inspector = nullptr;
+    SceneText *m_text = nullptr;
     ErrorLine *m_error = nullptr; ///< why the program stopped
     Timeline *m_timeline = nullptr;
     QString m_shown;         ///< step and scene

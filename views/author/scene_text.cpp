@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/author/scene_text.h"
+
+#include "views/author/form_rows.h"
+#include "views/theme.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QVBoxLayout>
+
+namespace cradle {
+
+namespace {
+
+const QString field = QStringLiteral("text");
+
+} // namespace
+
+SceneText::SceneText(AuthorDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_reason(new QLabel(this))
+    , m_note(makeMutedText(this))
+    , m_text(new QPlainTextEdit(this))
+{
+    m_reason->setWordWrap(true);
+    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_reason->setObjectName(QStringLiteral("sceneTextReason"));
+    setKind(m_reason, "warning");
+    setKind(m_text, "field");
+    m_text->setObjectName(QStringLiteral("sceneText"));
+    m_text->setFont(codeFont());
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setLayoutDirection(Qt::LeftToRight);
+    m_text->setUndoRedoEnabled(false); // undo is the lab's
+    m_text->setTabChangesFocus(true);
+    setFocusProxy(m_text);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 8, 12, 8);
+    column->setSpacing(8);
+    column->addWidget(m_note);
+    column->addWidget(m_text, 1);
+    column->addWidget(m_reason);
+    retranslate();
+    connect(m_text, &QPlainTextEdit::textChanged, this, &SceneText::takeText);
+}
+
+void SceneText::showScene(StepPreset which)
+{
+    m_which = which;
+    const Result<QString> path = presetPath(m_document.files(), m_document.step(), which);
+    m_path = path ? *path : QString();
+    m_text->setReadOnly(m_document.isReadOnly() || m_path.isEmpty());
+    const QString written = textOf(m_document.files(), m_path);
+    m_texts.setSubject(m_path);
+    const RefusedTexts::Text *refused = m_texts.find(field, written);
+    const QString text = refused ? refused->typed : written;
+    if (m_text->toPlainText() != text) {
+        m_loading = true;
+        m_text->setPlainText(text);
+        m_loading = false;
+    }
+    showReason();
+}
+
+void SceneText::takeText()
+{
+    if (m_loading || m_path.isEmpty())
+        return;
+    const LabFiles files = withText(m_document.files(), m_path, m_text->toPlainText());
+    const Result<Preset> scene = presetOf(files, m_document.step(), m_which);
+    if (!scene) {
+        m_texts.keep(field, {.typed = m_text->toPlainText(),
+                             .value = textOf(m_document.files(), m_path),
+                             .reason = scene.error().toString()});
+        showReason();
+        return;
+    }
+    m_texts.drop(field);
+    showReason();
+    m_document.edit(tr("Write the scene"), files, QStringLiteral("sceneText:") + m_path);
+}
+
+void SceneText::showReason()
+{
+    const QString reason = m_texts.reason();
+    m_reason->setText(reason);
+    m_reason->setVisible(!reason.isEmpty());
+}
+
+void SceneText::retranslate()
+{
+    m_note->setText(tr("Numbers may be expressions, in quotes: \"1 + 0.42*cos(pi/6)\", \"20 cm\", "
+                       "or with the lab's values, \"-e*v\". What cannot be read stays here and is "
+                       "not in the lab yet."));
+    m_text->setAccessibleName(tr("The scene as text"));
+}
+
+void SceneText::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace cradle
