@@ -31,6 +31,7 @@ class PhaseChart;
 class PresentationLayer;
 class SceneView;
 class SoundOutput;
+class SpeedHistogram;
 class TaskPane;
 class Timeline;
 class TransportBar;
@@ -193,7 +194,7 @@ private:
     KeepingDesk *m_keeping = nullptr;
     ConsoleView *m_console = nullptr;
     QWidget *m_plots = nullptr;
-    QWidget *m_speeds = nullptr;
+    SpeedHistogram *m_speeds = nullptr;
     PhaseChart *m_phase = nullptr;
     NoticeBar *m_notice = nullptr;
     Announcer *m_announcer = nullptr;

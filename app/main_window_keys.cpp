@@ -180,7 +180,7 @@ void MainWindow::showShortcuts()
         {tr("A step back or on"), tr("Left, Right")},
         {tr("The hit before or after"), tr("PgUp, PgDown")},
         {tr("Start and end of the run"), tr("Home, End")},
-        {tr("From curve to curve of a chart"), tr("Up, Down")},
+        {tr("From curve to curve of a chart, from bar to bar of the speeds"), tr("Up, Down")},
         {tr("Hear that curve from left to right"), tr("Return")},
         {tr("Along the dots of the steps, and open"), tr("Left, Right, Return")}};
     const auto half = static_cast<std::ptrdiff_t>((menus.size() + 1) / 2);

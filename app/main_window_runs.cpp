@@ -5,6 +5,7 @@
 #include "app/notice_bar.h"
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
+#include "views/charts/speed_histogram.h"
 #include "views/scene/scene_view.h"
 #include "views/sound/tone.h"
 
@@ -31,6 +32,10 @@ void MainWindow::wireCharts()
     m_phase->share(m_timeWindow, m_pins);
     connect(m_phase, &PhaseChart::seekRequested, simulation,
             [simulation](double time) { simulation->seek(simulation->recording().indexAt(time)); });
+    connect(m_phase, &PhaseChart::curvePlayed, this,
+            [this](const std::vector<double> &values) { play(samplesOfCurve(values)); });
+    connect(m_speeds, &SpeedHistogram::curvePlayed, this,
+            [this](const std::vector<double> &shares) { play(samplesOfCurve(shares)); });
     connect(m_phase, &PhaseChart::runRequested, simulation, &Simulation::start);
     connect(m_phase, &PhaseChart::failed, this, &MainWindow::report);
     connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });

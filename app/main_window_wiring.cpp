@@ -8,6 +8,7 @@
 #include "tasks/lab_report/lab_report.h"
 #include "views/announcer.h"
 #include "views/charts/phase_chart.h"
+#include "views/charts/speed_histogram.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/console_view.h"

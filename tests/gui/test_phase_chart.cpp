@@ -8,6 +8,7 @@
 #include "views/charts/phase_chart.h"
 #include "views/charts/phase_plot.h"
 
+#include <QSignalSpy>
 #include <QTabWidget>
 
 using namespace cradle;
@@ -38,6 +39,7 @@ private slots:
     void menuZoomsAndResets();
     void otherAxesEndTheZoom();
     void timeIsZoomedInAllCharts();
+    void keysTellTheMomentAndLetItBeHeard();
 
 private:
     void settle() { QTest::qWait(80); } ///< longer than the views hold back
@@ -71,6 +73,37 @@ void TestPhaseChart::cleanup()
 {
     m_open.reset();
     m_folder.reset();
+}
+
+void TestPhaseChart::keysTellTheMomentAndLetItBeHeard()
+{
+    m_open->window.activateWindow();
+    widget()->setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(widget()->hasFocus());
+    const World now = simulation().recording().world(180);
+    const QString told = widget()->accessibleDescription();
+    QCOMPARE(told, plot().picture().told);
+    QVERIFY2(told.startsWith(QStringLiteral("Velocity upwards, circle 2: "))
+                 && told.contains(QStringLiteral("Position x, circle 2: ")),
+             qPrintable(told));
+    // What is written is what the run has, to the digits that are written.
+    const auto numbers = told.split(QStringLiteral(": "));
+    const auto numberIn = [](QString text) {
+        return text.section(QLatin1Char(' '), 0, 0)
+            .replace(QChar(0x2212), QLatin1Char('-'))
+            .toDouble();
+    };
+    QVERIFY(std::abs(numberIn(numbers[1]) - now.circles[1].velocity.y) < 1e-3);
+    QVERIFY(std::abs(numberIn(numbers[2]) - now.circles[1].position.x) < 1e-3);
+    QTest::keyClick(widget(), Qt::Key_Left); // the window's key: a step back
+    QCOMPARE(simulation().current(), qint64{179});
+    QTRY_VERIFY(widget()->accessibleDescription() != told);
+    QSignalSpy played(m_phase, &PhaseChart::curvePlayed);
+    QTest::keyClick(widget(), Qt::Key_Return);
+    QCOMPARE(played.size(), 1);
+    const auto values = played[0][0].value<std::vector<double>>();
+    QCOMPARE(values.front(), simulation().recording().world(0).circles[1].velocity.y);
+    QCOMPARE(values.back(), now.circles[1].velocity.y);
 }
 
 void TestPhaseChart::showsPinnedRunsToo()

@@ -5,6 +5,7 @@
 #include "views/charts/speed_histogram.h"
 #include "views/charts/speed_plot.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include <numeric>
@@ -75,6 +76,7 @@ class TestSpeedHistogram final : public QObject
 {
     Q_OBJECT
 private slots:
+    void keysGoFromBarToBar();
     void speedsFallIntoTheirBins();
     void binsAreAMeanOverMoments();
     void temperatureIsTheMeanEnergy();
@@ -90,6 +92,36 @@ private slots:
     void tooFewCirclesSayWhatToDo();
     void nothingMovesSaysSo();
 };
+
+void TestSpeedHistogram::keysGoFromBarToBar()
+{
+    Shown shown(equallyFast(8, 1.05));
+    shown.simulation.goTo(0);
+    auto *plot = shown.histogram.findChild<SpeedPlot *>();
+    QTRY_VERIFY(!plot->isEmpty());
+    QVERIFY(plot->toldBar().isEmpty());
+    // All 64 are as fast: one bar has all of them, and the others none.
+    const SpeedPicture picture = shown.picture();
+    const auto full = std::find(picture.shares.begin(), picture.shares.end(), 1.0);
+    QVERIFY(full != picture.shares.end());
+    const auto index = full - picture.shares.begin();
+    for (std::ptrdiff_t i = 0; i <= index; ++i)
+        QTest::keyClick(plot, Qt::Key_Down);
+    const double low = picture.binWidth * static_cast<double>(index);
+    QVERIFY2(plot->toldBar().contains(QStringLiteral("100.0 %, the curve ")),
+             qPrintable(plot->toldBar()));
+    QVERIFY(low <= 1.05 && 1.05 < low + picture.binWidth);
+    QVERIFY(plot->accessibleDescription().startsWith(plot->toldBar() + QStringLiteral(". Not in")));
+    QTest::keyClick(plot, Qt::Key_Up);
+    QVERIFY2(plot->toldBar().contains(QStringLiteral(": 0.0 %")), qPrintable(plot->toldBar()));
+    for (int i = 0; i < 100; ++i)
+        QTest::keyClick(plot, Qt::Key_Up);
+    QVERIFY2(plot->toldBar().startsWith(QLatin1String("0")), qPrintable(plot->toldBar()));
+    QSignalSpy played(&shown.histogram, &SpeedHistogram::curvePlayed);
+    QTest::keyClick(plot, Qt::Key_Return);
+    QCOMPARE(played.size(), 1);
+    QCOMPARE(played[0][0].value<std::vector<double>>(), picture.shares);
+}
 
 void TestSpeedHistogram::speedsFallIntoTheirBins()
 {

@@ -141,7 +141,6 @@ private:
     void drawAreas(QPainter &painter) const;
     void drawDense(QPainter &painter) const;
     void drawBox(QPainter &painter) const;
-    void drawFocus(QPainter &painter) const;
     void tellNext(int direction);
     void playTold();
     void pick(double x);

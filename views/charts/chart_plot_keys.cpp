@@ -4,11 +4,7 @@
 #include "views/charts/chart_plot.h"
 
 #include "views/charts/number_text.h"
-#include "views/text_direction.h"
-#include "views/theme.h"
-
-#include <QKeyEvent>
-#include <QPainter>
+#include "views/charts/plot_focus.h"
 
 #include <algorithm>
 
@@ -16,7 +12,6 @@ namespace cradle {
 
 namespace {
 
-constexpr double chipRoom = 4.0;          ///< px around the text
 constexpr std::size_t playedValues = 400; ///< of a curve that is heard
 
 } // namespace
@@ -63,10 +58,9 @@ void ChartPlot::playTold()
 
 void ChartPlot::keyPressEvent(QKeyEvent *event)
 {
-    const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    if (plain && (event->key() == Qt::Key_Down || event->key() == Qt::Key_Up))
-        tellNext(event->key() == Qt::Key_Down ? 1 : -1);
-    else if (plain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+    if (const int way = wayOf(*event))
+        tellNext(way);
+    else if (asksToHear(*event))
         playTold();
     else
         event->ignore(); // nothing here is scrolled
@@ -86,27 +80,6 @@ void ChartPlot::focusOutEvent(QFocusEvent *event)
 {
     QChartView::focusOutEvent(event);
     viewport()->update();
-}
-
-/// That the keys act here, and on which curve.
-void ChartPlot::drawFocus(QPainter &painter) const
-{
-    painter.setPen(QPen(theme().accent, 2.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(viewport()->rect()).adjusted(1.0, 1.0, -1.0, -1.0));
-    const QString told = toldCurve();
-    if (told.isEmpty())
-        return;
-    painter.setFont(smallFont());
-    const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, told);
-    const QRectF chip(m_area.topLeft() + QPointF(chipRoom, chipRoom),
-                      size + QSizeF(2.0 * chipRoom, chipRoom));
-    painter.fillRect(chip, theme().panel);
-    painter.setPen(theme().text);
-    painter.setLayoutDirection(directionOf(told));
-    painter.drawText(chip, Qt::AlignCenter, told);
-    painter.setPen(QPen(theme().accent, 1.0));
-    painter.drawRect(chip);
 }
 
 } // namespace cradle

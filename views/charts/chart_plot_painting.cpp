@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/chart_plot.h"
 #include "views/charts/number_text.h"
+#include "views/charts/plot_focus.h"
 #include "views/charts/subscript_text.h"
 #include "views/text_direction.h"
 #include "views/theme.h"
@@ -172,8 +173,10 @@ void ChartPlot::drawForeground(QPainter *painter, const QRectF &)
         painter->drawText(QRectF(viewport()->rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                           Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     }
-    if (hasFocus())
-        drawFocus(*painter);
+    if (hasFocus()) {
+        painter->setFont(smallFont());
+        drawPlotFocus(*painter, QRectF(viewport()->rect()), m_area.topLeft(), toldCurve());
+    }
 }
 
 void ChartPlot::paint(QPainter &painter) const

@@ -205,6 +205,9 @@ void PhaseChart::redraw()
     picture.curves.push_back(curve);
     picture.moment = pointAt(m_simulation.current());
     picture.momentColour = theme().text;
+    picture.told = told();
+    if (!m_simulation.isRunning())
+        m_plot->setAccessibleDescription(picture.told);
     picture.isEqual = isPlace(m_up.quantity) && isPlace(m_across.quantity);
     const auto axisText = [](const PhaseVariable &axis) {
         return tr("%1 in %2", "quantity, unit").arg(textOf(axis), unitOf(axis.quantity));

@@ -61,6 +61,8 @@ public slots:
 
 signals:
     void seekRequested(double time);
+    /// Return was pressed in the plot: its vertical quantity is to be heard, at equal times.
+    void curvePlayed(const std::vector<double> &values);
     void runRequested(); ///< to go on, after a click that meant something else
     void failed(const cradle::Error &error);
 
@@ -80,6 +82,8 @@ private:
     void read();
     void redraw();
     void suggest();
+    [[nodiscard]] QString told() const;
+    void play();
     void changed();
     void seekNear(QPointF pixel);
     void wirePlot();

@@ -5,6 +5,7 @@
 
 #include "model/world/shortest_number.h"
 #include "views/charts/frame_throttle.h"
+#include "views/charts/number_text.h"
 #include "views/charts/phase_plot.h"
 #include "views/theme.h"
 
@@ -20,8 +21,9 @@ namespace cradle {
 
 namespace {
 
-constexpr int mostListed = 20;  ///< circles in a menu
-constexpr double keyZoom = 1.5; ///< of a choice in the menu
+constexpr int mostListed = 20;       ///< circles in a menu
+constexpr double keyZoom = 1.5;      ///< of a choice in the menu
+constexpr qint64 playedValues = 400; ///< of a curve that is heard
 
 } // namespace
 
@@ -121,6 +123,7 @@ void PhaseChart::wirePlot()
     connect(m_plot, &PhasePlot::zoomed, this, &PhaseChart::zoomBy);
     connect(m_plot, &PhasePlot::panned, this, &PhaseChart::panBy);
     connect(m_plot, &PhasePlot::resetRequested, this, &PhaseChart::resetByClick);
+    connect(m_plot, &PhasePlot::playRequested, this, &PhaseChart::play);
     connect(m_plot, &PhasePlot::boxChosen, this,
             [this](const ValueSpan &across, const ValueSpan &up) {
                 m_upZoom = up;
@@ -163,6 +166,42 @@ void PhaseChart::panBy(QPointF way)
         m_window->panBy(way.x(), timesShown(), whole());
     }
     m_throttle->request();
+}
+
+/// "Velocity upwards, circle 1: −3.2 m/s, Position y, circle 1: 0.4 m", at the moment shown.
+QString PhaseChart::told() const
+{
+    const auto point = pointAt(m_simulation.current());
+    if (!point)
+        return {};
+    const auto tell = [](const PhaseVariable &axis, double value) {
+        const QString name = axis.isOfCircles() && axis.circle != PhaseVariable::together
+                                 ? tr("%1, circle %2", "quantity, of")
+                                       .arg(nameOf(axis.quantity))
+                                       .arg(axis.circle + 1)
+                                 : nameOf(axis.quantity);
+        return tr("%1: %2 %3", "quantity, value, unit")
+            .arg(name, shortNumber(value), unitOf(axis.quantity));
+    };
+    return tell(m_up, point->y()) + QStringLiteral(", ") + tell(m_across, point->x());
+}
+
+/// As far as the run has come, of the time that is shown.
+void PhaseChart::play()
+{
+    const Recording &recording = m_simulation.recording();
+    const double end = recording.time(recording.last());
+    const TimeWindow::Span span =
+        m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
+    const qint64 from = recording.indexAt(span.from);
+    const qint64 to = recording.indexAt(std::min(span.to, end));
+    std::vector<double> values;
+    for (qint64 i = 0; i < playedValues; ++i) {
+        if (const auto point = pointAt(from + (to - from) * i / (playedValues - 1)))
+            values.push_back(point->y());
+    }
+    if (to > from && !values.empty())
+        emit curvePlayed(values);
 }
 
 TimeWindow::Span PhaseChart::timesShown() const

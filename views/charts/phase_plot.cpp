@@ -3,6 +3,7 @@
 #include "views/charts/phase_plot.h"
 
 #include "views/charts/number_text.h"
+#include "views/charts/plot_focus.h"
 #include "views/charts/subscript_text.h"
 #include "views/theme.h"
 
@@ -53,6 +54,7 @@ PhasePlot::PhasePlot(QWidget *parent)
 {
     setLayoutDirection(Qt::LeftToRight);
     setCursor(Qt::CrossCursor);
+    setFocusPolicy(Qt::TabFocus);
 }
 
 void PhasePlot::showPicture(const PhasePicture &picture)
@@ -140,9 +142,13 @@ void PhasePlot::paintEvent(QPaintEvent *)
         painter.setPen(theme().mutedText);
         painter.drawText(QRectF(rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                          Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
+        if (hasFocus())
+            drawPlotFocus(painter, rect(), {}, {});
         return;
     }
     paint(painter);
+    if (hasFocus())
+        drawPlotFocus(painter, rect(), m_area.topLeft(), m_picture.told);
     if (m_drag == Drag::Box) {
         QColor fill = theme().accent;
         fill.setAlphaF(0.15F);

@@ -27,10 +27,11 @@ struct PhasePicture {
     QString acrossText{};              ///< with the unit
     QString upText{};
     QColor momentColour{};
+    QString told{}; ///< both values at the moment, in words, where the keys act
 };
 
 /// Curves of one quantity over another, with axes and a dot at the moment shown. The pointer does
-/// what it does in a ChartPlot.
+/// what it does in a ChartPlot, and so do the keys.
 class PhasePlot final : public QWidget
 {
     Q_OBJECT
@@ -63,6 +64,7 @@ signals:
     void boxChosen(const cradle::ValueSpan &across, const cradle::ValueSpan &up);
     void panned(QPointF values); ///< what is shown is to move by
     void resetRequested();
+    void playRequested(); ///< Return was pressed: the curve is to be heard
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -72,6 +74,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     /// What a drag with a button does.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pointer of PhasePlot: as that of ChartPlot.
+// Pointer and keys of PhasePlot: as those of ChartPlot.
 #include "views/charts/phase_plot.h"
+#include "views/charts/plot_focus.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -86,6 +87,14 @@ void PhasePlot::wheelEvent(QWheelEvent *event)
     const double factor = std::exp(-wheelZoom * event->angleDelta().y());
     const bool upOnly = event->modifiers().testFlag(Qt::ControlModifier);
     emit zoomed(valuesAt(event->position()), upOnly ? 1.0 : factor, factor);
+}
+
+void PhasePlot::keyPressEvent(QKeyEvent *event)
+{
+    if (asksToHear(*event) && showsRun())
+        emit playRequested();
+    else
+        event->ignore(); // the window's keys go from moment to moment
 }
 
 } // namespace cradle

@@ -52,6 +52,8 @@ SpeedHistogram::SpeedHistogram(const Simulation &simulation, QWidget *parent)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     connect(m_throttle, &FrameThrottle::due, this, &SpeedHistogram::redraw);
+    connect(m_plot, &SpeedPlot::barTold, this, &SpeedHistogram::describe);
+    connect(m_plot, &SpeedPlot::barsPlayed, this, &SpeedHistogram::curvePlayed);
     setHeadingFont();
     setKind(m_heading, "heading");
     setKind(m_sentence, "muted");
@@ -81,7 +83,15 @@ void SpeedHistogram::redraw()
         m_plot->showEmpty(tr("Nothing moves yet: press Run"));
     }
     if (!m_simulation.isRunning())
-        m_plot->setAccessibleDescription(isGas ? sentence() : m_plot->emptyText());
+        describe();
+}
+
+/// First the bar that the keys are at, then how far all are from equilibrium.
+void SpeedHistogram::describe()
+{
+    const QString whole = m_plot->isEmpty() ? m_plot->emptyText() : sentence();
+    const QString told = m_plot->isEmpty() ? QString() : m_plot->toldBar();
+    m_plot->setAccessibleDescription(told.isEmpty() ? whole : told + QStringLiteral(". ") + whole);
 }
 
 /// Bins that rest while the temperature changes a little: their width is a round number.

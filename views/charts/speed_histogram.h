@@ -36,12 +36,16 @@ public:
     [[nodiscard]] QString sentence() const; ///< how far, and whether that may be chance
     [[nodiscard]] QSize sizeHint() const override { return {344, 240}; }
 
+signals:
+    void curvePlayed(const std::vector<double> &shares); ///< see SpeedPlot::barsPlayed()
+
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void redraw();
+    void describe();
     void retranslate();
     void setHeadingFont();
     void showDistribution(const GasState &gas);

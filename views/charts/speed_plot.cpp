@@ -4,11 +4,13 @@
 
 #include "views/charts/nice_scale.h"
 #include "views/charts/number_text.h"
+#include "views/charts/plot_focus.h"
 #include "views/charts/speed_distribution.h"
 #include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -42,6 +44,7 @@ SpeedPlot::SpeedPlot(QWidget *parent)
     : QWidget(parent)
 {
     setLayoutDirection(Qt::LeftToRight);
+    setFocusPolicy(Qt::TabFocus);
 }
 
 void SpeedPlot::showPicture(const SpeedPicture &picture)
@@ -58,6 +61,34 @@ void SpeedPlot::showEmpty(const QString &text)
     m_picture = {};
     m_emptyText = text;
     update();
+}
+
+QString SpeedPlot::toldBar() const
+{
+    if (m_told < 0 || m_told >= static_cast<int>(m_picture.shares.size()))
+        return {};
+    const double low = m_picture.binWidth * m_told;
+    const double high = low + m_picture.binWidth;
+    const double curve =
+        maxwellShareBelow(high, m_picture.spread) - maxwellShareBelow(low, m_picture.spread);
+    const auto percent = [](double share) { return tickNumber(100.0 * share, 0.1); };
+    return tr("%1 to %2 m/s: %3 %, the curve %4 %")
+        .arg(tickNumber(low, m_picture.binWidth), tickNumber(high, m_picture.binWidth),
+             percent(m_picture.shares[static_cast<std::size_t>(m_told)]), percent(curve));
+}
+
+void SpeedPlot::keyPressEvent(QKeyEvent *event)
+{
+    const int way = wayOf(*event);
+    if (isEmpty() || (way == 0 && !asksToHear(*event))) {
+        event->ignore(); // the window's keys go from moment to moment
+    } else if (way == 0) {
+        emit barsPlayed(m_picture.shares);
+    } else {
+        m_told = std::clamp(m_told + way, 0, static_cast<int>(m_picture.shares.size()) - 1);
+        update();
+        emit barTold();
+    }
 }
 
 double SpeedPlot::lastSpeed() const
@@ -95,6 +126,8 @@ void SpeedPlot::paintEvent(QPaintEvent *)
         painter.setLayoutDirection(directionOf(m_emptyText));
         painter.drawText(QRectF(rect()).adjusted(16.0, 0.0, -16.0, -16.0),
                          Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
+        if (hasFocus())
+            drawPlotFocus(painter, rect(), {}, {});
         return;
     }
     QFont small = font();
@@ -105,6 +138,8 @@ void SpeedPlot::paintEvent(QPaintEvent *)
     drawBars(painter);
     drawCurve(painter);
     drawLegend(painter);
+    if (hasFocus())
+        drawPlotFocus(painter, rect(), m_area.topLeft(), toldBar());
 }
 
 void SpeedPlot::drawAxes(QPainter &painter) const

@@ -22,7 +22,7 @@ struct SpeedPicture {
 
 /// A histogram of speeds with the curve of Maxwell and Boltzmann over it, axes and a legend. The
 /// axis of shares reaches to twice the top of the curve; what is higher is cut off and says how
-/// high it is.
+/// high it is. Down and up go from bar to bar, to faster and slower ones.
 class SpeedPlot final : public QWidget
 {
     Q_OBJECT
@@ -36,11 +36,20 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_picture.shares.empty(); }
     [[nodiscard]] const SpeedPicture &picture() const { return m_picture; }
     [[nodiscard]] const QString &emptyText() const { return m_emptyText; }
+    /// The bar that the keys are at, with its bounds, share and that of the curve; empty if none
+    /// is.
+    [[nodiscard]] QString toldBar() const;
     [[nodiscard]] QSize sizeHint() const override { return {344, 180}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
 
+signals:
+    void barTold(); ///< toldBar() is of another bar
+    /// Return was pressed: the shares are to be heard, from slow to fast.
+    void barsPlayed(const std::vector<double> &shares);
+
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     void layOut();
@@ -55,6 +64,7 @@ private:
     SpeedPicture m_picture;
     QString m_emptyText;
     QRectF m_area;           ///< px
+    int m_told = -1;         ///< index of a bar
     double m_highest = 1.0;  ///< share at the top of the plot
     double m_tickStep = 1.0; ///< of the shares
 };
