@@ -179,6 +179,7 @@ QTextCharFormat codeFormat(QTextCharFormat format, double size)
     format.setProperty(QTextFormat::FontPixelSize, qRound(codeScale * size));
     format.setFontFamilies({QStringLiteral("JetBrains Mono"), fixed});
     format.setFontFixedPitch(true);
+    format.setFontStyleStrategy(QFont::PreferNoShaping); // != is two signs, as they are typed
     return format;
 }
 

@@ -114,6 +114,9 @@ QLineEdit[cell="true"], QComboBox[cell="true"] { min-height: 0; border: 2px soli
 QLineEdit[cell="true"][refused="true"] { border-color: @warning; padding: 0 3px; min-height: 0; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 14px; height: 14px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 18px; }
+QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: 12px; height: 12px; }
+QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
 QRadioButton::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
