@@ -17,6 +17,7 @@ class TestOtherMistakes : public QObject
 private slots:
     void initTestCase();
     void whatAppliesIsOffered();
+    void oneKeptWholeIsOfferedAlike();
     void takenOverItFailsThereToo();
     void ownNamesAndProgramsAreNotOffered();
     void stepWithoutASolutionIsOfferedNothing();
@@ -59,6 +60,20 @@ void TestOtherMistakes::whatAppliesIsOffered()
     QVERIFY(ceiling[0].program.endsWith(wrong));
     // The nearest step before comes first.
     QVERIFY(stepsOf(m_lab).indexOf(offered.front().step) < stepsOf(m_lab).indexOf(step));
+}
+
+void TestOtherMistakes::oneKeptWholeIsOfferedAlike()
+{
+    const auto before = named(mistakesOfOtherSteps(m_lab, step), text("ceiling-asks-downward"));
+    QCOMPARE(before.size(), std::size_t(1));
+    const QString path = knownPath(before[0].step, KnownKind::Mistake, before[0].name);
+    LabFiles files = m_lab;
+    const Result<QString> whole = programText(files, path);
+    QVERIFY(whole && isDiff(files, path));
+    files = withoutFile(files, path.chopped(4) + text(".diff"));
+    files = withText(files, path, *whole);
+    QVERIFY(!isDiff(files, path));
+    QCOMPARE(named(mistakesOfOtherSteps(files, step), before[0].name), before);
 }
 
 /// With its words in every language, kept as a difference, and undone by one step of undo.

@@ -623,6 +623,10 @@
         <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
         <translation>من تلك التي فيها ⁦e = 1⁩ يقع بعضها، بين دائرتين متساويتين، أمام جدار يعيد الدائرة 2 فورًا</translation>
     </message>
+    <message>
+        <source>another check has the id %1 already; an id of its own is right</source>
+        <translation>لفحص آخر المعرّف ⁨%1⁩ بالفعل؛ الصحيح معرّف خاص به</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -1312,20 +1316,12 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
 </translation>
     </message>
     <message>
-        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>يصنع من حلول مختبر أخطاءً يرتكبها الطلاب، ويسمّي منها ما يجتاز كل فحص (قد ينقص فحص) وما يخفق دون تشخيص (قد ينقص خطأ).</translation>
-    </message>
-    <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
         <translation>مجلد المختبر، أو ⁦NAME.cradle⁩</translation>
     </message>
     <message>
         <source>this step alone</source>
         <translation>هذه المرحلة وحدها</translation>
-    </message>
-    <message>
-        <source>the lab has no step %1</source>
-        <translation>ليس في المختبر مرحلة ⁨%1⁩</translation>
     </message>
     <message>
         <source>It was stopped after %1 s of processor time.</source>
@@ -1342,12 +1338,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>No process could be had to judge it.</source>
         <translation>لم تتوفر عملية للحكم عليه.</translation>
-    </message>
-    <message>
-        <source>%1 steps, %2 mistakes, %3 problems, %4 s
-</source>
-        <translation>المراحل ⁨%1⁩، الأخطاء ⁨%2⁩، المشكلات ⁨%3⁩، ⁦%4 s⁩
-</translation>
     </message>
     <message>
         <source>%1 programs became differences, %2 lines fewer</source>
@@ -1483,6 +1473,73 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message>
         <source>of what the student is told, such as en or de; en without it</source>
         <translation>لما يقرؤه الطالب، مثل en أو ar؛ ومن دونها en</translation>
+    </message>
+    <message>
+        <source>the step %1 cannot be read; why is said above</source>
+        <translation>لا يمكن قراءة المرحلة ⁨%1⁩؛ والسبب مذكور أعلاه</translation>
+    </message>
+    <message>
+        <source>of files of a lab that draws values: those of the student with this number</source>
+        <translation>لملفات مختبر يسحب قيمًا: قيم الطالب صاحب هذا الرقم</translation>
+    </message>
+    <message>
+        <source>      fails %1; what is measured tells: %2
+</source>
+        <translation>      يفشل في ⁨%1⁩؛ والمقيس يقول: ⁨%2⁩
+</translation>
+    </message>
+    <message>
+        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing), those that fail without a diagnosis (a mistake may be missing), and those of which a law that is measured tells.</source>
+        <translation>يصنع من حلول المختبر أخطاء كالتي يرتكبها الطلاب، ويسمّي ما يجتاز كل الفحوص (فقد ينقص فحص)، وما يفشل بلا تشخيص (فقد ينقص خطأ)، وما يخبر عنه قانون مقيس.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n مرحلة</numerusform>
+            <numerusform>مرحلة واحدة</numerusform>
+            <numerusform>مرحلتان</numerusform>
+            <numerusform>%n مراحل</numerusform>
+            <numerusform>%n مرحلة</numerusform>
+            <numerusform>%n مرحلة</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mistakes</source>
+        <translation>
+            <numerusform>%n خطأ</numerusform>
+            <numerusform>خطأ واحد</numerusform>
+            <numerusform>خطآن</numerusform>
+            <numerusform>%n أخطاء</numerusform>
+            <numerusform>%n خطأ</numerusform>
+            <numerusform>%n خطأ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems</source>
+        <translation>
+            <numerusform>%n مشكلة</numerusform>
+            <numerusform>مشكلة واحدة</numerusform>
+            <numerusform>مشكلتان</numerusform>
+            <numerusform>%n مشكلات</numerusform>
+            <numerusform>%n مشكلة</numerusform>
+            <numerusform>%n مشكلة</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>⁦%1 s⁩</translation>
+    </message>
+    <message>
+        <source>the folder %1 is no step: lab.json does not list it
+</source>
+        <translation>المجلد ⁨%1⁩ ليس مرحلة: لا يذكره ⁦lab.json⁩
+</translation>
+    </message>
+    <message>
+        <source>Values of students that were tried:
+</source>
+        <translation>قيم الطلاب التي جُرّبت:
+</translation>
     </message>
 </context>
 <context>
@@ -3045,6 +3102,38 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>عند رمي الدائرة ⁨%6⁩ نحو ⁨%1⁩ تغيرت سرعتها من ⁨%2⁩ إلى ⁦%3 m/s⁩ في الخطوة الأولى، والمركز لا يزال على بعد ⁦%4 m⁩ من ذلك الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى الشروط: أيّها صادق بعيدًا عن كل جدار؟</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of a run and %3 m where it starts alike %4 s later, with the same Δt.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ قطعت ⁦%2 m⁩ في الخطوة الثانية من التشغيل، و⁦%3 m⁩ إذا انطلقت مثلها بعد ⁦%4 s⁩، مع Δt نفسها.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of a run and %3 m/s where it starts alike %4 s later.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد الخطوة الأولى من التشغيل، و⁦%3 m/s⁩ إذا انطلقت مثلها بعد ⁦%4 s⁩.</translation>
+    </message>
+    <message>
+        <source>The step of %who depends on how long the run has lasted</source>
+        <translation>خطوة %who تتوقف على ما مضى من زمن التشغيل</translation>
+    </message>
+    <message>
+        <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
+        <translation>مدة الخطوة هي معامل `on_update`؛ أما `time` فالزمن منذ البداية، و`step` تعدّ الخطوات.</translation>
+    </message>
+    <message>
+        <source>Between hits the velocity of %who changes</source>
+        <translation>بين التصادمات تتغير سرعة %who</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
+        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩ مع أنها لا تلمس شيئًا؛ والجاذبية تعطيها ⁦%4 m/s⁩ في الخطوة. انظر ماذا يفعل `on_update` بالسرعة غير الجاذبية والتصادمات.</translation>
+    </message>
+    <message>
+        <source>The velocity does not move %who</source>
+        <translation>السرعة لا تحرّك %who</translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
+        <translation>في كل خطوة يُضاف v Δt إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -4297,6 +4386,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
         <translation>شيفرته ليست شيفرة starter.lua؛ لا يختلف برنامج البداية بلغة أخرى إلا في التعليقات</translation>
     </message>
+    <message>
+        <source>there is no picture %1 in the step&apos;s folder</source>
+        <translation>لا توجد صورة ⁨%1⁩ في مجلد المرحلة</translation>
+    </message>
+    <message>
+        <source>&lt;!-- %1 --&gt; begins no part; explore, code and all do</source>
+        <translation>⁦&lt;!-- %1 --&gt;⁩ لا يبدأ جزءًا؛ بل explore وcode وall</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4505,6 +4602,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>with the values of the student %1: %2</source>
         <translation>بقيم الطالب ⁨%1⁩: ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>is not judged by the check %1: %2</source>
+        <translation>لا يحكم عليه الفحص ⁨%1⁩: ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 values, %4 to %5</source>
+        <comment>of a range</comment>
+        <translation>⁨%1⁩: ⁨%2⁩ من ⁨%3⁩ قيم، من ⁨%4⁩ إلى ⁨%5⁩</translation>
     </message>
 </context>
 <context>
@@ -5841,6 +5947,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>the right number is missing</source>
         <translation>ينقص العدد الصحيح</translation>
     </message>
+    <message>
+        <source>Tolerance: a number from 0 is right</source>
+        <translation>التفاوت: الصحيح عدد من 0 فأكثر</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -6167,10 +6277,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>من واحد إلى التالي، عدد أكبر من 0</translation>
     </message>
     <message>
-        <source>how far off is still right, a number from 0</source>
-        <translation>كم يجوز أن يبلغ الفرق ويبقى صحيحًا، عدد ابتداء من 0</translation>
-    </message>
-    <message>
         <source>one of number, one, several, order, text</source>
         <translation>واحد من ⁦number, one, several, order, text⁩</translation>
     </message>
@@ -6429,6 +6535,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>what the step is worth, a number from 0 to 1000</source>
         <translation>قيمة المرحلة، عدد من 0 إلى 1000</translation>
+    </message>
+    <message>
+        <source>how far off is still right, a number from 0 or an expression</source>
+        <translation>مقدار الانحراف الذي يبقى صحيحًا، عدد من 0 فأكثر أو تعبير</translation>
     </message>
 </context>
 <context>
@@ -7082,6 +7192,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>`%1` must be a function, not %2</source>
         <translation>يجب أن يكون ⁦`%1`⁩ دالة، لا ⁨%2⁩</translation>
     </message>
+    <message>
+        <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
+        <translation>`%1` غير معروف بعد: لا يُستعمل المتغير المحلي إلا بعد التعليمة التي تنشئه</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7351,6 +7465,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Reload from the folder</source>
         <translation>إعادة التحميل من المجلد</translation>
+    </message>
+    <message>
+        <source>Take what another program changed</source>
+        <translation>أخذ ما غيّره برنامج آخر</translation>
     </message>
 </context>
 <context>
@@ -9708,10 +9826,6 @@ Your number:</source>
         <translation>‏Home، End</translation>
     </message>
     <message>
-        <source>From curve to curve of a chart</source>
-        <translation>من منحنى إلى منحنى في مخطط</translation>
-    </message>
-    <message>
         <source>Up, Down</source>
         <translation>السهمان الأعلى والأسفل</translation>
     </message>
@@ -9903,6 +10017,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>Return</source>
         <translation>Enter</translation>
     </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>من منحنى إلى منحنى في المخطط، ومن عمود إلى عمود في مخطط السرعات</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MarkdownView</name>
@@ -10050,6 +10168,16 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>&amp;Reset zoom</source>
         <translation>إعادة التكبير الأصلي (&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1, circle %2</source>
+        <comment>quantity, of</comment>
+        <translation>⁨%1⁩، الدائرة ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>quantity, value, unit</comment>
+        <translation>⁨%1⁩: ⁦%2 %3⁩</translation>
     </message>
 </context>
 <context>
@@ -10617,6 +10745,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>The lab was edited since.</source>
         <translation>حُرّر المختبر منذ ذلك الحين.</translation>
+    </message>
+    <message>
+        <source>Fails by “%1”; students read: “%2”, of: %3 (%4)</source>
+        <translation>يفشل في «⁨%1⁩»؛ ويقرأ الطلاب «⁨%2⁩»، في: ⁨%3⁩ (⁨%4⁩)</translation>
     </message>
 </context>
 <context>
@@ -11246,6 +11378,29 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>Ri&amp;ng…</source>
         <translation>حلقة (&amp;N)…</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>كنص</translation>
+    </message>
+    <message>
+        <source>The file of this scene, in which numbers may be expressions</source>
+        <translation>ملف هذا المشهد، ويجوز أن تكون الأعداد فيه تعابير</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneText</name>
+    <message>
+        <source>Write the scene</source>
+        <translation>كتابة المشهد</translation>
+    </message>
+    <message>
+        <source>Numbers may be expressions, in quotes: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, or with the lab&apos;s values, &quot;-e*v&quot;. What cannot be read stays here and is not in the lab yet.</source>
+        <translation>يجوز أن تكون الأعداد تعابير بين علامتي اقتباس: ⁦&quot;1 + 0.42*cos(pi/6)&quot;⁩ أو ⁦&quot;20 cm&quot;⁩، أو بقيم المختبر ⁦&quot;-e*v&quot;⁩. وما لا يمكن قراءته يبقى هنا ولا يدخل المختبر بعد.</translation>
+    </message>
+    <message>
+        <source>The scene as text</source>
+        <translation>المشهد كنص</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneView</name>
@@ -11455,6 +11610,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>%1 % faster</source>
         <translation>⁦%1 %⁩ أسرع</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
+        <translation>من ⁦%1⁩ إلى ⁦%2 m/s⁩: ⁦%3 %⁩، والمنحنى ⁦%4 %⁩</translation>
     </message>
 </context>
 <context>

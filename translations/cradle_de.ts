@@ -615,6 +615,10 @@
         <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
         <translation>Von denen mit e = 1 geschehen einige, zwischen gleichen Kreisen, vor einer Wand, die Kreis 2 gleich zurückschickt</translation>
     </message>
+    <message>
+        <source>another check has the id %1 already; an id of its own is right</source>
+        <translation>eine andere Prüfung hat schon die Kennung %1; richtig ist eine eigene</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -1052,22 +1056,12 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
         <translation>ein Programm, das die Kreise bewegt; was es mit print ausgibt, geht in die Fehlerausgabe, was es mit plot und draw zeichnet, fällt weg, seine Stöße werden erschlossen</translation>
     </message>
     <message>
-        <source>%1 steps, %2 mistakes, %3 problems, %4 s
-</source>
-        <translation>%1 Schritte, %2 Fehler, %3 Mängel, %4 s
-</translation>
-    </message>
-    <message>
         <source>Judges a lab itself: starters fail by a check, solutions pass, every known mistake fails and is recognised, and every check is failed by a mistake. Prints which mistake (row) fails which check (column, x) and what it is taken for.</source>
         <translation>Prüft ein Lab selbst: Startprogramme bestehen eine Prüfung nicht, Lösungen bestehen, jeder bekannte Fehler besteht nicht und wird erkannt, und an jeder Prüfung scheitert ein Fehler. Gibt aus, welcher Fehler (Zeile) an welcher Prüfung scheitert (Spalte, x) und wofür er gehalten wird.</translation>
     </message>
     <message>
         <source>this step alone</source>
         <translation>nur dieser Schritt</translation>
-    </message>
-    <message>
-        <source>the lab has no step %1</source>
-        <translation>das Lab hat keinen Schritt %1</translation>
     </message>
     <message>
         <source>the lab&apos;s folder or NAME.cradle; without it the shipped lab</source>
@@ -1084,10 +1078,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
 </source>
         <translation>      scheitert an %1 ohne Diagnose: %2
 </translation>
-    </message>
-    <message>
-        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>Macht aus den Lösungen eines Labs Fehler, wie sie vorkommen, und nennt die, die jede Prüfung bestehen (es fehlt vielleicht eine Prüfung), und die, die ohne Diagnose scheitern (es fehlt vielleicht ein Fehler).</translation>
     </message>
     <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
@@ -1471,6 +1461,61 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     <message>
         <source>of what the student is told, such as en or de; en without it</source>
         <translation>dessen, was Studierende lesen, etwa en oder de; ohne dies en</translation>
+    </message>
+    <message>
+        <source>the step %1 cannot be read; why is said above</source>
+        <translation>der Schritt %1 ist nicht lesbar; warum, steht darüber</translation>
+    </message>
+    <message>
+        <source>of files of a lab that draws values: those of the student with this number</source>
+        <translation>bei Dateien eines Labs, das Werte zieht: die der Person mit dieser Nummer</translation>
+    </message>
+    <message>
+        <source>      fails %1; what is measured tells: %2
+</source>
+        <translation>      scheitert an %1; das Gemessene sagt: %2
+</translation>
+    </message>
+    <message>
+        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing), those that fail without a diagnosis (a mistake may be missing), and those of which a law that is measured tells.</source>
+        <translation>Macht aus den Lösungen eines Labs Fehler, wie sie gemacht werden, und nennt die, die jede Prüfung bestehen (vielleicht fehlt eine Prüfung), die, die ohne Diagnose scheitern (vielleicht fehlt ein Fehler), und die, von denen ein gemessenes Gesetz erzählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mistakes</source>
+        <translation>
+            <numerusform>%n Fehler</numerusform>
+            <numerusform>%n Fehler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the folder %1 is no step: lab.json does not list it
+</source>
+        <translation>der Ordner %1 ist kein Schritt: lab.json führt ihn nicht auf
+</translation>
+    </message>
+    <message>
+        <source>Values of students that were tried:
+</source>
+        <translation>Werte, die ausprobiert wurden:
+</translation>
     </message>
 </context>
 <context>
@@ -3033,6 +3078,38 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>Geworfen wurde Kreis %6 hierhin: %1. Im ersten Schritt wurde aus der Geschwindigkeit %2 m/s %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of a run and %3 m where it starts alike %4 s later, with the same Δt.</source>
+        <translation>Mit %1 m/s gestartet, kommt er im zweiten Schritt eines Laufs %2 m weit, und %3 m, wenn er %4 s später ebenso startet, bei gleichem Δt.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of a run and %3 m/s where it starts alike %4 s later.</source>
+        <translation>Mit %1 m/s gestartet, hat er nach dem ersten Schritt eines Laufs %2 m/s, und %3 m/s, wenn er %4 s später ebenso startet.</translation>
+    </message>
+    <message>
+        <source>The step of %who depends on how long the run has lasted</source>
+        <translation>Der Zeitschritt von %who hängt davon ab, wie lange der Lauf schon dauert</translation>
+    </message>
+    <message>
+        <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
+        <translation>Wie lange ein Zeitschritt dauert, ist der Parameter von `on_update`; `time` ist die Zeit seit dem Start, und `step` zählt.</translation>
+    </message>
+    <message>
+        <source>Between hits the velocity of %who changes</source>
+        <translation>Zwischen Stößen ändert sich die Geschwindigkeit von %who</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
+        <translation>Mit %1 m/s geworfen, hat er einen Schritt von %3 s später %2 m/s, obwohl er nichts berührt; die Schwerkraft gibt ihm %4 m/s in einem Schritt. Sieh nach, was `on_update` außer Schwerkraft und Stößen mit der Geschwindigkeit macht.</translation>
+    </message>
+    <message>
+        <source>The velocity does not move %who</source>
+        <translation>Die Geschwindigkeit bewegt %who nicht</translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
+        <translation>In jedem Schritt kommt v Δt zum Ort hinzu. Sieh nach, was die Zeile, die den Ort ändert, stattdessen nimmt.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -4273,6 +4350,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
         <translation>sein Code ist nicht der von starter.lua; ein Startprogramm in einer anderen Sprache unterscheidet sich nur in den Kommentaren</translation>
     </message>
+    <message>
+        <source>there is no picture %1 in the step&apos;s folder</source>
+        <translation>im Ordner des Schritts gibt es kein Bild %1</translation>
+    </message>
+    <message>
+        <source>&lt;!-- %1 --&gt; begins no part; explore, code and all do</source>
+        <translation>&lt;!-- %1 --&gt; beginnt keinen Teil; explore, code und all tun es</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4481,6 +4566,15 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>with %1 seeds</source>
         <translation>mit %1 Startwerten</translation>
+    </message>
+    <message>
+        <source>is not judged by the check %1: %2</source>
+        <translation>wird von der Prüfung %1 nicht beurteilt: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 values, %4 to %5</source>
+        <comment>of a range</comment>
+        <translation>%1: %2 von %3 Werten, %4 bis %5</translation>
     </message>
 </context>
 <context>
@@ -5817,6 +5911,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>the right number is missing</source>
         <translation>die richtige Zahl fehlt</translation>
     </message>
+    <message>
+        <source>Tolerance: a number from 0 is right</source>
+        <translation>Toleranz: richtig ist eine Zahl ab 0</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -6379,10 +6477,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>von einem zum nächsten, eine Zahl größer als 0</translation>
     </message>
     <message>
-        <source>how far off is still right, a number from 0</source>
-        <translation>wie weit daneben noch richtig ist, eine Zahl ab 0</translation>
-    </message>
-    <message>
         <source>one of number, one, several, order, text</source>
         <translation>eines von number, one, several, order, text</translation>
     </message>
@@ -6401,6 +6495,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>what a right answer is worth, a number from 0 to 1000</source>
         <translation>was eine richtige Antwort wert ist, eine Zahl von 0 bis 1000</translation>
+    </message>
+    <message>
+        <source>how far off is still right, a number from 0 or an expression</source>
+        <translation>welche Abweichung noch richtig ist, eine Zahl ab 0 oder ein Ausdruck</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7152,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>an `end` is missing: `else if` begins a second if, which needs an `end` of its own; the one word elseif does not</source>
         <translation>ein `end` fehlt: `else if` beginnt ein zweites if, das sein eigenes `end` braucht; das eine Wort elseif braucht keines</translation>
     </message>
+    <message>
+        <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
+        <translation>`%1` ist noch nicht bekannt: Eine lokale Variable kann erst nach der Anweisung benutzt werden, die sie anlegt</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7319,6 +7421,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Changes that were not saved</source>
         <translation>Änderungen, die nicht gesichert waren</translation>
+    </message>
+    <message>
+        <source>Take what another program changed</source>
+        <translation>Übernehmen, was ein anderes Programm geändert hat</translation>
     </message>
 </context>
 <context>
@@ -9820,10 +9926,6 @@ Ihre Nummer:</translation>
         <translation>Prüfung bestanden.</translation>
     </message>
     <message>
-        <source>From curve to curve of a chart</source>
-        <translation>Von Kurve zu Kurve eines Diagramms</translation>
-    </message>
-    <message>
         <source>Up, Down</source>
         <translation>Auf, Ab</translation>
     </message>
@@ -9838,6 +9940,10 @@ Ihre Nummer:</translation>
     <message>
         <source>Return</source>
         <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>Von Kurve zu Kurve eines Diagramms, von Balken zu Balken der Geschwindigkeiten</translation>
     </message>
 </context>
 <context>
@@ -9986,6 +10092,16 @@ Ihre Nummer:</translation>
     <message>
         <source>&amp;Reset zoom</source>
         <translation>&amp;Zoom zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1, circle %2</source>
+        <comment>quantity, of</comment>
+        <translation>%1, Kreis %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>quantity, value, unit</comment>
+        <translation>%1: %2 %3</translation>
     </message>
 </context>
 <context>
@@ -10549,6 +10665,10 @@ Ihre Nummer:</translation>
     <message>
         <source>Mistakes that this step did not know before the last edits</source>
         <translation>Fehler, die dieser Schritt vor den letzten Änderungen nicht kannte</translation>
+    </message>
+    <message>
+        <source>Fails by “%1”; students read: “%2”, of: %3 (%4)</source>
+        <translation>Scheitert an „%1“; zu lesen ist „%2“, bei: %3 (%4)</translation>
     </message>
 </context>
 <context>
@@ -11170,6 +11290,29 @@ Ihre Nummer:</translation>
         <source>Ri&amp;ng…</source>
         <translation>&amp;Ring…</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>Als Text</translation>
+    </message>
+    <message>
+        <source>The file of this scene, in which numbers may be expressions</source>
+        <translation>Die Datei dieser Szene, in der Zahlen Ausdrücke sein dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneText</name>
+    <message>
+        <source>Write the scene</source>
+        <translation>Szene schreiben</translation>
+    </message>
+    <message>
+        <source>Numbers may be expressions, in quotes: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, or with the lab&apos;s values, &quot;-e*v&quot;. What cannot be read stays here and is not in the lab yet.</source>
+        <translation>Zahlen dürfen Ausdrücke in Anführungszeichen sein: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, oder mit den Werten des Labs, &quot;-e*v&quot;. Was nicht lesbar ist, bleibt hier stehen und ist noch nicht im Lab.</translation>
+    </message>
+    <message>
+        <source>The scene as text</source>
+        <translation>Die Szene als Text</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneView</name>
@@ -11371,6 +11514,10 @@ Ihre Nummer:</translation>
     <message>
         <source>%1 % faster</source>
         <translation>%1 % schneller</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
+        <translation>%1 bis %2 m/s: %3 %, die Kurve %4 %</translation>
     </message>
 </context>
 <context>

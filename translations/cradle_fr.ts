@@ -615,6 +615,10 @@
         <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
         <translation>De celles où e = 1, quelques-unes, entre cercles égaux, ont lieu devant une paroi qui renvoie aussitôt le cercle 2</translation>
     </message>
+    <message>
+        <source>another check has the id %1 already; an id of its own is right</source>
+        <translation>une autre vérification a déjà l&apos;identifiant %1 ; il en faut un à elle</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -1312,20 +1316,12 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
 </translation>
     </message>
     <message>
-        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing) and those that fail without a diagnosis (a mistake may be missing).</source>
-        <translation>Fabrique, à partir des corrigés d&apos;un TP, des erreurs que font les étudiants, et nomme celles qui réussissent toutes les vérifications (il manque peut-être une vérification) et celles qui échouent sans diagnostic (il manque peut-être une erreur).</translation>
-    </message>
-    <message>
         <source>the lab&apos;s folder, or NAME.cradle</source>
         <translation>le dossier du TP, ou NOM.cradle</translation>
     </message>
     <message>
         <source>this step alone</source>
         <translation>cette étape seulement</translation>
-    </message>
-    <message>
-        <source>the lab has no step %1</source>
-        <translation>le TP n&apos;a pas d&apos;étape %1</translation>
     </message>
     <message>
         <source>It was stopped after %1 s of processor time.</source>
@@ -1342,12 +1338,6 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>No process could be had to judge it.</source>
         <translation>Aucun processus n&apos;a pu être obtenu pour l&apos;évaluer.</translation>
-    </message>
-    <message>
-        <source>%1 steps, %2 mistakes, %3 problems, %4 s
-</source>
-        <translation>%1 étapes, %2 erreurs, %3 problèmes, %4 s
-</translation>
     </message>
     <message>
         <source>%1 programs became differences, %2 lines fewer</source>
@@ -1471,6 +1461,61 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>of what the student is told, such as en or de; en without it</source>
         <translation>de ce qu&apos;on dit à l&apos;étudiant, par exemple fr ou en&#xa0;; en par défaut</translation>
+    </message>
+    <message>
+        <source>the step %1 cannot be read; why is said above</source>
+        <translation>l&apos;étape %1 ne peut pas être lue ; la raison est dite plus haut</translation>
+    </message>
+    <message>
+        <source>of files of a lab that draws values: those of the student with this number</source>
+        <translation>pour les fichiers d&apos;un TP qui tire des valeurs : celles de l&apos;étudiant portant ce numéro</translation>
+    </message>
+    <message>
+        <source>      fails %1; what is measured tells: %2
+</source>
+        <translation>      échoue à %1 ; ce qui est mesuré dit : %2
+</translation>
+    </message>
+    <message>
+        <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing), those that fail without a diagnosis (a mistake may be missing), and those of which a law that is measured tells.</source>
+        <translation>Fabrique, à partir des solutions d&apos;un TP, des erreurs comme en font les étudiants, et nomme celles qui passent toutes les vérifications (il en manque peut-être une), celles qui échouent sans diagnostic (il manque peut-être une erreur) et celles dont une loi mesurée dit quelque chose.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n étape</numerusform>
+            <numerusform>%n étapes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mistakes</source>
+        <translation>
+            <numerusform>%n erreur</numerusform>
+            <numerusform>%n erreurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the folder %1 is no step: lab.json does not list it
+</source>
+        <translation>le dossier %1 n&apos;est pas une étape : lab.json ne le cite pas
+</translation>
+    </message>
+    <message>
+        <source>Values of students that were tried:
+</source>
+        <translation>Valeurs d&apos;étudiants essayées :
+</translation>
     </message>
 </context>
 <context>
@@ -3033,6 +3078,38 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>Lancé vers %1, le cercle %6 a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi&#xa0;; son rayon est de %5 m. Regardez les conditions&#xa0;: laquelle est vraie loin de toute paroi&#xa0;?</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of a run and %3 m where it starts alike %4 s later, with the same Δt.</source>
+        <translation>Lancé à %1 m/s, il avance de %2 m au deuxième pas d&apos;une exécution, et de %3 m s&apos;il part de la même façon %4 s plus tard, avec le même Δt.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of a run and %3 m/s where it starts alike %4 s later.</source>
+        <translation>Lancé à %1 m/s, il a %2 m/s après le premier pas d&apos;une exécution, et %3 m/s s&apos;il part de la même façon %4 s plus tard.</translation>
+    </message>
+    <message>
+        <source>The step of %who depends on how long the run has lasted</source>
+        <translation>Le pas de %who dépend de la durée écoulée de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
+        <translation>La durée d&apos;un pas est le paramètre de `on_update` ; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
+    </message>
+    <message>
+        <source>Between hits the velocity of %who changes</source>
+        <translation>Entre les chocs, la vitesse de %who change</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
+        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, bien qu&apos;il ne touche rien ; la pesanteur lui donne %4 m/s par pas. Regardez ce que `on_update` fait de la vitesse, hormis la pesanteur et les chocs.</translation>
+    </message>
+    <message>
+        <source>The velocity does not move %who</source>
+        <translation>La vitesse ne déplace pas %who</translation>
+    </message>
+    <message>
+        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
+        <translation>À chaque pas, v Δt s&apos;ajoute à la position. Regardez ce que la ligne qui change la position prend à la place.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -4273,6 +4350,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
         <translation>son code n&apos;est pas celui de starter.lua&#xa0;; un programme de départ dans une autre langue n&apos;en diffère que par les commentaires</translation>
     </message>
+    <message>
+        <source>there is no picture %1 in the step&apos;s folder</source>
+        <translation>il n&apos;y a pas d&apos;image %1 dans le dossier de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>&lt;!-- %1 --&gt; begins no part; explore, code and all do</source>
+        <translation>&lt;!-- %1 --&gt; ne commence aucune partie ; explore, code et all le font</translation>
+    </message>
 </context>
 <context>
     <name>LabReport</name>
@@ -4481,6 +4566,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>with the values of the student %1: %2</source>
         <translation>avec les valeurs de l&apos;étudiant %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>is not judged by the check %1: %2</source>
+        <translation>n&apos;est pas jugé par la vérification %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 values, %4 to %5</source>
+        <comment>of a range</comment>
+        <translation>%1 : %2 valeurs sur %3, de %4 à %5</translation>
     </message>
 </context>
 <context>
@@ -5817,6 +5911,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>the right number is missing</source>
         <translation>le nombre juste manque</translation>
     </message>
+    <message>
+        <source>Tolerance: a number from 0 is right</source>
+        <translation>Tolérance : un nombre à partir de 0</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -6135,10 +6233,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>de l&apos;un au suivant, un nombre supérieur à 0</translation>
     </message>
     <message>
-        <source>how far off is still right, a number from 0</source>
-        <translation>l&apos;écart encore admis, un nombre à partir de 0</translation>
-    </message>
-    <message>
         <source>one of number, one, several, order, text</source>
         <translation>une valeur parmi number, one, several, order, text</translation>
     </message>
@@ -6401,6 +6495,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>of an edition for students: the SHA-256 of the lab that it is of</source>
         <translation>d’une édition pour étudiants : le SHA-256 du TP dont elle vient</translation>
+    </message>
+    <message>
+        <source>how far off is still right, a number from 0 or an expression</source>
+        <translation>l&apos;écart encore juste, un nombre à partir de 0 ou une expression</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7152,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>`%1` must be a function, not %2</source>
         <translation>`%1` doit être une fonction, pas %2</translation>
     </message>
+    <message>
+        <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
+        <translation>`%1` n&apos;est pas encore connu : une variable locale ne peut servir qu&apos;après l&apos;instruction qui la crée</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7319,6 +7421,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Reload from the folder</source>
         <translation>Recharger depuis le dossier</translation>
+    </message>
+    <message>
+        <source>Take what another program changed</source>
+        <translation>Prendre ce qu&apos;un autre programme a changé</translation>
     </message>
 </context>
 <context>
@@ -9648,10 +9754,6 @@ Votre numéro&#xa0;:</translation>
         <translation>Début, Fin</translation>
     </message>
     <message>
-        <source>From curve to curve of a chart</source>
-        <translation>De courbe en courbe d&apos;un graphique</translation>
-    </message>
-    <message>
         <source>Up, Down</source>
         <translation>Haut, Bas</translation>
     </message>
@@ -9839,6 +9941,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>Return</source>
         <translation>Entrée</translation>
     </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>D&apos;une courbe à l&apos;autre d&apos;un graphique, d&apos;une barre à l&apos;autre des vitesses</translation>
+    </message>
 </context>
 <context>
     <name>cradle::MarkdownView</name>
@@ -9986,6 +10092,16 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>&amp;Reset zoom</source>
         <translation>Réin&amp;itialiser le zoom</translation>
+    </message>
+    <message>
+        <source>%1, circle %2</source>
+        <comment>quantity, of</comment>
+        <translation>%1, cercle %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>quantity, value, unit</comment>
+        <translation>%1&#xa0;: %2 %3</translation>
     </message>
 </context>
 <context>
@@ -10549,6 +10665,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>The lab was edited since.</source>
         <translation>Le TP a été modifié depuis.</translation>
+    </message>
+    <message>
+        <source>Fails by “%1”; students read: “%2”, of: %3 (%4)</source>
+        <translation>Échoue à « %1 » ; on lit « %2 », pour : %3 (%4)</translation>
     </message>
 </context>
 <context>
@@ -11170,6 +11290,29 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>Ri&amp;ng…</source>
         <translation>&amp;Anneau…</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>En texte</translation>
+    </message>
+    <message>
+        <source>The file of this scene, in which numbers may be expressions</source>
+        <translation>Le fichier de cette scène, où les nombres peuvent être des expressions</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneText</name>
+    <message>
+        <source>Write the scene</source>
+        <translation>Écrire la scène</translation>
+    </message>
+    <message>
+        <source>Numbers may be expressions, in quotes: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, or with the lab&apos;s values, &quot;-e*v&quot;. What cannot be read stays here and is not in the lab yet.</source>
+        <translation>Les nombres peuvent être des expressions, entre guillemets&#xa0;: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, ou avec les valeurs du TP, &quot;-e*v&quot;. Ce qui ne peut pas être lu reste ici et n&apos;est pas encore dans le TP.</translation>
+    </message>
+    <message>
+        <source>The scene as text</source>
+        <translation>La scène en texte</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneView</name>
@@ -11371,6 +11514,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>%1 % faster</source>
         <translation>%1&#xa0;% plus rapides</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
+        <translation>%1 à %2 m/s&#xa0;: %3 %, la courbe %4 %</translation>
     </message>
 </context>
 <context>

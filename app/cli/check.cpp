@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/judged_apart.h"
+#include "app/cli/lab_at_hand.h"
 #include "app/cli/spoken.h"
 #include "app/cli/subcommand.h"
 #include "app/language.h"
@@ -9,11 +10,13 @@
 #include "model/files/preset_json.h"
 #include "tasks/questions/answers.h"
 #include "tasks/reading/lab_list.h"
+#include "tasks/reading/lab_reader.h"
 #include "tasks/report/report_formats.h"
 #include "tasks/report/report_json.h"
 #include "tasks/report/report_text.h"
 #include "tasks/script/program_text.h"
 #include "tasks/script/script_limits.h"
+#include "tasks/values/values_of_file.h"
 #include "tasks/workspace/workspace_info.h"
 
 #include <QCoreApplication>
@@ -21,6 +24,7 @@
 #include <QJsonObject>
 #include <QTextStream>
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -31,14 +35,6 @@ namespace {
 struct CheckText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
-
-QStringList idsOf(const Lab &lab)
-{
-    QStringList ids;
-    for (const Task &task : lab.tasks)
-        ids.append(task.id);
-    return ids;
-}
 
 /// The answers to the step's questions: those of the file for the step, or all of it.
 Result<QByteArray> readAnswers(const Task &task, const QString &path)
@@ -56,9 +52,10 @@ Result<QByteArray> readAnswers(const Task &task, const QString &path)
     return answersText({{task.id, ofLab ? all.value(task.id).toObject() : all}});
 }
 
-/// What is to be judged, as bytes; a scene that is none is refused.
+/// What is to be judged, as bytes; a scene that is none is refused. Files of a lab have the values
+/// of \p student.
 Result<WorkFiles> readFiles(const Task &task, const QString &program, const QString &preset,
-                            const QString &answers)
+                            const QString &answers, const QString &student)
 {
     WorkFiles files;
     if (!answers.isEmpty()) {
@@ -68,7 +65,7 @@ Result<WorkFiles> readFiles(const Task &task, const QString &program, const QStr
         files.insert(QStringLiteral("answers.json"), *bytes);
     }
     if (!preset.isEmpty()) {
-        const auto scene = readPreset(preset);
+        const auto scene = presetWithValues(preset, student);
         if (!scene)
             return scene.error();
         files.insert(QStringLiteral("presets/%1.json").arg(task.id), writePreset(*scene));
@@ -77,7 +74,10 @@ Result<WorkFiles> readFiles(const Task &task, const QString &program, const QStr
         const auto bytes = readProgramBytes(program);
         if (!bytes)
             return bytes.error();
-        files.insert(QStringLiteral("steps/%1.lua").arg(task.id), *bytes);
+        const auto own = withValuesOfItsStep(program, *bytes, student);
+        if (!own)
+            return own.error();
+        files.insert(QStringLiteral("steps/%1.lua").arg(task.id), *own);
     }
     return files;
 }
@@ -175,13 +175,19 @@ ExitCode check(const QStringList &arguments)
         return complain(lab.error());
     const int index = lab->lab.indexOf(id);
     if (index < 0)
-        return complain(CheckText::tr("the lab has no step %1; it has %2")
-                            .arg(id, idsOf(lab->lab).join(QStringLiteral(", "))));
+        return complain(noStep(lab->lab, id));
     const Task &task = lab->lab.tasks[static_cast<std::size_t>(index)];
-    auto files = readFiles(task, program, parser.value(preset), parser.value(answers));
+    auto files = readFiles(task, program, parser.value(preset), parser.value(answers),
+                           parser.value(student));
     if (!files)
         return complain(files.error());
     if (parser.isSet(student)) {
+        // What is no number for this student is told; the values of others may be right.
+        for (const Error &fault : forStudent(lab->lab, parser.value(student)).findings) {
+            const auto &told = lab->lab.findings;
+            if (std::find(told.begin(), told.end(), fault) == told.end())
+                QTextStream(stderr) << fault.toString() << Qt::endl;
+        }
         WorkspaceInfo info;
         info.studentId = parser.value(student);
         files->insert(QStringLiteral("cradle.json"), textOf(info));

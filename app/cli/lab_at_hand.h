@@ -21,4 +21,7 @@ struct LabAtHand {
 Result<LabAtHand> readLabAtHand(const QString &path, const QString &language = QStringLiteral("en"),
                                 const QString &step = {});
 
+/// Why the lab has no step \p id: it cannot be read, or there is none.
+[[nodiscard]] QString noStep(const Lab &lab, const QString &id);
+
 } // namespace cradle::cli

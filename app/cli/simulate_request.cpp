@@ -5,6 +5,7 @@
 #include "model/files/preset_json.h"
 #include "model/world/shortest_number.h"
 #include "tasks/script/program_text.h"
+#include "tasks/values/values_of_file.h"
 
 #include <QCoreApplication>
 
@@ -32,6 +33,11 @@ struct SimulateOptions {
         SimulateText::tr("a program that moves the circles; what it prints goes to standard error, "
                          "what it plots and draws is dropped, its hits are inferred"),
         "F.lua");
+    QCommandLineOption student =
+        option("student",
+               SimulateText::tr("of files of a lab that draws values: those of the student with "
+                                "this number"),
+               "NUMBER");
     QCommandLineOption every = option("every", SimulateText::tr("write every N-th step only"), "N");
     QCommandLineOption states =
         option("states", SimulateText::tr("table of the circles' states"), "F.csv");
@@ -91,8 +97,8 @@ void addSimulateOptions(QCommandLineParser &parser)
 {
     const SimulateOptions options;
     parser.addOptions({options.duration, options.timestep, options.timing, options.script,
-                       options.every, options.states, options.totals, options.events,
-                       options.format});
+                       options.student, options.every, options.states, options.totals,
+                       options.events, options.format});
 }
 
 Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
@@ -103,7 +109,8 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
     const Result<double> seconds = numberOf(parser, options.duration, 1e9);
     if (!seconds)
         return seconds.error();
-    Result<Preset> preset = readPreset(parser.positionalArguments().first());
+    const QString student = parser.value(options.student);
+    Result<Preset> preset = presetWithValues(parser.positionalArguments().first(), student);
     if (!preset)
         return preset.error();
     SimulateRequest request{.preset = std::move(*preset)};
@@ -138,7 +145,11 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
         const Result<QString> program = readProgram(parser.value(options.script));
         if (!program)
             return program.error();
-        request.program = *program;
+        const auto own =
+            withValuesOfItsStep(parser.value(options.script), program->toUtf8(), student);
+        if (!own)
+            return own.error();
+        request.program = QString::fromUtf8(*own);
         request.programFile = parser.value(options.script);
     }
     request.states = parser.value(options.states);

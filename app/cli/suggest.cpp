@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/lab_at_hand.h"
 #include "app/cli/subcommand.h"
 
 #include "tasks/authoring/mutations.h"
@@ -20,11 +21,19 @@ QString describe(const Suggestion &suggestion)
 {
     const Mutant &mutant = suggestion.mutant;
     QString text = QStringLiteral("  %1 %2\n").arg(mutant.name, -28).arg(mutant.change);
-    text += suggestion.kind == Suggestion::Kind::Passes
-                ? SuggestText::tr("      passes every check\n")
-                : SuggestText::tr("      fails %1 without a diagnosis: %2\n")
-                      .arg(suggestion.check, suggestion.finding);
-    return text;
+    switch (suggestion.kind) {
+    case Suggestion::Kind::Passes:
+        return text + SuggestText::tr("      passes every check\n");
+    case Suggestion::Kind::ToldByLaw:
+        return text
+               + SuggestText::tr("      fails %1; what is measured tells: %2\n")
+                     .arg(suggestion.check, suggestion.finding);
+    case Suggestion::Kind::NotDiagnosed:
+        break;
+    }
+    return text
+           + SuggestText::tr("      fails %1 without a diagnosis: %2\n")
+                 .arg(suggestion.check, suggestion.finding);
 }
 
 } // namespace
@@ -34,9 +43,8 @@ ExitCode suggest(const QStringList &arguments)
     QCommandLineParser parser;
     parser.setApplicationDescription(SuggestText::tr(
         "Makes mistakes that students make out of the solutions of a lab, and names those that "
-        "pass "
-        "every check (a check may be missing) and those that fail without a diagnosis (a mistake "
-        "may be missing)."));
+        "pass every check (a check may be missing), those that fail without a diagnosis (a mistake "
+        "may be missing), and those of which a law that is measured tells."));
     parser.addPositionalArgument(QStringLiteral("LAB"),
                                  SuggestText::tr("the lab's folder, or NAME.cradle"));
     parser.addPositionalArgument(QStringLiteral("STEP"), SuggestText::tr("this step alone"),
@@ -50,7 +58,7 @@ ExitCode suggest(const QStringList &arguments)
         QTextStream(stderr) << finding.toString() << Qt::endl;
     const QString only = parser.positionalArguments().value(1);
     if (!only.isEmpty() && lab->indexOf(only) < 0)
-        return complain(SuggestText::tr("the lab has no step %1").arg(only));
+        return complain(noStep(*lab, only));
     int passing = 0;
     for (const Task &task : lab->tasks) {
         if (!only.isEmpty() && task.id != only)

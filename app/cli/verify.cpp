@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/lab_at_hand.h"
 #include "app/cli/subcommand.h"
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/mutations.h"
+#include "tasks/lab_files/step_alone.h"
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/reading/lab_archive.h"
 
@@ -28,11 +30,12 @@ QString summary(const Lab &lab, const std::vector<VerifiedTask> &tasks, qint64 m
         for (const VerifiedProgram &program : task.programs)
             mistakes += program.role == VerifiedProgram::Role::Mistake ? 1 : 0;
     }
-    return VerifyText::tr("%1 steps, %2 mistakes, %3 problems, %4 s\n")
-        .arg(tasks.size())
-        .arg(mistakes)
-        .arg(problems)
-        .arg(static_cast<double>(milliseconds) / 1000.0, 0, 'f', 1);
+    const QStringList parts{
+        VerifyText::tr("%n steps", nullptr, static_cast<int>(tasks.size())),
+        VerifyText::tr("%n mistakes", nullptr, static_cast<int>(mistakes)),
+        VerifyText::tr("%n problems", nullptr, static_cast<int>(problems)),
+        VerifyText::tr("%1 s").arg(static_cast<double>(milliseconds) / 1000.0, 0, 'f', 1)};
+    return parts.join(QStringLiteral(", ")) + QLatin1Char('\n');
 }
 
 /// Rewrites programs in the lab's folder, and says how many lines that saved.
@@ -106,7 +109,7 @@ ExitCode verify(const QStringList &arguments)
         return complain(VerifyText::tr("this is an edition for students, without the solutions and "
                                        "mistakes that prove a lab; the whole lab is right"));
     if (parser.isSet(only) && lab->indexOf(parser.value(only)) < 0)
-        return complain(VerifyText::tr("the lab has no step %1").arg(parser.value(only)));
+        return complain(noStep(*lab, parser.value(only)));
     std::vector<VerifiedTask> tasks = verifyLab(*lab, parser.value(only), {}, seedCount);
     for (VerifiedTask &task : tasks) {
         if (parser.isSet(mutations))
@@ -119,6 +122,11 @@ ExitCode verify(const QStringList &arguments)
         text += describeVerified(task) + QLatin1Char('\n');
         sound = sound && task.findings.empty();
     }
+    for (const QString &step : unlistedSteps(*lab->files))
+        text += QStringLiteral("? ")
+                + VerifyText::tr("the folder %1 is no step: lab.json does not list it\n").arg(step);
+    if (const QString tried = describeTried(*lab); !tried.isEmpty())
+        text += VerifyText::tr("Values of students that were tried:\n") + tried + QLatin1Char('\n');
     if (const auto error = writeText({}, (text + summary(*lab, tasks, timer.elapsed())).toUtf8()))
         return complainUnwritten(*error);
     return sound ? Done : NotPassed;

@@ -73,7 +73,9 @@ struct Place {
             node = node.value(QStringLiteral("items")).toObject();
             value = value.toArray().at(key.toInt());
         } else {
-            node = node.value(QStringLiteral("properties")).toObject().value(key).toObject();
+            const QJsonValue named = node.value(QStringLiteral("properties")).toObject().value(key);
+            const QJsonValue others = node.value(QStringLiteral("additionalProperties"));
+            node = (named.isUndefined() ? others : named).toObject();
             value = value.toObject().value(key);
         }
         pointer += pointerStep(key);

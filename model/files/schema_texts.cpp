@@ -23,7 +23,7 @@ namespace cradle {
     QT_TRANSLATE_NOOP("Schema", "an object with title, hints, code_hints, prediction, checks, questions, mistakes and remarks"),
     QT_TRANSLATE_NOOP("Schema", "an object with title, text and answers"),
     QT_TRANSLATE_NOOP("Schema", "from one to the next, a number greater than 0"),
-    QT_TRANSLATE_NOOP("Schema", "how far off is still right, a number from 0"),
+    QT_TRANSLATE_NOOP("Schema", "how far off is still right, a number from 0 or an expression"),
     QT_TRANSLATE_NOOP("Schema", "of an edition for students: the SHA-256 of the lab that it is of"),
     QT_TRANSLATE_NOOP("Schema", "one of number, one, several, order, text"),
     QT_TRANSLATE_NOOP("Schema", "the least, a number"),

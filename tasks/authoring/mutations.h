@@ -26,26 +26,28 @@ struct Mutant {
 /// What became of a mutant that tells the author something.
 struct Suggestion {
     enum class Kind {
-        Passes,      ///< it does something else than the solution, and every check accepts it:
-                     ///< a check is missing
-        NotDiagnosed ///< it fails by \c check, and no mistake of the step explains it
+        Passes,       ///< it does something else than the solution, and every check accepts it:
+                      ///< a check is missing
+        NotDiagnosed, ///< it fails by \c check, and nothing is said of why
+        ToldByLaw     ///< it fails by \c check; no mistake of the step is it, but a law that was
+                      ///< measured says why
     };
 
     Kind kind = Kind::NotDiagnosed;
     Mutant mutant{};
     QString check{};   ///< id of the first check that it fails
-    QString finding{}; ///< what that check said
+    QString finding{}; ///< what that check said; of ToldByLaw the headline of what is told
 };
 
 /// What the mutants of a solution tell.
 struct Suggestions {
-    std::vector<Suggestion> list{}; ///< those that pass first
+    std::vector<Suggestion> list{}; ///< in the order of their kinds
     QStringList alone{};            ///< ids of checks that some mutant fails by no other
 };
 
 /// Judges the mutants of the solution of \p task. Of those that do the same in all its scenes only
-/// the first is kept; those that do what the solution does, stop with an error or are diagnosed
-/// are left out.
+/// the first is kept; those that do what the solution does, stop with an error or are a mistake of
+/// the step are left out.
 /// \param hooks  called from other threads, never two at once
 /// \return nothing if it was cancelled
 [[nodiscard]] Suggestions suggestMistakes(const Lab &lab, const Task &task,

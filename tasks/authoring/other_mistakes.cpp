@@ -21,6 +21,16 @@ QStringList othersOf(const QStringList &steps, const QString &step)
     return others + steps.mid(at + 1);
 }
 
+/// The difference that mistake \p name of step \p other is, however it is kept.
+QString diffOf(const LabFiles &files, const QString &other, const QString &name)
+{
+    const QString path = knownPath(other, KnownKind::Mistake, name);
+    if (isDiff(files, path))
+        return textOf(files, diffPathOf(path));
+    return diffOfProgram(textOf(files, path),
+                         textOf(files, other + QStringLiteral("/solution.lua")), path);
+}
+
 } // namespace
 
 std::vector<OtherMistake> mistakesOfOtherSteps(const LabFiles &files, const QString &step)
@@ -38,11 +48,9 @@ std::vector<OtherMistake> mistakesOfOtherSteps(const LabFiles &files, const QStr
     }
     for (const QString &other : othersOf(stepsOf(files), step)) {
         for (const QString &name : knownNames(files, other, KnownKind::Mistake)) {
-            const QString path = knownPath(other, KnownKind::Mistake, name);
-            if (names.contains(name) || !isDiff(files, path))
+            if (names.contains(name))
                 continue;
-            const Result<QString> program =
-                programFromDiff(textOf(files, diffPathOf(path)), solution);
+            const Result<QString> program = programFromDiff(diffOf(files, other, name), solution);
             if (!program || codes.contains(withoutFirstComment(*program)))
                 continue;
             names.insert(name);

@@ -16,8 +16,8 @@ struct OtherMistake {
     friend bool operator==(const OtherMistake &, const OtherMistake &) = default;
 };
 
-/// The mistakes of other steps that are kept as differences, apply to the solution of \p step and
-/// are not among its own; those of the nearest step before first. One of a name and one of a
+/// The mistakes of other steps whose difference from their solution applies to that of \p step and
+/// that are not among its own; those of the nearest step before first. One of a name and one of a
 /// program are enough.
 [[nodiscard]] std::vector<OtherMistake> mistakesOfOtherSteps(const LabFiles &files,
                                                              const QString &step);

@@ -190,16 +190,20 @@ Suggestions suggestMistakes(const Lab &lab, const Task &task, const JudgeHooks &
         if (report.error || (!report.passed && !mistakesOf(report).isEmpty()))
             continue;
         Suggestion suggestion;
-        suggestion.kind = report.passed ? Suggestion::Kind::Passes : Suggestion::Kind::NotDiagnosed;
+        suggestion.kind = report.passed             ? Suggestion::Kind::Passes
+                          : report.findings.empty() ? Suggestion::Kind::NotDiagnosed
+                                                    : Suggestion::Kind::ToldByLaw;
         if (failed != report.checks.end()) {
             suggestion.check = failed->id;
             suggestion.finding = failed->message;
         }
+        if (suggestion.kind == Suggestion::Kind::ToldByLaw)
+            suggestion.finding = report.diagnosis()->message.section(QLatin1Char('\n'), 0, 0);
         suggestion.mutant = std::move(trial.mutant);
         suggestions.push_back(std::move(suggestion));
     }
-    std::stable_partition(suggestions.begin(), suggestions.end(),
-                          [](const Suggestion &s) { return s.kind == Suggestion::Kind::Passes; });
+    std::stable_sort(suggestions.begin(), suggestions.end(),
+                     [](const Suggestion &a, const Suggestion &b) { return a.kind < b.kind; });
     return made;
 }
 

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QJsonDocument>
+#include <QRegularExpression>
 
 namespace cradle {
 
@@ -49,6 +50,32 @@ NamedTexts namedIn(const QJsonObject &task, const QStringList &mistakes)
             {remarks, idsOf(task, remarks)}};
 }
 
+/// Whether a text is of words, which no other language has alike: "5.8 m" may well be the same.
+bool isOfWords(const QString &text)
+{
+    static const QRegularExpression words(QStringLiteral("\\p{L}{3,}\\W+\\p{L}{3,}"));
+    return words.match(text).hasMatch();
+}
+
+/// The texts of a prediction that are still those of the lab's own language.
+QStringList sameInPrediction(const QJsonObject &words, const QJsonObject &own)
+{
+    const QString prediction = QStringLiteral("prediction.");
+    QStringList same;
+    for (const QString &key : {QStringLiteral("question"), QStringLiteral("outcome")}) {
+        const QString text = own.value(key).toString();
+        if (isOfWords(text) && words.value(key).toString() == text)
+            same.append(prediction + key);
+    }
+    const QJsonArray answers = own.value(QStringLiteral("answers")).toArray();
+    const QJsonArray translated = words.value(QStringLiteral("answers")).toArray();
+    for (qsizetype i = 0; i < answers.size(); ++i) {
+        if (isOfWords(answers[i].toString()) && translated.at(i) == answers[i])
+            same.append(prediction + QStringLiteral("answers.%1").arg(i + 1));
+    }
+    return same;
+}
+
 /// What \p words, a step's texts in another language, have not: "title", "checks.falls".
 QStringList missingIn(const QJsonObject &words, const QJsonObject &task, const NamedTexts &named)
 {
@@ -62,6 +89,8 @@ QStringList missingIn(const QJsonObject &words, const QJsonObject &task, const N
     const QString prediction = QStringLiteral("prediction");
     if (task.contains(prediction) && !words.contains(prediction))
         missing.append(prediction);
+    missing +=
+        sameInPrediction(words.value(prediction).toObject(), task.value(prediction).toObject());
     for (const auto &[key, names] : named) {
         const QJsonObject texts = words.value(key).toObject();
         for (const QString &name : names) {
@@ -112,6 +141,59 @@ QStringList codeOf(const QString &source)
     return words;
 }
 
+/// The pictures that a text names and the step has not.
+QStringList missingPictures(const LabFiles &files, const QString &step, const QString &text)
+{
+    static const QRegularExpression picture(QStringLiteral("!\\[[^\\]]*\\]\\(([^)\\s]+)[^)]*\\)"));
+    QStringList missing;
+    for (auto it = picture.globalMatch(text); it.hasNext();) {
+        const QString name = it.next().captured(1);
+        if (!name.contains(QLatin1Char(':'))
+            && !files.contents.contains(step + QLatin1Char('/') + name))
+            missing.append(name);
+    }
+    missing.removeDuplicates();
+    return missing;
+}
+
+/// Comments that look like the beginning of a part and are none: "<!-- Code -->".
+QStringList unknownParts(const QString &text)
+{
+    static const QRegularExpression comment(QStringLiteral("^<!--\\s*(\\S+)\\s*-->\\s*$"),
+                                            QRegularExpression::MultilineOption);
+    static const QStringList parts{QStringLiteral("explore"), QStringLiteral("code"),
+                                   QStringLiteral("all")};
+    QStringList unknown;
+    for (auto it = comment.globalMatch(text); it.hasNext();) {
+        const QString word = it.next().captured(1);
+        if (!parts.contains(word))
+            unknown.append(word);
+    }
+    unknown.removeDuplicates();
+    return unknown;
+}
+
+/// What the instructions of a step, in any language, name and have not.
+void findInstructionGaps(const LabFiles &files, const QString &step, std::vector<Error> &gaps)
+{
+    const QString start = step + QStringLiteral("/instructions.");
+    for (auto it = files.contents.lowerBound(start);
+         it != files.contents.end() && it.key().startsWith(start); ++it) {
+        const QString text = textOf(files, it.key());
+        const QStringList pictures = missingPictures(files, step, text);
+        if (!pictures.isEmpty())
+            gaps.push_back({.message = GapsText::tr("there is no picture %1 in the step's folder")
+                                           .arg(pictures.join(QStringLiteral(", "))),
+                            .file = it.key()});
+        const QStringList parts = unknownParts(text);
+        if (!parts.isEmpty())
+            gaps.push_back({.message = GapsText::tr("<!-- %1 --> begins no part; explore, code and "
+                                                    "all do")
+                                           .arg(parts.join(QStringLiteral(", "))),
+                            .file = it.key()});
+    }
+}
+
 /// What is wrong with the starter of a step in another language, which differs in comments alone.
 std::optional<Error> starterGap(const LabFiles &files, const QString &step, const QString &language)
 {
@@ -148,6 +230,7 @@ std::vector<Error> textGaps(const LabFiles &files)
             gaps.push_back({.message = GapsText::tr("still the text of the template: %1")
                                            .arg(left.join(QStringLiteral(", "))),
                             .file = path});
+        findInstructionGaps(files, step, gaps);
         const NamedTexts named = namedIn(task, knownNames(files, step, KnownKind::Mistake));
         for (const QString &language : languages.mid(1)) {
             const QString translated = translatedPath(path, language);

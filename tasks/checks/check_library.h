@@ -12,8 +12,9 @@ struct Fault {
     std::optional<double> expected{}; ///< in \c unit
     std::optional<double> observed{}; ///< in \c unit
     QString unit{};
-    qint64 step = -1; ///< where it first shows; −1 if nowhere in particular
-    int circle = -1;  ///< that shows it, from 0; −1 if it is none alone
+    qint64 step = -1;          ///< where it first shows; −1 if nowhere in particular
+    int circle = -1;           ///< that shows it, from 0; −1 if it is none alone
+    bool checkStopped = false; ///< the check itself has an error: nothing is said of the run
 };
 
 /// Judges \p observation by the kind and the parameters of \p check. Kinds:

@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 #include <cmath>
@@ -189,14 +190,14 @@ public:
         }
     }
 
-    [[nodiscard]] std::vector<Error> take() { return std::move(m_faults); }
-
-private:
     void add(const QString &place, const QString &message)
     {
         m_faults.push_back({.message = message, .file = m_source, .pointer = place});
     }
 
+    [[nodiscard]] std::vector<Error> take() { return std::move(m_faults); }
+
+private:
     const KindInfo *judgeKind(const std::vector<KindInfo> &kinds, const QJsonValue &name,
                               const QString &place)
     {
@@ -256,8 +257,18 @@ std::vector<Error> findCheckFaults(const QJsonObject &task, std::size_t circles,
 {
     Faults faults(circles, source);
     const QJsonArray checks = task.value(QStringLiteral("checks")).toArray();
-    for (qsizetype i = 0; i < checks.size(); ++i)
-        faults.judgeCheck(checks.at(i).toObject(), QStringLiteral("/checks/%1").arg(i));
+    QSet<QString> ids;
+    for (qsizetype i = 0; i < checks.size(); ++i) {
+        const QString place = QStringLiteral("/checks/%1").arg(i);
+        const QString id = checks.at(i).toObject().value(QStringLiteral("id")).toString();
+        if (ids.contains(id))
+            faults.add(place + QStringLiteral("/id"),
+                       FaultText::tr("another check has the id %1 already; an id of its own is "
+                                     "right")
+                           .arg(id));
+        ids.insert(id);
+        faults.judgeCheck(checks.at(i).toObject(), place);
+    }
     const QJsonArray remarks = task.value(QStringLiteral("remarks")).toArray();
     for (qsizetype i = 0; i < remarks.size(); ++i) {
         const QString place = QStringLiteral("/remarks/%1").arg(i);

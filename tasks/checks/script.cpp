@@ -32,7 +32,8 @@ std::optional<Fault> script(const CheckSpec &check, const Observation &o)
     if (verdict.error)
         return Fault{.message = ScriptCheckText::tr("%1: the check itself stopped, so it says "
                                                     "nothing of your work: %2")
-                                    .arg(placeOf(check, *verdict.error), verdict.error->message)};
+                                    .arg(placeOf(check, *verdict.error), verdict.error->message),
+                     .checkStopped = true};
     if (verdict.passed)
         return std::nullopt;
     Fault fault{.message = verdict.message,

@@ -262,6 +262,7 @@ private:
         outcome.variant = variant.name;
         outcome.scene = variant.preset;
         outcome.pinned = variant.pinned;
+        outcome.checkStopped = fault.checkStopped;
     }
 
     void comment(CheckReport &report)

@@ -24,9 +24,10 @@ struct CheckOutcome {
     QString variant{}; ///< the scene where it first went wrong: "preset" is the student's own
     std::optional<Preset> scene{}; ///< that scene, to be shown
     bool pinned = false;           ///< that scene keeps its values whatever a program sets
-    int line = 0;            ///< of the program: what moved the circle in that step; 0 if unknown
-    double points = 1.0;     ///< what passing it is worth
-    bool question = false;   ///< it judges an answer, not the work
+    int line = 0;              ///< of the program: what moved the circle in that step; 0 if unknown
+    bool checkStopped = false; ///< the check itself has an error: nothing is said of the work
+    double points = 1.0;       ///< what passing it is worth
+    bool question = false;     ///< it judges an answer, not the work
     bool forTeacher = false; ///< what is in the message is read by the teacher; passed: it is there
 
     friend bool operator==(const CheckOutcome &, const CheckOutcome &) = default;

@@ -28,9 +28,10 @@ struct Question {
     double number = 0.0;       ///< the right number, in \c unit
     QString expression{};      ///< as which the number was written; empty: as a number
     double tolerance = 0.0;    ///< how far off is still right, in \c unit
-    QString unit{};            ///< of a number; empty: it has none
-    double points = 1.0;       ///< what a right answer is worth, 0 to 1000; of a text: what the
-                               ///< teacher may give
+    QString toleranceExpression{}; ///< as which it was written; empty: as a number
+    QString unit{};                ///< of a number; empty: it has none
+    double points = 1.0;           ///< what a right answer is worth, 0 to 1000; of a text: what the
+                                   ///< teacher may give
 
     friend bool operator==(const Question &, const Question &) = default;
 };

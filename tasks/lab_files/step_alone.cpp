@@ -7,6 +7,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+
 namespace cradle {
 
 LabFiles stepAlone(const LabFiles &files, const QString &step)
@@ -29,6 +31,23 @@ LabFiles stepAlone(const LabFiles &files, const QString &step)
     json.insert(key, QJsonArray{step});
     alone.contents.insert(index, QJsonDocument(json).toJson());
     return alone;
+}
+
+QStringList unlistedSteps(const LabFiles &files)
+{
+    const QJsonArray steps =
+        QJsonDocument::fromJson(files.contents.value(QStringLiteral("lab.json")))
+            .object()
+            .value(QStringLiteral("steps"))
+            .toArray();
+    const QString task = QStringLiteral("/task.json");
+    QStringList unlisted;
+    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
+        const QString step = it.key().chopped(std::min(it.key().size(), task.size()));
+        if (it.key().endsWith(task) && !step.contains(QLatin1Char('/')) && !steps.contains(step))
+            unlisted.append(step);
+    }
+    return unlisted;
 }
 
 QString hashOf(const LabFiles &files)

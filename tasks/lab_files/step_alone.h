@@ -10,6 +10,9 @@ namespace cradle {
 /// the others. All of it, if lab.json lists no such folder.
 [[nodiscard]] LabFiles stepAlone(const LabFiles &files, const QString &step);
 
+/// Folders that have a task.json and that lab.json does not list: no steps of the lab.
+[[nodiscard]] QStringList unlistedSteps(const LabFiles &files);
+
 /// SHA-256 over names and contents of all files, in order of their names; in hexadecimal.
 [[nodiscard]] QString hashOf(const LabFiles &files);
 

@@ -20,8 +20,23 @@ using Role = VerifiedProgram::Role;
 
 bool isFailedBy(const CheckReport &report, const QString &check)
 {
+    return std::any_of(report.checks.begin(), report.checks.end(), [&](const CheckOutcome &c) {
+        return c.id == check && !c.passed && !c.checkStopped;
+    });
+}
+
+/// The check that stopped with an error of its own; nullptr if none did.
+const CheckOutcome *firstStop(const CheckReport &report)
+{
+    const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [](const CheckOutcome &check) { return check.checkStopped; });
+    return found == report.checks.end() ? nullptr : &*found;
+}
+
+bool isStoppedBy(const CheckReport &report, const QString &check)
+{
     return std::any_of(report.checks.begin(), report.checks.end(),
-                       [&](const CheckOutcome &c) { return c.id == check && !c.passed; });
+                       [&](const CheckOutcome &c) { return c.id == check && c.checkStopped; });
 }
 
 const CheckOutcome *firstFailure(const CheckReport &report)
@@ -46,6 +61,12 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
     const QString how =
         failure ? QStringLiteral("%1: %2").arg(failure->id, failure->message) : QString();
     finding.check = failure ? failure->id : QString();
+    if (const CheckOutcome *stopped = firstStop(report)) {
+        finding.check = stopped->id;
+        return say(
+            Kind::CheckStops,
+            VerifyText::tr("is not judged by the check %1: %2").arg(stopped->id, stopped->message));
+    }
     if (report.error)
         return say(Kind::ProgramErrs, VerifyText::tr("stops with an error at line %1: %2")
                                           .arg(report.error->line)
@@ -160,7 +181,9 @@ QString rowOf(const VerifiedTask &task, const CheckReport &report)
 {
     QStringList marks;
     for (const QString &check : task.checks)
-        marks.append(isFailedBy(report, check) ? QStringLiteral("x") : QStringLiteral("."));
+        marks.append(isStoppedBy(report, check)  ? QStringLiteral("!")
+                     : isFailedBy(report, check) ? QStringLiteral("x")
+                                                 : QStringLiteral("."));
     return marks.join(QStringLiteral("  "));
 }
 

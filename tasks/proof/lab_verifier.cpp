@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/proof/lab_verifier.h"
 
+#include "model/world/shortest_number.h"
 #include "tasks/authoring/text_gaps.h"
 #include "tasks/proof/lab_findings.h"
 #include "tasks/reading/lab_reader.h"
+#include "tasks/values/value_ranges.h"
 
 #include <QCoreApplication>
 #include <QMutex>
@@ -22,7 +24,8 @@ struct VerifierText {
 
 using Role = VerifiedProgram::Role;
 
-constexpr int students = 10; ///< whose values are tried, where the lab draws some
+constexpr int fewestStudents = 10; ///< whose values are tried, where the lab draws some
+constexpr int mostStudents = 24;
 
 /// One program to judge, and where its reports belong: one for each seed, from 1.
 struct Job {
@@ -172,6 +175,37 @@ bool isTold(const std::vector<LabFinding> &known, const LabFinding &finding)
     });
 }
 
+/// Adds \p finding, which shows with the values of \p student, unless it is told already.
+void addDrawn(VerifiedTask &task, LabFinding finding, const QString &student)
+{
+    if (isTold(task.findings, finding))
+        return;
+    finding.message =
+        VerifierText::tr("with the values of the student %1: %2").arg(student, finding.message);
+    task.findings.push_back(finding);
+}
+
+/// Adds what of the values of \p student is no number where one is needed.
+void addValueFaults(const Lab &lab, const Lab &own, const QString &student,
+                    std::vector<VerifiedTask> &result)
+{
+    for (const Error &fault : own.findings) {
+        if (std::find(lab.findings.begin(), lab.findings.end(), fault) != lab.findings.end())
+            continue;
+        const auto owner = std::find_if(result.begin(), result.end(), [&](const VerifiedTask &t) {
+            const Task &task = lab.tasks[static_cast<std::size_t>(lab.indexOf(t.id))];
+            return fault.file.startsWith(task.folder + QLatin1Char('/'));
+        });
+        VerifiedTask &task = owner == result.end() ? result.front() : *owner;
+        const QString file = fault.file.mid(lab.folder.size() + 1);
+        addDrawn(task,
+                 {.kind = LabFinding::Kind::ValueFails,
+                  .task = task.id,
+                  .message = QStringLiteral("%1: %2").arg(file, fault.message)},
+                 student);
+    }
+}
+
 /// Hooks for one of several rounds, whose progress is a part of the whole.
 JudgeHooks partOf(const JudgeHooks &hooks, int round, int rounds)
 {
@@ -187,24 +221,47 @@ JudgeHooks partOf(const JudgeHooks &hooks, int round, int rounds)
 
 } // namespace
 
+QStringList studentsTried(const Lab &lab)
+{
+    return lab.drawsValues ? studentsToTry(*lab.files, fewestStudents, mostStudents)
+                           : QStringList();
+}
+
+QString describeTried(const Lab &lab)
+{
+    QString text;
+    if (!lab.drawsValues)
+        return text;
+    for (const TriedRange &range : triedRanges(*lab.files, studentsTried(lab)))
+        text += VerifierText::tr("%1: %2 of %3 values, %4 to %5", "of a range")
+                    .arg(range.step.isEmpty() ? range.name
+                                              : QStringLiteral("%1 %2").arg(range.step, range.name))
+                    .arg(range.tried)
+                    .arg(range.count)
+                    .arg(shortestNumber(range.least), shortestNumber(range.most))
+                + QLatin1Char('\n');
+    return text;
+}
+
 std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const JudgeHooks &hooks,
                                     int seeds)
 {
-    const int rounds = lab.drawsValues ? 1 + students : 1;
+    const QStringList students = studentsTried(lab);
+    const int rounds = 1 + static_cast<int>(students.size());
     std::vector<VerifiedTask> result = verifyOne(lab, only, partOf(hooks, 0, rounds), seeds);
     for (int i = 1; i < rounds && !result.empty(); ++i) {
-        const auto drawn = verifyOne(forStudent(lab, QString::number(i)), only,
-                                     partOf(hooks, i, rounds), std::min(seeds, 5));
-        if (drawn.size() != result.size())
-            return {}; // cancelled
-        for (std::size_t t = 0; t < drawn.size(); ++t) {
-            for (LabFinding finding : drawn[t].findings) {
-                if (isTold(result[t].findings, finding))
-                    continue;
-                finding.message = VerifierText::tr("with the values of the student %1: %2")
-                                      .arg(i)
-                                      .arg(finding.message);
-                result[t].findings.push_back(finding);
+        const QString &student = students[i - 1];
+        const Lab own = forStudent(lab, student);
+        const auto drawn = verifyOne(own, only, partOf(hooks, i, rounds), std::min(seeds, 5));
+        if (hooks.cancelled && hooks.cancelled())
+            return {};
+        addValueFaults(lab, own, student, result);
+        for (const VerifiedTask &task : drawn) {
+            const auto known = std::find_if(result.begin(), result.end(),
+                                            [&](const auto &each) { return each.id == task.id; });
+            for (const LabFinding &finding : task.findings) {
+                if (known != result.end())
+                    addDrawn(*known, finding, student);
             }
         }
     }

@@ -30,6 +30,8 @@ struct LabFinding {
         RemarkFails,            ///< work that gets a remark should pass
         RemarkNotRecognised,    ///< it passes, and nothing is said of it
         CheckNeverFails,        ///< no mistake fails \c check
+        CheckStops,             ///< \c check itself stops with an error on \c program
+        ValueFails,             ///< what some student draws is no number somewhere
         ToleranceTooTight,      ///< the solution itself nearly uses up that of \c check
         CheckIsDuplicate,       ///< \c check asks for the same as one before it
         CheckNeverAlone,        ///< no mistake is seen by \c check alone
@@ -62,12 +64,18 @@ struct VerifiedTask {
 /// tolerance is nearly used up by the solution itself. Measures how wrong a run must just be for
 /// each check. Warns of checks that add nothing: duplicates, and those without which every mistake
 /// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of
-/// that scene pass, too. Where values are drawn for each student, those of ten are tried. Uses all
-/// processors. \param only   the id of one step; empty for all
-/// \param hooks  called from other threads, never two at once \return nothing if it was cancelled
-/// \param seeds  with how many each solution must pass, at least 1
+/// that scene pass, too. Where values are drawn for each student, those of studentsTried() are
+/// tried. Uses all processors. \param only   the id of one step; empty for all \param hooks  called
+/// from other threads, never two at once \return nothing if it was cancelled \param seeds  with how
+/// many each solution must pass, at least 1
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
                                                   const JudgeHooks &hooks = {}, int seeds = 5);
+
+/// The numbers of the students whose values verifyLab() tries: at least ten, and more, up to 24,
+/// where those do not draw every value. Empty if the lab draws none.
+[[nodiscard]] QStringList studentsTried(const Lab &lab);
+/// What of each range that is, a line each: "k: 9 of 9 values, 0.4 to 1.2".
+[[nodiscard]] QString describeTried(const Lab &lab);
 
 /// "mistakes/NAME", "starter": the file of a program in its step without the ending.
 [[nodiscard]] QString programPath(const VerifiedProgram &program);

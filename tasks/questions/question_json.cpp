@@ -50,6 +50,17 @@ QStringList stringsOf(const QJsonValue &list)
     return strings;
 }
 
+void readTolerance(Question &question, const QJsonValue &tolerance)
+{
+    question.tolerance = tolerance.toDouble();
+    if (!tolerance.isString())
+        return;
+    question.toleranceExpression = tolerance.toString();
+    const Result<double> number = evaluated(question.toleranceExpression, {}, question.unit);
+    if (number)
+        question.tolerance = *number;
+}
+
 void readRight(Question &question, const QJsonValue &right)
 {
     if (question.kind == Kind::Number) {
@@ -103,9 +114,9 @@ Question questionFrom(const QJsonObject &json)
                       .title = text("title"),
                       .text = text("text"),
                       .answers = stringsOf(json.value(QStringLiteral("answers"))),
-                      .tolerance = json.value(QStringLiteral("tolerance")).toDouble(),
                       .unit = text("unit"),
                       .points = json.value(QStringLiteral("points")).toDouble(1.0)};
+    readTolerance(question, json.value(QStringLiteral("tolerance")));
     readRight(question, json.value(QStringLiteral("right")));
     return question;
 }
@@ -119,7 +130,9 @@ QJsonObject jsonFrom(const Question &question)
         json.insert(QStringLiteral("right"), question.expression.isEmpty()
                                                  ? QJsonValue(question.number)
                                                  : QJsonValue(question.expression));
-        if (question.tolerance != 0.0)
+        if (!question.toleranceExpression.isEmpty())
+            json.insert(QStringLiteral("tolerance"), question.toleranceExpression);
+        else if (question.tolerance != 0.0)
             json.insert(QStringLiteral("tolerance"), question.tolerance);
         if (!question.unit.isEmpty())
             json.insert(QStringLiteral("unit"), question.unit);
@@ -182,6 +195,8 @@ QString faultOf(const Question &question)
     if (question.kind == Kind::Number && !unitFrom(question.unit))
         return QuestionText::tr("%1 is no unit; one like m/s, kg m/s, N s, J, ° or % is right")
             .arg(question.unit);
+    if (question.kind == Kind::Number && question.tolerance < 0.0)
+        return QuestionText::tr("Tolerance: a number from 0 is right");
     return {};
 }
 
@@ -209,6 +224,10 @@ std::vector<Error> questionFaults(const QJsonObject &task)
                                              ? number.error().message
                                              : QuestionText::tr("the right number is missing"),
                               .pointer = place + QStringLiteral("/right")});
+        else if (const auto margin = evaluated(question.toleranceExpression, {}, question.unit);
+                 !question.toleranceExpression.isEmpty() && !margin)
+            faults.push_back({.message = margin.error().message,
+                              .pointer = place + QStringLiteral("/tolerance")});
         else if (const QString fault = faultOf(question); !fault.isEmpty())
             faults.push_back({.message = fault, .pointer = place});
     }

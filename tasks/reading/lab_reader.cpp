@@ -241,7 +241,10 @@ Result<Lab> readWithValues(const LabFiles &files, const QString &folder, const Q
 {
     std::vector<Error> found;
     const LabFiles put = withValues(files, student, &found);
+    const QStringList unlisted = unlistedSteps(files);
     for (Error &fault : found) {
+        if (unlisted.contains(fault.file.section(QLatin1Char('/'), 0, 0)))
+            continue; // what is no step of the lab is nobody's concern
         fault.file = folder + QLatin1Char('/') + fault.file;
         faults.push_back(std::move(fault));
     }

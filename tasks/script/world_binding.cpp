@@ -118,6 +118,10 @@ QStringList globalNames(lua_State *L)
     if (const QString meant = meantByLocals(L, name, locals); !meant.isEmpty())
         raise(L, meant);
     const QString near = nearestName(name, locals + globalNames(L));
+    if (near == name)
+        raise(L, WorldText::tr("`%1` is not known yet: a local can be used only after the "
+                               "statement that makes it")
+                     .arg(name));
     if (!near.isEmpty())
         raise(L, WorldText::tr("`%1` is not known: did you mean `%2`?").arg(name, near));
     raise(L, unknown.arg(name));

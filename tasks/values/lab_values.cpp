@@ -23,6 +23,8 @@ struct ValuesText {
 
 const QString labPath = QStringLiteral("lab.json");
 constexpr double mostDraws = 10'000; ///< numbers in a range
+const QString fromKey = QStringLiteral("from");
+const QString stepKey = QStringLiteral("step");
 
 /// An object whatever is wrong with it: the reader tells of that.
 QJsonObject objectIn(const LabFiles &files, const QString &path)
@@ -90,18 +92,15 @@ private:
 
     double drawn(const QString &name, const QJsonObject &range, const QString &path)
     {
-        const double from = range.value(QStringLiteral("from")).toDouble();
-        const double to = range.value(QStringLiteral("to")).toDouble();
-        const double step = range.value(QStringLiteral("step")).toDouble();
-        const double steps = std::floor((to - from) / step + 1e-9);
-        if (!(step > 0.0 && steps >= 0.0 && steps < mostDraws)) {
+        const int count = countOfRange(range);
+        if (count == 0) {
             fail(path, name,
                  ValuesText::tr("a range from the least to the most, with a step that "
                                 "is greater than 0, is right"));
-            return from;
+            return range.value(fromKey).toDouble();
         }
         if (m_student.isEmpty())
-            return from;
+            return range.value(fromKey).toDouble();
         const QByteArray key = (m_lab.value(QStringLiteral("id")).toString() + QLatin1Char('\n')
                                 + m_lab.value(QStringLiteral("draw")).toString())
                                    .toUtf8();
@@ -109,9 +108,7 @@ private:
             (path + QLatin1Char('\n') + name + QLatin1Char('\n') + m_student).toUtf8(), key,
             QCryptographicHash::Sha256);
         const quint64 number = qFromBigEndian<quint64>(code.constData());
-        const auto index = number % (static_cast<quint64>(steps) + 1);
-        // As it would be written: 0.6 + 3*0.05 is 0.75.
-        return QString::number(from + static_cast<double>(index) * step, 'g', 12).toDouble();
+        return numberOfRange(range, static_cast<int>(number % static_cast<quint64>(count)));
     }
 
     void fail(const QString &path, const QString &name, const QString &message)
@@ -161,6 +158,21 @@ Result<QByteArray> put(const QString &path, const QByteArray &bytes, const Value
 }
 
 } // namespace
+
+int countOfRange(const QJsonObject &range)
+{
+    const double from = range.value(fromKey).toDouble();
+    const double to = range.value(QStringLiteral("to")).toDouble();
+    const double step = range.value(stepKey).toDouble();
+    const double steps = std::floor((to - from) / step + 1e-9);
+    return step > 0.0 && steps >= 0.0 && steps < mostDraws ? static_cast<int>(steps) + 1 : 0;
+}
+
+double numberOfRange(const QJsonObject &range, int index)
+{
+    const double number = range.value(fromKey).toDouble() + index * range.value(stepKey).toDouble();
+    return QString::number(number, 'g', 12).toDouble();
+}
 
 bool drawsValues(const LabFiles &files)
 {

@@ -17,6 +17,11 @@ using Values = QMap<QString, double>;
 /// Whether the lab or a step draws a value for each student.
 [[nodiscard]] bool drawsValues(const LabFiles &files);
 
+/// How many values a range has; 0 if it is none.
+[[nodiscard]] int countOfRange(const QJsonObject &range);
+/// Its value at \p index, from 0, as it would be written: 0.6 + 3*0.05 is 0.75.
+[[nodiscard]] double numberOfRange(const QJsonObject &range, int index);
+
 /// A student's number however it is written: letters and digits alone, small, without zeros in
 /// front, as spreadsheets drop them. Numbers that are alike in this draw the same values.
 [[nodiscard]] QString plainNumber(const QString &number);

@@ -125,9 +125,11 @@ public:
             const QString below = place + QLatin1Char('/') + it.key();
             const bool numbers =
                 it.key() == QLatin1String("parameters") || it.key() == QLatin1String("scene");
-            if (it.key() == QLatin1String("right") && it.value().isString() && !m_values.isEmpty())
-                it.value() = right(it.value().toString(), below,
-                                   json.value(QStringLiteral("unit")).toString());
+            const bool ofAnswer =
+                it.key() == QLatin1String("right") || it.key() == QLatin1String("tolerance");
+            if (ofAnswer && it.value().isString() && !m_values.isEmpty())
+                it.value() = numberOfAnswer(it.value().toString(), below,
+                                            json.value(QStringLiteral("unit")).toString());
             else if (it.key() != QLatin1String("values"))
                 it.value() = numbers ? all(it.value(), below, false) : textBelow(it.value(), below);
         }
@@ -143,11 +145,11 @@ private:
         return names.contains(key);
     }
 
-    /// Of a question, with marks or without.
-    QJsonValue right(const QString &written, const QString &place, const QString &unit)
+    /// Of a question, with marks or without: "3/{{k}}" is "3/k".
+    QJsonValue numberOfAnswer(const QString &written, const QString &place, const QString &unit)
     {
-        const QString only = onlyExpression(written);
-        return number(only.isEmpty() ? written : only, written, place, unit);
+        const QString plain = QString(written).replace(mark(), QStringLiteral("(\\1)"));
+        return number(plain, written, place, unit);
     }
 
     QJsonValue fail(Error error, const QString &place, const QString &value)

@@ -148,16 +148,21 @@ void ProofTab::addSuggestion(const Suggestion &suggestion)
 {
     const bool passes = suggestion.kind == Suggestion::Kind::Passes;
     const Mutant &mutant = suggestion.mutant;
-    const QString headline =
-        mutant.message.section(QLatin1Char('\n'), 0, 0).remove(QLatin1Char('`'));
+    const auto plain = [](const QString &markdown) {
+        return markdown.section(QLatin1Char('\n'), 0, 0).remove(QLatin1Char('`'));
+    };
+    const QString headline = plain(mutant.message);
     const QString line = QString::number(mutant.line);
     const QString change = mutant.change.trimmed();
     const QString where =
         change.isEmpty() ? tr("line %1").arg(line) : tr("line %1: %2").arg(line, change);
     const QString text =
         passes ? tr("Passes every check, so one is missing: %1 (%2)").arg(headline, where)
-               : tr("Fails by “%1” without a word on why: %2 (%3)")
-                     .arg(suggestion.check, headline, where);
+        : suggestion.kind == Suggestion::Kind::ToldByLaw
+            ? tr("Fails by “%1”; students read: “%2”, of: %3 (%4)")
+                  .arg(suggestion.check, plain(suggestion.finding), headline, where)
+            : tr("Fails by “%1” without a word on why: %2 (%3)")
+                  .arg(suggestion.check, headline, where);
     QPushButton *button = addRow(text, passes, tr("Add as a mistake"));
     button->setEnabled(!m_document.isReadOnly());
     connect(button, &QPushButton::clicked, this, [this, suggestion, button] {

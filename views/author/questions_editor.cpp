@@ -5,6 +5,8 @@
 #include "model/files/expression.h"
 #include "model/world/shortest_number.h"
 #include "tasks/questions/answers.h"
+#include "tasks/questions/question_json.h"
+#include "tasks/values/put_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/question_bounds.h"
@@ -35,6 +37,13 @@ bool isSame(const QString &typed, const QString &text, bool isNumber)
     const Result<double> a = evaluated(typed);
     const Result<double> b = evaluated(text);
     return isNumber && a && b && *a == *b;
+}
+
+/// As the student with those values finds it.
+Question withValuesPut(const Question &question, const Values &values)
+{
+    const Result<QJsonObject> put = taskWithNumbers(jsonFrom(question), values);
+    return put ? questionFrom(*put) : question;
 }
 
 } // namespace
@@ -72,8 +81,10 @@ int QuestionsEditor::at() const
     return m_list->currentRow();
 }
 
-void QuestionsEditor::showQuestions(const std::vector<Question> &questions, const QString &step)
+void QuestionsEditor::showQuestions(const std::vector<Question> &questions, const QString &step,
+                                    const Values &values)
 {
+    m_values = values;
     const int before = step == m_step ? at() : 0;
     m_questions = questions;
     m_step = step;
@@ -90,8 +101,11 @@ void QuestionsEditor::showQuestions(const std::vector<Question> &questions, cons
     m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
     m_loading = false;
     m_heading->setText(tr("Questions · %1").arg(m_list->count()));
-    m_card->setQuestions(questions, {});
-    m_card->setAnswers(rightAnswers(questions));
+    std::vector<Question> shown;
+    for (const Question &question : questions)
+        shown.push_back(withValuesPut(question, values));
+    m_card->setQuestions(shown, {});
+    m_card->setAnswers(rightAnswers(shown));
     m_cardCaption->setVisible(!questions.empty());
     showCurrent();
 }
@@ -130,6 +144,8 @@ QString QuestionsEditor::valueText(Line line) const
         return question.expression.isEmpty() ? fractionOrNumber(question.number)
                                              : question.expression;
     case Tolerance:
+        if (!question.toleranceExpression.isEmpty())
+            return question.toleranceExpression;
         return question.tolerance == 0.0 ? QString() : fractionOrNumber(question.tolerance);
     case Unit:
         return question.unit;

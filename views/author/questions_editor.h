@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/lab/question.h"
+#include "tasks/values/lab_values.h"
 #include "views/author/refused_texts.h"
 
 #include <QWidget>
@@ -33,7 +34,9 @@ public:
     /// \param renderer  sets formulas; outlives the editor
     explicit QuestionsEditor(FormulaRenderer *renderer, QWidget *parent = nullptr);
 
-    void showQuestions(const std::vector<Question> &questions, const QString &step);
+    /// \param values  that expressions may name
+    void showQuestions(const std::vector<Question> &questions, const QString &step,
+                       const Values &values);
     void setReadOnly(bool readOnly);
     void forgetTexts() { m_texts.clear(); } ///< of another lab
 
@@ -79,6 +82,7 @@ private:
 
     std::vector<Question> m_questions;
     QString m_step;
+    Values m_values;
     RefusedTexts m_texts;
     bool m_readOnly = false;
     bool m_loading = false;

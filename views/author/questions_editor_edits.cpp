@@ -86,7 +86,12 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
 {
     static const QRegularExpression idForm(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     Question &question = current();
-    const Result<double> number = evaluated(text, {}, question.unit);
+    // Marks round a value are taken, too: {{k}} is k.
+    static const QRegularExpression mark(QStringLiteral("\\{\\{([^{}]+)\\}\\}"));
+    const QString expression = QString(text).replace(mark, QStringLiteral("(\\1)"));
+    const Result<double> number = evaluated(expression, m_values, question.unit);
+    bool isPlain = false;
+    (void)text.toDouble(&isPlain);
     switch (line) {
     case Title:
         if (text.isEmpty())
@@ -107,19 +112,17 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
             return tr("Points: a number from 0 to 1000 is right");
         question.points = text.isEmpty() ? 1.0 : *number;
         break;
-    case Number: {
+    case Number:
         if (!number)
             return number.error().message;
-        bool plain = false;
-        (void)text.toDouble(&plain);
         question.number = *number;
-        question.expression = plain ? QString() : text;
+        question.expression = isPlain ? QString() : text;
         break;
-    }
     case Tolerance:
         if (!text.isEmpty() && (!number || *number < 0.0))
             return tr("Tolerance: a number from 0 is right");
         question.tolerance = text.isEmpty() ? 0.0 : *number;
+        question.toleranceExpression = isPlain ? QString() : text;
         break;
     case Unit:
         if (!unitFrom(text))

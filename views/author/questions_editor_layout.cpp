@@ -52,7 +52,7 @@ QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
     whole->addWidget(parts);
     retranslate();
     wire();
-    showQuestions({}, {});
+    showQuestions({}, {}, {});
 }
 
 QWidget *QuestionsEditor::makeList()

@@ -3,6 +3,8 @@
 #include "views/author/scene_tab.h"
 
 #include "tasks/script/student_script.h"
+#include "tasks/values/lab_values.h"
+#include "tasks/values/put_values.h"
 #include "views/error_line.h"
 
 #include <QComboBox>
@@ -22,9 +24,12 @@ void SceneTab::visit(const SceneVisit &run)
 /// The reference program if it is asked for, else the laws.
 QString SceneTab::moverSource() const
 {
-    return m_mover->currentIndex() == 1 && which() == StepPreset::Start
-               ? textOf(m_document.files(), m_document.step() + QStringLiteral("/solution.lua"))
-               : QString();
+    if (m_mover->currentIndex() != 1 || which() != StepPreset::Start)
+        return {};
+    const LabFiles &files = m_document.files();
+    const QString written = textOf(files, m_document.step() + QStringLiteral("/solution.lua"));
+    const auto source = withNumbers(written, valuesOf(files, m_document.step(), {}), true);
+    return source ? *source : written;
 }
 
 QStringList SceneTab::lockedFields() const

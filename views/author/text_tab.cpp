@@ -183,7 +183,8 @@ void TextTab::reloadForm()
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
     m_prediction->showPrediction(form->prediction);
-    m_questions->showQuestions(form->questions, m_document.step());
+    m_questions->showQuestions(form->questions, m_document.step(),
+                               valuesOf(m_document.files(), m_document.step(), {}));
     if (hints != m_shownHints) {
         m_shownHints = hints;
         m_hints->showHints(hints);
