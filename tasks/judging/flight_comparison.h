@@ -84,13 +84,20 @@ protected:
         return patternOf(factors);
     }
 
-    /// Where a number stands for the timestep, one that is another number shows it.
-    [[nodiscard]] std::size_t shownTimestep(const TimestepPattern &p) const
+    /// Where a number stands for the timestep, one that is another number shows it; where \p part
+    /// is right with some timesteps, the one with which it is most wrong does.
+    [[nodiscard]] std::size_t shownTimestep(const TimestepPattern &p, const Part &part = {}) const
     {
-        if (p.kind != TimestepPattern::Kind::Fixed)
+        using Kind = TimestepPattern::Kind;
+        if (p.kind != Kind::Fixed && (p.kind != Kind::Other || !part))
             return 0;
         const auto &all = m_ground.timesteps;
-        const auto off = [&](double h) { return std::abs(std::log(h / p.value)); };
+        const auto off = [&](double h) {
+            if (p.kind == Kind::Fixed)
+                return std::abs(std::log(h / p.value));
+            return std::abs(part(m_own.at(gravity(), h, m_i)) / part(m_right.at(gravity(), h, m_i))
+                            - 1.0);
+        };
         const auto most = std::max_element(all.begin(), all.end(),
                                            [&](double a, double b) { return off(a) < off(b); });
         return static_cast<std::size_t>(most - all.begin());

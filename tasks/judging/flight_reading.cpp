@@ -68,6 +68,8 @@ public:
                          && flight.isWayLinear && flight.isTurnLinear;
         flight.seen = {seen(m_first), seen(m_second)};
         flight.crossing = crossing();
+        flight.isWayOfNew = isClose(way(m_first), m_h * m_first.after[m_i].velocity)
+                            && isClose(way(m_second), m_h * m_second.after[m_i].velocity);
         return flight;
     }
 
@@ -201,6 +203,36 @@ bool keepsSpeed(const Flight &slow, const Steps &rest, const Steps &run, std::si
            && (slow.resetsY || std::abs(kept.x) > 0.5 * std::abs(run.start[i].velocity.x));
 }
 
+/// Compares a run that is late with one that is not.
+void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t i)
+{
+    if (!late.made)
+        return;
+    const auto same = [](const Circle &a, const Circle &b) {
+        return length(a.position - b.position) + length(a.velocity - b.velocity)
+               <= 1e-9 * (1.0 + length(b.position) + length(b.velocity));
+    };
+    flight.isTimeless =
+        same(first.before[i], late.before[i]) && same(first.after[i], late.after[i]);
+    flight.lateWay = late.after[i].position - late.before[i].position;
+    flight.lateVelocity = late.before[i].velocity;
+}
+
+/// What the first step of a flight makes of its velocity, if it is not what the next ones do.
+std::optional<Flight::Leap> leapOf(const Flight &flight, const Steps &run, double h, std::size_t i,
+                                   bool isFast)
+{
+    if (!run.made)
+        return std::nullopt;
+    // A method that looks back has not seen a step yet.
+    const double slack = 1e-6 + 2.0 * h * length(flight.acceleration);
+    const Vec2 expected = flight.after(run.start[i], h).velocity;
+    const Vec2 is = run.before[i].velocity;
+    return length(is - expected) > slack
+               ? std::optional(Flight::Leap{run.start[i].velocity, is, isFast})
+               : std::nullopt;
+}
+
 } // namespace
 
 Motion Flight::after(const Circle &c, double h) const
@@ -229,15 +261,33 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
     const Steps first = run(Scene::First);
     const Steps second = run(Scene::Second);
     const Steps shifted = run(Scene::Shifted);
-    if (!rest.made || !first.made || !second.made || !shifted.made)
+    const Steps quick = run(Scene::Fast);
+    const Steps late = fly(program, flightPreset(ground, gravity, h, Scene::Late), lateSteps);
+    if (!rest.made || !first.made || !second.made || !shifted.made) {
+        // A program may stop where a circle rests, and tell enough where it moves.
+        for (std::size_t i = 0; i < flights.size(); ++i) {
+            flights[i].acceleration = gravity;
+            flights[i].leap = leapOf(flights[i], first, h, i, false);
+        }
         return flights;
+    }
     for (std::size_t i = 0; i < flights.size(); ++i) {
         flights[i] = Reading(rest, first, second, shifted, h, i).read();
         flights[i].follows = followedBy(first, i);
         flights[i].borrows = borrowedBy(rest, first, second, i);
-        flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0 && flights[i].borrows < 0;
+        readLate(flights[i], first, late, i);
+        flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0 && flights[i].borrows < 0
+                             && flights[i].isTimeless;
+        if (flights[i].isKnown) {
+            flights[i].leap = leapOf(flights[i], first, h, i, false);
+            if (!flights[i].leap)
+                flights[i].leap = leapOf(flights[i], second, h, i, false);
+            flights[i].isKnown = !flights[i].leap;
+            if (!flights[i].leap)
+                flights[i].leap = leapOf(flights[i], quick, h, i, true);
+        }
         if (flights[i].resets || flights[i].resetsX || flights[i].resetsY)
-            flights[i].onlySlow = keepsSpeed(flights[i], rest, run(Scene::Fast), i);
+            flights[i].onlySlow = keepsSpeed(flights[i], rest, quick, i);
         if (!flights[i].isKnown || flights[i].way == Vec2{})
             flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
     }
@@ -257,9 +307,9 @@ std::optional<Vec2> measureHeavierFall(const QString *program, const Ground &gro
                       : std::nullopt;
 }
 
-Stage flightStage(const Ground &ground, Vec2 gravity, double h)
+Stage flightStage(const Ground &ground, Vec2 gravity, double h, bool fast)
 {
-    return {flightPreset(ground, gravity, h, Scene::First), true};
+    return {flightPreset(ground, gravity, h, fast ? Scene::Fast : Scene::First), true};
 }
 
 } // namespace cradle

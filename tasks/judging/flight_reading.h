@@ -35,11 +35,22 @@ struct Flight {
     bool resets = false;  ///< the velocity after a step does not depend on that before
     bool resetsX = false; ///< the same of one part of the velocity alone
     bool resetsY = false;
-    double carried = 1.0;     ///< share of the old place that is in the new one; 1 is right
-    bool jumps = false;       ///< the place after a step does not depend on that before
-    int leader = -1;          ///< the circle whose velocity moves it, if it is not its own
-    int borrows = -1;         ///< the circle whose velocity it has after a step, and not its own
-    bool onlySlow = false;    ///< what resets does so of slow circles only
+    double carried = 1.0;   ///< share of the old place that is in the new one; 1 is right
+    bool jumps = false;     ///< the place after a step does not depend on that before
+    int leader = -1;        ///< the circle whose velocity moves it, if it is not its own
+    int borrows = -1;       ///< the circle whose velocity it has after a step, and not its own
+    bool onlySlow = false;  ///< what resets does so of slow circles only
+    bool isTimeless = true; ///< the same start gives the same step at any time of a run
+    Vec2 lateWay{};         ///< of a step late in a run that starts as seen[0] did, m
+    Vec2 lateVelocity{};    ///< after the first of such steps, m/s
+    /// A flight whose first step changes its velocity otherwise than later ones do; 0 of none.
+    struct Leap {
+        Vec2 from{};         ///< velocity, m/s
+        Vec2 to{};           ///< m/s
+        bool isFast = false; ///< only one that is fast
+    };
+    std::optional<Leap> leap{};
+    bool isWayOfNew = false;  ///< the way is that of the velocity at the end of the step
     int follows = -1;         ///< the circle at whose place it is after a step, wherever it started
     bool isWayLinear = true;  ///< no flight contradicts that its way is such a share
     bool isTurnLinear = true; ///< nor the change of its velocity
@@ -60,7 +71,8 @@ struct Flight {
                                                  Vec2 gravity, double h);
 
 /// One scene of such a flight, to be shown: all circles move.
-[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h);
+/// \param fast  with high velocities
+[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h, bool fast = false);
 
 /// The acceleration of a circle \p i at rest that is wider and denser than those of
 /// measureFlights(), m/s².

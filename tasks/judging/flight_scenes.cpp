@@ -30,8 +30,10 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
     preset.timestep = h;
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
-        if (scene == Scene::First || scene == Scene::Second)
-            c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
+        if (scene == Scene::First || scene == Scene::Late)
+            c.velocity = velocityOf(0, i);
+        else if (scene == Scene::Second)
+            c.velocity = velocityOf(1, i);
         else if (scene == Scene::Fast)
             c.velocity = fast * velocityOf(0, i);
         else if (scene == Scene::Alone && i == mover)
@@ -42,10 +44,14 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
     return preset;
 }
 
-Steps fly(const QString *program, const Preset &preset)
+Steps fly(const QString *program, const Preset &preset, qint64 from)
 {
     Steps steps;
     Probe probe(program, {preset, true});
+    World start = probe.world();
+    start.step = from;
+    start.time = static_cast<double>(from) * preset.timestep;
+    probe.place(start);
     steps.start = initialWorld(preset).circles;
     if (!probe.step())
         return steps;

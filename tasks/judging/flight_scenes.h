@@ -22,13 +22,16 @@ struct Steps {
 };
 
 /// How the circles start: at rest, with two kinds of velocities that have nothing in common, in
-/// another place, one alone with a velocity, all with a high one.
-enum class Scene { Rest, First, Second, Shifted, Alone, Fast };
+/// another place, one alone with a velocity, all with a high one, and as First late in a run.
+enum class Scene { Rest, First, Second, Shifted, Alone, Fast, Late };
+/// After so many steps a run is late.
+inline constexpr qint64 lateSteps = 97;
 
 /// \param mover  in Scene::Alone the only circle that moves
 [[nodiscard]] Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene,
                                   std::size_t mover = 0);
 
-[[nodiscard]] Steps fly(const QString *program, const Preset &preset);
+/// \param from  the step that the run is at when it begins
+[[nodiscard]] Steps fly(const QString *program, const Preset &preset, qint64 from = 0);
 
 } // namespace cradle::flights

@@ -3,6 +3,7 @@
 #include "tasks/judging/flight_words.h"
 
 #include "tasks/judging/flight_comparison.h"
+#include "tasks/judging/flight_scenes.h"
 #include "tasks/judging/likeness.h"
 
 #include <algorithm>
@@ -21,6 +22,10 @@ public:
     [[nodiscard]] std::vector<FlightSaid> judge() const
     {
         std::vector<FlightSaid> said;
+        if (auto fault = timeless())
+            return {*fault};
+        if (auto fault = leap(); fault && !flight(0).leap->isFast)
+            return {*fault};
         for (const auto law : {&FlightJudge::carriedOn, &FlightJudge::way}) {
             if (auto fault = (this->*law)())
                 said.push_back(*fault);
@@ -31,6 +36,10 @@ public:
             judgeTurn(said);
         else
             said.push_back(oddTurn());
+        if (said.empty()) {
+            if (auto fault = leap())
+                said.push_back(*fault);
+        }
         return said;
     }
 
@@ -50,6 +59,48 @@ private:
     }
 
     [[nodiscard]] std::optional<FlightSaid> way() const { return waySaid(*this); }
+
+    /// The same start must give the same step, whenever it comes in a run.
+    [[nodiscard]] std::optional<FlightSaid> timeless() const
+    {
+        const Flight &f = flight(0);
+        if (f.isTimeless || !right().isTimeless)
+            return std::nullopt;
+        const QString later = brief(static_cast<double>(flights::lateSteps) * timestep());
+        const bool isWay = brief(f.lateWay) != brief(f.wayMade);
+        const QString seen =
+            isWay
+                ? FlightText::tr("Started with %1 m/s, it goes %2 m in the second step of a run "
+                                 "and %3 m where it starts alike %4 s later, with the same Δt.")
+                      .arg(brief(f.startedWith), brief(f.wayMade), brief(f.lateWay), later)
+                : FlightText::tr("Started with %1 m/s, it has %2 m/s after the first step of a "
+                                 "run and %3 m/s where it starts alike %4 s later.")
+                      .arg(brief(f.startedWith), brief(f.turnedInto), brief(f.lateVelocity), later);
+        return said(FlightText::tr("The step of %who depends on how long the run has lasted"),
+                    seen + QLatin1Char(' ')
+                        + FlightText::tr("How long a step lasts is the parameter of `on_update`; "
+                                         "`time` is the time since the start, and `step` counts."),
+                    isWay);
+    }
+
+    /// What changes the velocity must do so in every step alike.
+    [[nodiscard]] std::optional<FlightSaid> leap() const
+    {
+        const Flight &f = flight(0);
+        if (!f.leap || right().leap)
+            return std::nullopt;
+        FlightSaid fault = said(
+            FlightText::tr("Between hits the velocity of %who changes"),
+            FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it "
+                           "touches nothing; gravity gives it %4 m/s in a step. Look at what "
+                           "`on_update` does to the velocity besides gravity and hits.")
+                .arg(brief(f.leap->from), brief(f.leap->to), briefTimestep(timestep()),
+                     brief(timestep() * right().acceleration)),
+            false);
+        fault.moment = {
+            flightStage(m_ground, gravity(), timestep(), f.leap->isFast), 1, {m_i}, false};
+        return fault;
+    }
 
     /// Velocity and place must follow from those before, and from the circle's own.
     [[nodiscard]] std::optional<FlightSaid> carriedOn() const

@@ -62,6 +62,7 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                     || a.resets != b.resets || a.resetsX != b.resetsX || a.resetsY != b.resetsY
                     || !isAlike(a.carried, b.carried) || a.leader != b.leader
                     || a.follows != b.follows || a.borrows != b.borrows || a.onlySlow != b.onlySlow
+                    || a.isTimeless != b.isTimeless || a.leap.has_value() != b.leap.has_value()
                     || a.isWayLinear != b.isWayLinear || a.isTurnLinear != b.isTurnLinear
                     || !isAlike(a.turnedInto, b.turnedInto) || !isAlike(a.wayMade, b.wayMade))
                     return false;

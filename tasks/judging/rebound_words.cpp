@@ -243,7 +243,7 @@ private:
                 add(ReboundText::tr("e does not act on the rebound as it should"));
             return;
         }
-        const auto number = [](double value) { return brief(std::round(value * 50.0) / 50.0); };
+        const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
         if (std::abs(first - second) < blur) {
             // A law without any rebound is one of its own.
             if (std::abs(first) < blur)

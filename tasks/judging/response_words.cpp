@@ -189,7 +189,7 @@ private:
     /// The own scene must answer as all others do: else a mass or e was copied before it was set.
     void findOwn()
     {
-        if (!m_own.own || !m_isRight)
+        if (!m_own.own || !m_isRight || wrongUnequal().first)
             return;
         const PairHit &hit = *m_own.own;
         const Meeting &m = hit.meeting;
@@ -226,33 +226,38 @@ private:
             hit, Suspect::Copy);
     }
 
-    /// Equal circles come out right, unequal ones do not, in a way that no mass explains.
-    void findUnequal()
+    /// A hit of unequal circles that does not come out right, and how it should; null if none.
+    [[nodiscard]] std::pair<const PairHit *, const PairHit *> wrongUnequal() const
     {
-        if (!m_isRight)
-            return;
         for (const auto &[own, right] : {std::pair(&m_own.radii, &m_right.radii),
                                          std::pair(&m_own.densities, &m_right.densities)}) {
             for (std::size_t i = 0; i < own->size(); ++i) {
                 const PairHit &hit = (*own)[i];
                 const PairHit &good = (*right)[i];
-                if (!hit.answered || !good.answered || !hit.isAligned() || !good.isAligned()
-                    || isSameAnswer(hit.leftParts(), good.leftParts()))
-                    continue;
-                const double e = hit.meeting.restitution;
-                const bool isLossy = e != m_own.equals.front().meeting.restitution;
-                add(isLossy ? ResponseText::tr("With e = %1 a hit does not come out right")
-                                  .arg(brief(e))
-                            : ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
-                    ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
-                            .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2),
-                                 brief(hit.meeting.density1), brief(hit.meeting.density2),
-                                 brief(hit.meeting.restitution))
-                        + describeHit(hit, good),
-                    hit);
-                return;
+                if (hit.answered && good.answered && hit.isAligned() && good.isAligned()
+                    && !isSameAnswer(hit.leftParts(), good.leftParts()))
+                    return {&hit, &good};
             }
         }
+        return {nullptr, nullptr};
+    }
+
+    /// Equal circles come out right, unequal ones do not, in a way that no mass explains.
+    void findUnequal()
+    {
+        const auto [hit, good] = wrongUnequal();
+        if (!m_isRight || !hit)
+            return;
+        const Meeting &m = hit->meeting;
+        const bool isLossy = m.restitution != m_own.equals.front().meeting.restitution;
+        add(isLossy ? ResponseText::tr("With e = %1 a hit does not come out right")
+                          .arg(brief(m.restitution))
+                    : ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
+            ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
+                    .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
+                         brief(m.restitution))
+                + describeHit(*hit, *good),
+            *hit);
     }
 
     const MeasuredPair &m_own;

@@ -19,8 +19,11 @@ public:
 
     [[nodiscard]] std::optional<FlightSaid> way() const
     {
-        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear)
+        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear) {
+            if (flight(0).isWayOfNew)
+                return std::nullopt; // what is odd is the velocity
             return oddWay();
+        }
         const auto partX = [](const Flight &f) { return f.way.x; };
         const auto partY = [](const Flight &f) { return f.way.y; };
         const auto x = pattern(gravity(), partX);
@@ -28,7 +31,7 @@ public:
         if ((isRight(x) && isRight(y))
             || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
             return std::nullopt;
-        const std::size_t at = shownTimestep(isRight(x) ? y : x);
+        const std::size_t at = isRight(x) ? shownTimestep(y, partY) : shownTimestep(x, partX);
         const double h = m_ground.timesteps[at];
         const Flight &f = flight(at);
         const bool isX = x.kind == Kind::Constant && x.value == 0.0;
@@ -46,7 +49,7 @@ public:
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
                         true);
-        const auto [headline, where] = wayWords(other);
+        const auto [headline, where] = wayWords(other, length(f.wayMade) > 1e-9);
         FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
         if (other.kind == Kind::Constant && other.value == 0.0)
             fault.suspect = Suspect::Omission;
@@ -85,7 +88,8 @@ private:
                                    "the conditions in front of it."));
     }
 
-    static std::pair<QString, QString> wayWords(const TimestepPattern &p)
+    /// \param moves  whether it goes anywhere
+    static std::pair<QString, QString> wayWords(const TimestepPattern &p, bool moves)
     {
         switch (p.kind) {
         case Kind::Forgotten:
@@ -107,6 +111,10 @@ private:
             return {FlightText::tr("The way of %who in a step is not v Δt"),
                     FlightText::tr("Look at the line that changes the position.")};
         }
+        if (p.value == 0.0 && moves)
+            return {FlightText::tr("The velocity does not move %who"),
+                    FlightText::tr("In every step its position gets v Δt added. Look at what the "
+                                   "line that changes the position takes in its place.")};
         if (p.value == 0.0)
             return {FlightText::tr("Nothing moves %who"),
                     FlightText::tr("In every step its position gets v Δt added.")};
