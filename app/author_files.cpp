@@ -147,11 +147,10 @@ void AuthorWindow::reload()
 /// What is typed and is no value is not in the lab, and so not in what was saved.
 void AuthorWindow::tellRefused()
 {
-    const QStringList refused =
-        m_checksTab->refusedChecks() + m_textTab->refusedValues() + m_sceneTab->refusedScenes();
-    if (!refused.isEmpty())
+    const QStringList fields = refused();
+    if (!fields.isEmpty())
         m_notice->showNotice(tr("Saved, but for fields that hold no value yet: %1")
-                                 .arg(refused.join(QStringLiteral(", "))));
+                                 .arg(fields.join(QStringLiteral(", "))));
 }
 
 bool AuthorWindow::saveAs()
@@ -315,8 +314,30 @@ void AuthorWindow::offerUnsavedLab()
                      }}});
 }
 
+/// Fields and scenes of which something is typed that is no value, and so not in the lab.
+QStringList AuthorWindow::refused() const
+{
+    return m_checksTab->refusedChecks() + m_textTab->refusedValues() + m_sceneTab->refusedScenes();
+}
+
+/// Saving does not keep what is no value: that goes with the window alone.
+bool AuthorWindow::mayDropRefused()
+{
+    const QStringList fields = refused();
+    if (fields.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Drop what was typed?"),
+                    tr("What is typed here is no value yet, and is not in the lab: %1")
+                        .arg(fields.join(QStringLiteral(", "))),
+                    QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setDefaultButton(QMessageBox::Cancel);
+    return box.exec() == QMessageBox::Discard;
+}
+
 bool AuthorWindow::mayDiscard()
 {
+    if (!mayDropRefused())
+        return false;
     if (!m_document.isModified())
         return true;
     QMessageBox box(QMessageBox::Question, tr("Save the lab?"),

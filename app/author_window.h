@@ -94,6 +94,8 @@ private:
     void showBroken();
     void reload();
     void tellRefused();
+    [[nodiscard]] QStringList refused() const;
+    bool mayDropRefused();
     bool mayExport();
     [[nodiscard]] QString askExportPath(const QString &title, const QString &name);
     void showVisit();

@@ -256,8 +256,9 @@ void TestWallLaw::oneCircleIsNamedForItsOwnWalls()
     QCOMPARE(step.walls(written(withWalls(good), structures[1])), QStringList());
     QCOMPARE(step.walls(written(withWalls(late), structures[1])),
              QStringList(text("At the walls the centre of circle 2 is asked for, not the rim")));
-    QCOMPARE(step.walls(written(withWalls(first), structures[3])),
-             QStringList(text("At the walls circle 2 has the radius of another circle")));
+    QCOMPARE(
+        step.walls(written(withWalls(first), structures[3])),
+        QStringList(text("At the walls the radius of another circle stands for that of circle 2")));
     const QString open = QStringLiteral("if c.index == 1 then ") + good + QStringLiteral(" end");
     QCOMPARE(step.walls(written(withWalls(open), structures[3])),
              QStringList(text("None of the four walls turns circle 2 round")));

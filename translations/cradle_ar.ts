@@ -907,12 +907,12 @@
         <translation>في الخطوة ⁨%1⁩ غيّرت الدائرة ⁨%2⁩ سرعتها مع أنها لم تلمس جدارًا ولا الدائرة الأخرى: كانت حافتاهما لا تزالان على بعد ⁦%3 m⁩</translation>
     </message>
     <message>
-        <source>The circles did not answer a single hit</source>
-        <translation>لم تستجب الدائرتان لأي اصطدام</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>الاصطدامات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
+    </message>
+    <message>
+        <source>The circles did not meet, so there is no hit to judge</source>
+        <translation>لم تلتق الدائرتان، فلا تصادم يُحكم عليه</translation>
     </message>
 </context>
 <context>
@@ -1540,6 +1540,10 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
 </source>
         <translation>قيم الطلاب التي جُرّبت:
 </translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 of %3 steps passed</source>
+        <translation>كُتب ⁨%1⁩: اجتيزت ⁨%2⁩ من ⁨%3⁩ مراحل</translation>
     </message>
 </context>
 <context>
@@ -2906,10 +2910,6 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>عند الجدران يُسأل عن مركز %who، لا عن الحافة</translation>
     </message>
     <message>
-        <source>At the walls %who has the radius of another circle</source>
-        <translation>عند الجدران لـ %who نصف قطر دائرة أخرى</translation>
-    </message>
-    <message>
         <source>The walls turn %who round too late</source>
         <translation>الجدران تردّ %who متأخرة</translation>
     </message>
@@ -3133,6 +3133,18 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>في كل خطوة يُضاف v Δt إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
+    </message>
+    <message>
+        <source>The walls do not give %who e times the speed back</source>
+        <translation>لا تعيد الجدران إلى %who السرعة مضروبة في e</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
+        <translation>مع ⁦e = %1⁩ تعود السرعة مضروبة في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبة في ⁨%4⁩. انظر إلى العامل أمام المركّبة التي تعكسها.</translation>
+    </message>
+    <message>
+        <source>At the walls the radius of another circle stands for that of %who</source>
+        <translation>عند الجدران يحل نصف قطر دائرة أخرى محل نصف قطر %who</translation>
     </message>
 </context>
 <context>
@@ -4611,6 +4623,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>%1: %2 of %3 values, %4 to %5</source>
         <comment>of a range</comment>
         <translation>⁨%1⁩: ⁨%2⁩ من ⁨%3⁩ قيم، من ⁨%4⁩ إلى ⁨%5⁩</translation>
+    </message>
+    <message>
+        <source>the question %1 asks for %2, and its tolerance is 0: nobody answers it rightly</source>
+        <translation>السؤال ⁨%1⁩ يطلب ⁨%2⁩ وتفاوته 0: لا أحد يجيب عنه إجابة صحيحة</translation>
+    </message>
+    <message>
+        <source>in the language %1: %2</source>
+        <translation>باللغة ⁨%1⁩: ⁨%2⁩</translation>
     </message>
 </context>
 <context>
@@ -7196,6 +7216,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
         <translation>`%1` غير معروف بعد: لا يُستعمل المتغير المحلي إلا بعد التعليمة التي تنشئه</translation>
     </message>
+    <message>
+        <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
+        <translation>`%1` غير معروف هنا؛ مدة الخطوة هي معامل on_update، وتُعطى للدوال الأخرى وسيطًا</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7764,6 +7788,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>Export &amp;for students…</source>
         <translation>التصدير للطلاب (&amp;F)…</translation>
     </message>
+    <message>
+        <source>Drop what was typed?</source>
+        <translation>أتُهمل ما كُتب؟</translation>
+    </message>
+    <message>
+        <source>What is typed here is no value yet, and is not in the lab: %1</source>
+        <translation>ما كُتب هنا ليس قيمة بعد ولم يدخل المختبر: ⁨%1⁩</translation>
+    </message>
 </context>
 <context>
     <name>cradle::BrokenFile</name>
@@ -7778,6 +7810,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Text of the file that cannot be read</source>
         <translation>نص الملف الذي تتعذر قراءته</translation>
+    </message>
+    <message>
+        <source>Until it can be read, nothing of the lab can be edited. Mend it here; the steps come back by themselves.</source>
+        <translation>ما دام لا يمكن قراءته فلا يمكن تحرير شيء من المختبر. أصلحه هنا وتعود المراحل من تلقاء نفسها.</translation>
     </message>
 </context>
 <context>
@@ -11386,6 +11422,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>The file of this scene, in which numbers may be expressions</source>
         <translation>ملف هذا المشهد، ويجوز أن تكون الأعداد فيه تعابير</translation>
     </message>
+    <message>
+        <source>Add a circle: + Add circle, under its circles</source>
+        <translation>أضف دائرة: + إضافة دائرة، تحت الدوائر</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneText</name>
@@ -11684,6 +11724,26 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Outside the lab&apos;s own count</source>
         <translation>خارج عدّ المختبر نفسه</translation>
+    </message>
+    <message>
+        <source>Moved by program or laws</source>
+        <translation>يحركها برنامج أو قوانين</translation>
+    </message>
+    <message>
+        <source>Moved by a program</source>
+        <translation>يحركها برنامج</translation>
+    </message>
+    <message>
+        <source>Moved by the laws</source>
+        <translation>تحركها القوانين</translation>
+    </message>
+    <message>
+        <source>Who may move the circles</source>
+        <translation>من يجوز له تحريك الدوائر</translation>
+    </message>
+    <message>
+        <source>What passes the step: a program of the student, the laws of the scene, or either</source>
+        <translation>ما تُجتاز به المرحلة: برنامج الطالب أو قوانين المشهد أو أيّ منهما</translation>
     </message>
 </context>
 <context>

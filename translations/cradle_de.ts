@@ -895,16 +895,16 @@
         <translation>In Schritt %1 änderte Kreis %2 seine Geschwindigkeit, obwohl er weder eine Wand noch den anderen Kreis berührte: Ihre Ränder waren noch %3 m voneinander entfernt</translation>
     </message>
     <message>
-        <source>The circles did not answer a single hit</source>
-        <translation>Die Kreise haben keinen einzigen Stoß beantwortet</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>Stöße, die die Kreise beantwortet haben: %1; richtig sind mindestens %2</translation>
     </message>
     <message>
         <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
         <translation>. Nahe an einer Wand war er %1 s lang, nahe an einem anderen Kreis %2 s: Sieh nach, was er dort tut</translation>
+    </message>
+    <message>
+        <source>The circles did not meet, so there is no hit to judge</source>
+        <translation>Die Kreise sind sich nicht begegnet, also gibt es keinen Stoß zu beurteilen</translation>
     </message>
 </context>
 <context>
@@ -1516,6 +1516,10 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
 </source>
         <translation>Werte, die ausprobiert wurden:
 </translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 of %3 steps passed</source>
+        <translation>%1 ist geschrieben: %2 von %3 Schritten bestanden</translation>
     </message>
 </context>
 <context>
@@ -2546,10 +2550,6 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
         <translation>An den Wänden wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
     </message>
     <message>
-        <source>At the walls %who has the radius of another circle</source>
-        <translation>An den Wänden gilt für %who der Radius eines anderen Kreises</translation>
-    </message>
-    <message>
         <source>At the walls a number stands for the radius of %who</source>
         <translation>An den Wänden steht für %who eine Zahl statt des Radius</translation>
     </message>
@@ -3109,6 +3109,18 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>In jedem Schritt kommt v Δt zum Ort hinzu. Sieh nach, was die Zeile, die den Ort ändert, stattdessen nimmt.</translation>
+    </message>
+    <message>
+        <source>The walls do not give %who e times the speed back</source>
+        <translation>Die Wände geben %who nicht das e-fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
+        <translation>Bei e = %1 ist es das %2-fache des Tempos, bei e = %3 das %4-fache. Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
+    </message>
+    <message>
+        <source>At the walls the radius of another circle stands for that of %who</source>
+        <translation>An den Wänden steht der Radius eines anderen Kreises für den von %who</translation>
     </message>
 </context>
 <context>
@@ -4575,6 +4587,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>%1: %2 of %3 values, %4 to %5</source>
         <comment>of a range</comment>
         <translation>%1: %2 von %3 Werten, %4 bis %5</translation>
+    </message>
+    <message>
+        <source>the question %1 asks for %2, and its tolerance is 0: nobody answers it rightly</source>
+        <translation>die Frage %1 verlangt %2, und ihre Toleranz ist 0: Niemand beantwortet sie richtig</translation>
+    </message>
+    <message>
+        <source>in the language %1: %2</source>
+        <translation>in der Sprache %1: %2</translation>
     </message>
 </context>
 <context>
@@ -7156,6 +7176,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
         <translation>`%1` ist noch nicht bekannt: Eine lokale Variable kann erst nach der Anweisung benutzt werden, die sie anlegt</translation>
     </message>
+    <message>
+        <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
+        <translation>`%1` ist hier nicht bekannt; wie lange ein Zeitschritt dauert, ist der Parameter von on_update, den andere Funktionen als Argument bekommen</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7716,6 +7740,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Export &amp;for students…</source>
         <translation>&amp;Für Studierende exportieren…</translation>
     </message>
+    <message>
+        <source>Drop what was typed?</source>
+        <translation>Verwerfen, was eingegeben wurde?</translation>
+    </message>
+    <message>
+        <source>What is typed here is no value yet, and is not in the lab: %1</source>
+        <translation>Was hier eingegeben ist, ist noch kein Wert und nicht im Lab: %1</translation>
+    </message>
 </context>
 <context>
     <name>cradle::BrokenFile</name>
@@ -7730,6 +7762,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Text of the file that cannot be read</source>
         <translation>Text der Datei, die sich nicht lesen lässt</translation>
+    </message>
+    <message>
+        <source>Until it can be read, nothing of the lab can be edited. Mend it here; the steps come back by themselves.</source>
+        <translation>Bis sie lesbar ist, kann nichts vom Lab bearbeitet werden. Hier lässt sie sich in Ordnung bringen; die Schritte kommen von selbst zurück.</translation>
     </message>
 </context>
 <context>
@@ -11298,6 +11334,10 @@ Ihre Nummer:</translation>
         <source>The file of this scene, in which numbers may be expressions</source>
         <translation>Die Datei dieser Szene, in der Zahlen Ausdrücke sein dürfen</translation>
     </message>
+    <message>
+        <source>Add a circle: + Add circle, under its circles</source>
+        <translation>Kreis hinzufügen: + Kreis hinzufügen, unter den Kreisen</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneText</name>
@@ -11588,6 +11628,26 @@ Ihre Nummer:</translation>
     <message>
         <source>In the language that is open; also in the list of steps (F2)</source>
         <translation>In der geöffneten Sprache; auch in der Liste der Schritte (F2)</translation>
+    </message>
+    <message>
+        <source>Moved by program or laws</source>
+        <translation>Bewegt: Programm oder Gesetze</translation>
+    </message>
+    <message>
+        <source>Moved by a program</source>
+        <translation>Bewegt: ein Programm</translation>
+    </message>
+    <message>
+        <source>Moved by the laws</source>
+        <translation>Bewegt: die Gesetze</translation>
+    </message>
+    <message>
+        <source>Who may move the circles</source>
+        <translation>Wer die Kreise bewegen darf</translation>
+    </message>
+    <message>
+        <source>What passes the step: a program of the student, the laws of the scene, or either</source>
+        <translation>Womit der Schritt bestanden wird: mit einem eigenen Programm, mit den Gesetzen der Szene oder mit beidem</translation>
     </message>
 </context>
 <context>

@@ -617,7 +617,7 @@
     </message>
     <message>
         <source>another check has the id %1 already; an id of its own is right</source>
-        <translation>une autre vérification a déjà l&apos;identifiant %1 ; il en faut un à elle</translation>
+        <translation>une autre vérification a déjà l&apos;identifiant %1&#xa0;; il en faut un à elle</translation>
     </message>
 </context>
 <context>
@@ -899,12 +899,12 @@
         <translation>Au pas %1, le cercle %2 a changé de vitesse sans toucher ni une paroi ni l&apos;autre cercle&#xa0;: leurs bords étaient encore à %3 m l&apos;un de l&apos;autre</translation>
     </message>
     <message>
-        <source>The circles did not answer a single hit</source>
-        <translation>Les cercles n&apos;ont répondu à aucun choc</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>Chocs auxquels les cercles ont répondu&#xa0;: %1&#xa0;; il en faut au moins %2</translation>
+    </message>
+    <message>
+        <source>The circles did not meet, so there is no hit to judge</source>
+        <translation>Les cercles ne se sont pas rencontrés, il n&apos;y a donc aucun choc à juger</translation>
     </message>
 </context>
 <context>
@@ -1464,16 +1464,16 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>the step %1 cannot be read; why is said above</source>
-        <translation>l&apos;étape %1 ne peut pas être lue ; la raison est dite plus haut</translation>
+        <translation>l&apos;étape %1 ne peut pas être lue&#xa0;; la raison est dite plus haut</translation>
     </message>
     <message>
         <source>of files of a lab that draws values: those of the student with this number</source>
-        <translation>pour les fichiers d&apos;un TP qui tire des valeurs : celles de l&apos;étudiant portant ce numéro</translation>
+        <translation>pour les fichiers d&apos;un TP qui tire des valeurs&#xa0;: celles de l&apos;étudiant portant ce numéro</translation>
     </message>
     <message>
         <source>      fails %1; what is measured tells: %2
 </source>
-        <translation>      échoue à %1 ; ce qui est mesuré dit : %2
+        <translation>      échoue à %1&#xa0;; ce qui est mesuré dit&#xa0;: %2
 </translation>
     </message>
     <message>
@@ -1508,14 +1508,18 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     <message>
         <source>the folder %1 is no step: lab.json does not list it
 </source>
-        <translation>le dossier %1 n&apos;est pas une étape : lab.json ne le cite pas
+        <translation>le dossier %1 n&apos;est pas une étape&#xa0;: lab.json ne le cite pas
 </translation>
     </message>
     <message>
         <source>Values of students that were tried:
 </source>
-        <translation>Valeurs d&apos;étudiants essayées :
+        <translation>Valeurs d&apos;étudiants essayées&#xa0;:
 </translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 of %3 steps passed</source>
+        <translation>%1 est écrit&#xa0;: %2 étapes réussies sur %3</translation>
     </message>
 </context>
 <context>
@@ -2882,10 +2886,6 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
         <translation>Aux parois, c&apos;est le centre qui est comparé, pas le bord, pour %who</translation>
     </message>
     <message>
-        <source>At the walls %who has the radius of another circle</source>
-        <translation>Aux parois, c&apos;est le rayon d&apos;un autre cercle qui sert, pour %who</translation>
-    </message>
-    <message>
         <source>The walls turn %who round too late</source>
         <translation>Les parois renvoient trop tard %who</translation>
     </message>
@@ -3092,7 +3092,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
-        <translation>La durée d&apos;un pas est le paramètre de `on_update` ; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
+        <translation>La durée d&apos;un pas est le paramètre de `on_update`&#xa0;; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
     </message>
     <message>
         <source>Between hits the velocity of %who changes</source>
@@ -3100,7 +3100,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
-        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, bien qu&apos;il ne touche rien ; la pesanteur lui donne %4 m/s par pas. Regardez ce que `on_update` fait de la vitesse, hormis la pesanteur et les chocs.</translation>
+        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, bien qu&apos;il ne touche rien&#xa0;; la pesanteur lui donne %4 m/s par pas. Regardez ce que `on_update` fait de la vitesse, hormis la pesanteur et les chocs.</translation>
     </message>
     <message>
         <source>The velocity does not move %who</source>
@@ -3109,6 +3109,18 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>À chaque pas, v Δt s&apos;ajoute à la position. Regardez ce que la ligne qui change la position prend à la place.</translation>
+    </message>
+    <message>
+        <source>The walls do not give %who e times the speed back</source>
+        <translation>Les parois ne rendent pas e fois la vitesse à %who</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
+        <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois. Regardez le facteur devant la composante que vous retournez.</translation>
+    </message>
+    <message>
+        <source>At the walls the radius of another circle stands for that of %who</source>
+        <translation>Aux parois, le rayon d&apos;un autre cercle remplace celui de %who</translation>
     </message>
 </context>
 <context>
@@ -4356,7 +4368,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&lt;!-- %1 --&gt; begins no part; explore, code and all do</source>
-        <translation>&lt;!-- %1 --&gt; ne commence aucune partie ; explore, code et all le font</translation>
+        <translation>&lt;!-- %1 --&gt; ne commence aucune partie&#xa0;; explore, code et all le font</translation>
     </message>
 </context>
 <context>
@@ -4569,12 +4581,20 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>is not judged by the check %1: %2</source>
-        <translation>n&apos;est pas jugé par la vérification %1 : %2</translation>
+        <translation>n&apos;est pas jugé par la vérification %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2 of %3 values, %4 to %5</source>
         <comment>of a range</comment>
-        <translation>%1 : %2 valeurs sur %3, de %4 à %5</translation>
+        <translation>%1&#xa0;: %2 valeurs sur %3, de %4 à %5</translation>
+    </message>
+    <message>
+        <source>the question %1 asks for %2, and its tolerance is 0: nobody answers it rightly</source>
+        <translation>la question %1 demande %2 et sa tolérance est 0 : personne n&apos;y répond juste</translation>
+    </message>
+    <message>
+        <source>in the language %1: %2</source>
+        <translation>dans la langue %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -5913,7 +5933,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Tolerance: a number from 0 is right</source>
-        <translation>Tolérance : un nombre à partir de 0</translation>
+        <translation>Tolérance&#xa0;: un nombre à partir de 0</translation>
     </message>
 </context>
 <context>
@@ -7154,7 +7174,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
-        <translation>`%1` n&apos;est pas encore connu : une variable locale ne peut servir qu&apos;après l&apos;instruction qui la crée</translation>
+        <translation>`%1` n&apos;est pas encore connu&#xa0;: une variable locale ne peut servir qu&apos;après l&apos;instruction qui la crée</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
+        <translation>`%1` n&apos;est pas connu ici&#xa0;; la durée d&apos;un pas est le paramètre de on_update, que les autres fonctions reçoivent en argument</translation>
     </message>
 </context>
 <context>
@@ -7716,6 +7740,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>In %1 students are told what checks saw, and not which law is wrong.</source>
         <translation>Dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse.</translation>
     </message>
+    <message>
+        <source>Drop what was typed?</source>
+        <translation>Abandonner ce qui a été saisi&#xa0;?</translation>
+    </message>
+    <message>
+        <source>What is typed here is no value yet, and is not in the lab: %1</source>
+        <translation>Ce qui est saisi ici n&apos;est pas encore une valeur et n&apos;est pas dans le TP&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>cradle::BrokenFile</name>
@@ -7730,6 +7762,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Text of the file that cannot be read</source>
         <translation>Texte du fichier illisible</translation>
+    </message>
+    <message>
+        <source>Until it can be read, nothing of the lab can be edited. Mend it here; the steps come back by themselves.</source>
+        <translation>Tant qu&apos;il ne peut pas être lu, rien du TP ne peut être modifié. Réparez-le ici ; les étapes reviennent d&apos;elles-mêmes.</translation>
     </message>
 </context>
 <context>
@@ -10668,7 +10704,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Fails by “%1”; students read: “%2”, of: %3 (%4)</source>
-        <translation>Échoue à « %1 » ; on lit « %2 », pour : %3 (%4)</translation>
+        <translation>Échoue à «&#xa0;%1&#xa0;»&#xa0;; on lit «&#xa0;%2&#xa0;», pour&#xa0;: %3 (%4)</translation>
     </message>
 </context>
 <context>
@@ -11298,6 +11334,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>The file of this scene, in which numbers may be expressions</source>
         <translation>Le fichier de cette scène, où les nombres peuvent être des expressions</translation>
     </message>
+    <message>
+        <source>Add a circle: + Add circle, under its circles</source>
+        <translation>Ajouter un cercle : + Ajouter un cercle, sous les cercles</translation>
+    </message>
 </context>
 <context>
     <name>cradle::SceneText</name>
@@ -11588,6 +11628,26 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Outside the lab&apos;s own count</source>
         <translation>Hors du décompte du TP</translation>
+    </message>
+    <message>
+        <source>Moved by program or laws</source>
+        <translation>Mû par programme ou lois</translation>
+    </message>
+    <message>
+        <source>Moved by a program</source>
+        <translation>Mû par un programme</translation>
+    </message>
+    <message>
+        <source>Moved by the laws</source>
+        <translation>Mû par les lois</translation>
+    </message>
+    <message>
+        <source>Who may move the circles</source>
+        <translation>Qui peut déplacer les cercles</translation>
+    </message>
+    <message>
+        <source>What passes the step: a program of the student, the laws of the scene, or either</source>
+        <translation>Ce qui réussit l&apos;étape : un programme de l&apos;étudiant, les lois de la scène, ou l&apos;un ou l&apos;autre</translation>
     </message>
 </context>
 <context>

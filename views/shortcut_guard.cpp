@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QTabBar>
 #include <QTableView>
@@ -40,6 +42,16 @@ bool usesKey(const QObject *control, const QKeyEvent &event)
     return false;
 }
 
+/// Keys of Emacs that fields of text take on Unix, where windows have other uses for them.
+bool isOfEmacs(const QObject *field, const QKeyEvent &event)
+{
+    const bool isText =
+        qobject_cast<const QLineEdit *>(field) || qobject_cast<const QPlainTextEdit *>(field);
+    const int key = event.key();
+    return isText && event.modifiers() == Qt::ControlModifier
+           && (key == Qt::Key_E || key == Qt::Key_K || key == Qt::Key_D || key == Qt::Key_H);
+}
+
 class ShortcutGuard final : public QObject
 {
 public:
@@ -51,6 +63,11 @@ protected:
         if (event->type() == QEvent::ShortcutOverride
             && usesKey(watched, *static_cast<QKeyEvent *>(event))) {
             event->accept();
+            return true;
+        }
+        if (event->type() == QEvent::ShortcutOverride
+            && isOfEmacs(watched, *static_cast<QKeyEvent *>(event))) {
+            event->ignore(); // a shortcut, where there is one
             return true;
         }
         return QObject::eventFilter(watched, event);

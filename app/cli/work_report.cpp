@@ -206,7 +206,13 @@ ExitCode handIn(const QStringList &arguments)
             return complain(packed.error());
         if (const auto error = writeText(output, *packed))
             return complainUnwritten(*error);
-        return verdictOn(gathered->report);
+        const LabReport &report = gathered->report;
+        QTextStream(stdout) << WorkReportText::tr("%1 is written: %2 of %3 steps passed")
+                                   .arg(output)
+                                   .arg(report.passedCount())
+                                   .arg(report.steps.size())
+                            << Qt::endl;
+        return verdictOn(report);
     });
 }
 

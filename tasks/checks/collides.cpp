@@ -221,12 +221,13 @@ Fault missed(qint64 step)
 
 Fault tooFew(std::size_t observed, int wanted)
 {
-    return {.message = observed == 0
-                           ? CollideText::tr("The circles did not answer a single hit")
-                           : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
-                                             "right")
-                                 .arg(observed)
-                                 .arg(wanted),
+    return {.message =
+                observed == 0
+                    ? CollideText::tr("The circles did not meet, so there is no hit to judge")
+                    : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
+                                      "right")
+                          .arg(observed)
+                          .arg(wanted),
             .expected = wanted,
             .observed = static_cast<double>(observed),
             .step = 0};

@@ -173,8 +173,28 @@ private:
         if (hit.back < 0.0)
             return {WallText::tr("The walls do not turn %who round"),
                     WallText::tr("Its velocity still points into the wall: look at the sign.")};
+        // A share that is seen with one e alone is no law.
+        if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
+            return {WallText::tr("The walls do not give %who e times the speed back"),
+                    WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times. Look "
+                                 "at the factor in front of the part that you turn round.")
+                        .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
+                             brief(other->back))};
         return {WallText::tr("The walls give %who %1 times the speed back").arg(brief(hit.back)),
                 WallText::tr("Look at the factor in front of the part that you turn round.")};
+    }
+
+    /// A hit like \p hit with another e that gives another share of the speed back.
+    [[nodiscard]] const WallHit *otherShare(const std::vector<std::size_t> &odd,
+                                            const WallHit &hit) const
+    {
+        for (const std::size_t i : odd) {
+            const WallHit &other = m_own.hits[i];
+            if (other.restitution != hit.restitution && other.turned
+                && !isNear(other.back, hit.back, blur()))
+                return &other;
+        }
+        return nullptr;
     }
 
     /// What may stand where the speed that comes back does.

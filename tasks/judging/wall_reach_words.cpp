@@ -110,7 +110,7 @@ private:
              WallText::tr("Circle %3 turns only when its centre is past the wall, with its rim one "
                           "radius, %1 m, outside. A wall meets a body where the body ends.")},
             {[](const WallHit &hit) { return hit.otherRadius; },
-             WallText::tr("At the walls %who has the radius of another circle"),
+             WallText::tr("At the walls the radius of another circle stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
                           "from the wall: "
                           "the radius of the other circle in that scene. Look at whose radius "

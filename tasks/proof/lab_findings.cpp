@@ -33,6 +33,11 @@ const CheckOutcome *firstStop(const CheckReport &report)
     return found == report.checks.end() ? nullptr : &*found;
 }
 
+QString stopText(const CheckOutcome &stopped)
+{
+    return VerifyText::tr("is not judged by the check %1: %2").arg(stopped.id, stopped.message);
+}
+
 bool isStoppedBy(const CheckReport &report, const QString &check)
 {
     return std::any_of(report.checks.begin(), report.checks.end(),
@@ -63,9 +68,7 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
     finding.check = failure ? failure->id : QString();
     if (const CheckOutcome *stopped = firstStop(report)) {
         finding.check = stopped->id;
-        return say(
-            Kind::CheckStops,
-            VerifyText::tr("is not judged by the check %1: %2").arg(stopped->id, stopped->message));
+        return say(Kind::CheckStops, stopText(*stopped));
     }
     if (report.error)
         return say(Kind::ProgramErrs, VerifyText::tr("stops with an error at line %1: %2")
@@ -176,6 +179,24 @@ std::vector<LabFinding> idleChecks(const Task &task, const VerifiedTask &verifie
     return found;
 }
 
+/// Questions for a number that nobody can write down: it has no end, and nothing beside it is
+/// right.
+void addEndless(const Task &task, VerifiedTask &verified)
+{
+    constexpr int writable = 6; // digits
+    for (const Question &question : task.questions) {
+        const bool isWritten =
+            QString::number(question.number, 'g', writable).toDouble() == question.number;
+        if (question.kind == Question::Kind::Number && question.tolerance == 0.0 && !isWritten)
+            verified.warnings.push_back(
+                {.kind = Kind::TextUnfinished,
+                 .task = task.id,
+                 .message = VerifyText::tr("the question %1 asks for %2, and its tolerance is 0: "
+                                           "nobody answers it rightly")
+                                .arg(question.id, QString::number(question.number, 'g', 9))});
+    }
+}
+
 /// "x . x": which checks failed.
 QString rowOf(const VerifiedTask &task, const CheckReport &report)
 {
@@ -233,6 +254,7 @@ void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &ga
                  .message = VerifyText::tr("no mistake fails the check %1").arg(check)});
     }
     verified.warnings = idleChecks(task, verified);
+    addEndless(task, verified);
     const QString step = task.folder.mid(lab.folder.size() + 1) + QLatin1Char('/');
     for (const Error &gap : gaps) {
         if (gap.file.startsWith(step))
@@ -241,6 +263,21 @@ void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &ga
                                          .message = QStringLiteral("%1: %2").arg(
                                              gap.file.section(QLatin1Char('/'), -1), gap.message)});
     }
+}
+
+std::optional<LabFinding> stoppedCheck(const Task &task, const VerifiedProgram &program,
+                                       const CheckReport &report)
+{
+    const CheckOutcome *stopped = firstStop(report);
+    if (!stopped)
+        return std::nullopt;
+    const QString path = programPath(program);
+    return LabFinding{.kind = Kind::CheckStops,
+                      .task = task.id,
+                      .program = path,
+                      .check = stopped->id,
+                      .seed = report.seed,
+                      .message = path + QLatin1Char(' ') + stopText(*stopped)};
 }
 
 LabFinding tooTight(const Task &task, const CheckSpec &check, const TightTolerance &tight)

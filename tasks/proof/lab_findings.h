@@ -12,6 +12,10 @@ namespace cradle {
 void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &gaps,
                   VerifiedTask &verified);
 
+/// That a check stopped with an error of its own on \p program; nullopt if none did.
+[[nodiscard]] std::optional<LabFinding>
+stoppedCheck(const Task &task, const VerifiedProgram &program, const CheckReport &report);
+
 /// The finding about a tolerance that the solution nearly uses up.
 [[nodiscard]] LabFinding tooTight(const Task &task, const CheckSpec &check,
                                   const TightTolerance &tight);

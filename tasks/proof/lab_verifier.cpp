@@ -3,6 +3,7 @@
 #include "tasks/proof/lab_verifier.h"
 
 #include "model/world/shortest_number.h"
+#include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/text_gaps.h"
 #include "tasks/proof/lab_findings.h"
 #include "tasks/reading/lab_reader.h"
@@ -206,6 +207,51 @@ void addValueFaults(const Lab &lab, const Lab &own, const QString &student,
     }
 }
 
+/// The languages of the lab and of Cradle that \p lab was not read in.
+QStringList otherLanguages(const Lab &lab)
+{
+    QStringList languages;
+    if (lab.files)
+        languages = languagesOf(*lab.files);
+    languages +=
+        {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("fr"), QStringLiteral("ar")};
+    languages.removeDuplicates();
+    languages.removeAll(lab.readIn);
+    return lab.files ? languages : QStringList();
+}
+
+/// Adds what checks in Lua stop with where a student reads another language than the lab's own:
+/// they may answer in the student's.
+void addSpokenStops(const Lab &lab, const QString &language, const QString &only,
+                    const JudgeHooks &hooks, std::vector<VerifiedTask> &result)
+{
+    const Result<Lab> spoken = readLab(*lab.files, lab.folder, language);
+    if (!spoken)
+        return;
+    for (VerifiedTask &verified : result) {
+        const int index = spoken->indexOf(verified.id);
+        if (index < 0 || (!only.isEmpty() && verified.id != only))
+            continue;
+        const Task &task = spoken->tasks[static_cast<std::size_t>(index)];
+        if (std::none_of(task.checks.begin(), task.checks.end(),
+                         [](const CheckSpec &check) { return !check.source.isEmpty(); }))
+            continue;
+        for (const Candidate &candidate : candidatesOf(task)) {
+            SubmissionRuns runs(candidate.submission);
+            const auto report = judgeTask(*spoken, task, runs, 1, hooks);
+            if (!report)
+                return; // cancelled
+            const VerifiedProgram program{candidate.role, candidate.name, {}};
+            auto finding = stoppedCheck(task, program, *report);
+            if (!finding || isTold(verified.findings, *finding))
+                continue;
+            finding->message =
+                VerifierText::tr("in the language %1: %2").arg(language, finding->message);
+            verified.findings.push_back(*finding);
+        }
+    }
+}
+
 /// Hooks for one of several rounds, whose progress is a part of the whole.
 JudgeHooks partOf(const JudgeHooks &hooks, int round, int rounds)
 {
@@ -265,6 +311,11 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
             }
         }
     }
+    const JudgeHooks quiet{.cancelled = hooks.cancelled, .provesLines = false};
+    for (const QString &language : otherLanguages(lab))
+        addSpokenStops(lab, language, only, quiet, result);
+    if (hooks.cancelled && hooks.cancelled())
+        return {};
     return result;
 }
 

@@ -117,6 +117,13 @@ QString meantByName(lua_State *L, const QString &name)
         QStringLiteral("^(Vector|Vec)\\d?$|^Point$|^vector\\d?$"));
     if (name.contains(vector))
         return MeantText::tr("`%1` is not known; a vector is made by vec(x, y)").arg(name);
+    static const QRegularExpression step(
+        QStringLiteral("^(dt|d_t|Time|timestep|time_?step|delta(_?time)?)$"),
+        QRegularExpression::CaseInsensitiveOption);
+    if (name != QLatin1String("time") && name.contains(step))
+        return MeantText::tr("`%1` is not known here; how long a step lasts is the parameter of "
+                             "on_update, which other functions get as an argument")
+            .arg(name);
     if (name == QLatin1String("Console") || name == QLatin1String("Debug"))
         return MeantText::tr("`%1` is not known; print(…) writes to the console").arg(name);
     if (code.contains(QRegularExpression(

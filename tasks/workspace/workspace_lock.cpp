@@ -33,7 +33,8 @@ qint64 startOf(qint64 process)
         return 0;
     // The name, in parentheses, may hold anything.
     const QByteArray after = stat->mid(stat->lastIndexOf(')') + 2);
-    return after.split(' ').value(19).toLongLong();
+    const bool isDead = after.startsWith('Z'); // and nobody has asked how it ended
+    return isDead ? 0 : after.split(' ').value(19).toLongLong();
 }
 
 struct Held {

@@ -53,6 +53,11 @@ bool BrokenFile::follow()
     }
     const bool another = fault->file != m_fault.file;
     m_fault = *fault;
+    const bool ofLab = fault->file == QLatin1String("lab.json");
+    m_note->setText(ofLab ? tr("Until it can be read, nothing of the lab can be edited. Mend it "
+                               "here; the steps come back by themselves.")
+                          : tr("Until it can be read, nothing else of this step can be edited. "
+                               "Mend it here; the tabs come back by themselves."));
     m_heading->setText(fault->file);
     m_reason->setText(fault->toString());
     m_text->setReadOnly(m_document.isReadOnly());
@@ -81,8 +86,6 @@ void BrokenFile::takeText()
 
 void BrokenFile::retranslate()
 {
-    m_note->setText(tr("Until it can be read, nothing else of this step can be edited. Mend it "
-                       "here; the tabs come back by themselves."));
     m_text->setAccessibleName(tr("Text of the file that cannot be read"));
 }
 

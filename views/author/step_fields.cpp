@@ -5,10 +5,13 @@
 #include "tasks/authoring/lab_edits.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+
+#include <algorithm>
 
 namespace cradle {
 
@@ -28,7 +31,11 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     , m_commitCaption(new QLabel(this))
     , m_commit(new QLineEdit(this))
     , m_extra(new QCheckBox(this))
+    , m_moves(new QComboBox(this))
 {
+    m_moves->setObjectName(QStringLiteral("stepMoves"));
+    for (const char *who : {"either", "program", "laws"})
+        m_moves->addItem(QString(), QString::fromLatin1(who));
     m_id->setObjectName(QStringLiteral("stepId"));
     m_title->setObjectName(QStringLiteral("stepTitle"));
     m_commit->setObjectName(QStringLiteral("stepCommit"));
@@ -45,12 +52,14 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     row->addWidget(m_title, 2);
     row->addWidget(m_commitCaption);
     row->addWidget(m_commit, 3);
+    row->addWidget(m_moves);
     row->addWidget(m_extra);
     retranslate();
     connect(m_id, &QLineEdit::editingFinished, this, &StepFields::takeId);
     connect(m_title, &QLineEdit::textEdited, this, [this] { takeFields(QStringLiteral("title")); });
     connect(m_commit, &QLineEdit::textEdited, this,
             [this] { takeFields(QStringLiteral("commit")); });
+    connect(m_moves, &QComboBox::activated, this, [this] { takeFields(QStringLiteral("moves")); });
     connect(m_extra, &QCheckBox::clicked, this, [this] { takeFields(QStringLiteral("extra")); });
 }
 
@@ -59,6 +68,7 @@ void StepFields::reload()
     for (QLineEdit *line : {m_id, m_title, m_commit})
         line->setReadOnly(m_document.isReadOnly());
     m_extra->setEnabled(!m_document.isReadOnly());
+    m_moves->setEnabled(!m_document.isReadOnly());
     const Result<TaskForm> form =
         taskForm(m_document.files(), m_document.step(), m_document.language());
     if (!form)
@@ -74,6 +84,7 @@ void StepFields::reload()
         line->setCursorPosition(0); // a long one is read from its beginning
     }
     m_extra->setChecked(form->extra);
+    m_moves->setCurrentIndex(std::max(0, m_moves->findData(form->moves)));
 }
 
 void StepFields::takeId()
@@ -95,6 +106,9 @@ void StepFields::takeFields(const QString &field)
     form->title = m_title->text();
     form->commit = m_commit->text();
     form->extra = m_extra->isChecked();
+    const QString moves = m_moves->currentData().toString();
+    if (moves != form->moves && (m_moves->currentIndex() != 0 || !form->moves.isEmpty()))
+        form->moves = moves;
     m_document.edit(tr("Edit the step"),
                     withTask(files, m_document.step(), *form, m_document.language()),
                     QStringLiteral("%1:%2").arg(field, m_document.step()));
@@ -111,6 +125,13 @@ void StepFields::retranslate()
     m_commitCaption->setText(tr("Commit message"));
     m_commit->setAccessibleName(tr("Commit message"));
     m_commit->setToolTip(tr("What a student writes into the history after passing"));
+    const QStringList movers{tr("Moved by program or laws"), tr("Moved by a program"),
+                             tr("Moved by the laws")};
+    for (int i = 0; i < movers.size(); ++i)
+        m_moves->setItemText(i, movers[i]);
+    m_moves->setAccessibleName(tr("Who may move the circles"));
+    m_moves->setToolTip(tr("What passes the step: a program of the student, the laws of the scene, "
+                           "or either"));
     m_extra->setText(tr("Extra step"));
     m_extra->setToolTip(tr("Outside the lab's own count"));
 }

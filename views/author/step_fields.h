@@ -8,13 +8,15 @@
 
 QT_BEGIN_NAMESPACE
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
 
-/// The short fields of a step in a row: its id, title and commit message, and whether it counts.
+/// The short fields of a step in a row: its id, title and commit message, who
+/// moves the circles, and whether it counts.
 class StepFields final : public QWidget
 {
     Q_OBJECT
@@ -39,6 +41,7 @@ private:
     QLabel *m_commitCaption;
     QLineEdit *m_commit;
     QCheckBox *m_extra;
+    QComboBox *m_moves; ///< by the values of "moves"
     QString m_shownStep{};
 };
 

@@ -3,6 +3,8 @@
 #include "views/author/steps_panel.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/values/lab_values.h"
+#include "tasks/values/put_values.h"
 #include "views/author/findings_list.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
@@ -128,7 +130,9 @@ void StepsPanel::reload()
     for (const QString &folder : m_document.steps()) {
         const Result<TaskForm> form = taskForm(m_document.files(), folder, m_document.language());
         const QString title = form ? form->title : folder;
-        auto *item = new QListWidgetItem(QStringLiteral("%1 · %2").arg(++number).arg(title));
+        const auto shown = withNumbers(title, valuesOf(m_document.files(), folder, {}));
+        auto *item = new QListWidgetItem(
+            QStringLiteral("%1 · %2").arg(++number).arg(shown ? *shown : title));
         item->setFlags(item->flags() | Qt::ItemIsEditable);
         item->setFlags(item->flags() & ~Qt::ItemIsDropEnabled);
         item->setData(FolderRole, folder);

@@ -37,6 +37,8 @@ public:
     ~SceneView() override;
 
     void setRenderer(Renderer renderer);
+    /// What is said where there is no circle; without it how the window's menu adds one.
+    void setEmptyHint(const QString &hint) { m_emptyHint = hint; }
     [[nodiscard]] Renderer renderer() const { return m_renderer; }     ///< as set
     [[nodiscard]] Renderer activeRenderer() const { return m_active; } ///< never Automatic
     /// Why OpenGl was set but Raster is active; empty if it is as set.
@@ -160,6 +162,7 @@ private:
     std::vector<Circle> m_refused; ///< where the drag wants circles that cannot be there
     QString m_refusal;             ///< and why
     QString m_dragValue;
+    QString m_emptyHint;
     QString m_notice;
     QTimer m_noticeTimer;
 };

@@ -74,8 +74,9 @@ std::vector<Chip> SceneView::chips(const SceneMoment &moment) const
                          .row = static_cast<int>(chips.size())});
     }
     if (m_editor.circleCount() == 0)
-        chips.push_back(
-            {Chip::Place::Centre, tr("Add a circle: Edit → Add circle (Ctrl+Shift+N)")});
+        chips.push_back({Chip::Place::Centre, m_emptyHint.isEmpty() ? tr(
+                                                  "Add a circle: Edit → Add circle (Ctrl+Shift+N)")
+                                                                    : m_emptyHint});
     if (!m_dragValue.isEmpty())
         chips.push_back({.place = Chip::Place::Pointer,
                          .text = m_dragValue,
