@@ -82,15 +82,23 @@ QString boundsOf(const ParameterInfo &info)
     return QStringLiteral(", %1 to %2").arg(*info.least, 0, 'g', 10).arg(*info.most, 0, 'g', 10);
 }
 
+/// Behind the bounds; one that begins with a number is set apart from them.
+QString unitOf(const ParameterInfo &info)
+{
+    if (info.unit.isEmpty())
+        return {};
+    return (info.unit.front().isDigit() ? QStringLiteral(", in ") : QStringLiteral(" "))
+           + info.unit;
+}
+
 /// The row of a parameter in the page's tables.
 QString rowOf(const ParameterInfo &info)
 {
     QString usual = info.required ? QStringLiteral("needed") : QString();
     if (!info.standard.isUndefined())
         usual = QLatin1Char('`') + jsonText(info.standard) + QLatin1Char('`');
-    const QString unit = info.unit.isEmpty() ? QString() : QLatin1Char(' ') + info.unit;
     return QStringLiteral("| `%1` | %2: %3 | %4%5%6 | %7 |\n")
-        .arg(info.name, info.label, info.help, shapeOf(info), boundsOf(info), unit, usual);
+        .arg(info.name, info.label, info.help, shapeOf(info), boundsOf(info), unitOf(info), usual);
 }
 
 /// The section of a kind.
