@@ -188,6 +188,19 @@ void TestFlightLaw::faultIsNamed_data()
         text("The y of the velocity of both circles is set anew in every step"));
     row("L42T17", "a number for gravity", way, "vec(0, -9.81) * h",
         text("A number stands for gravity in the motion of both circles"));
+    // What a step does must not hang on when it is made, nor on whether it is the first.
+    const QString late =
+        QStringLiteral("The step of both circles depends on how long the run has lasted");
+    row("L42T4", "time for the timestep", "c.velocity * time", fall, {late});
+    row("L42T4", "gravity times time", way, "gravity * time", {late});
+    row("L42T4", "the number of the step", "c.velocity * step / 60", fall, {late});
+    const QString leaps = QStringLiteral("Between hits the velocity of both circles changes");
+    row("L42T4", "at most 1 m/s", way,
+        "gravity * h - c.velocity * (1 - math.min(1, 1 / c.velocity:length()))", {leaps});
+    row("L42T4", "at most 4 m/s", way,
+        "gravity * h - c.velocity * (1 - math.min(1, 4 / c.velocity:length()))", {leaps});
+    row("L42T4", "only gravity moves it", "gravity * h", fall,
+        text("The velocity does not move both circles"));
     // Two of them: both are named, and none besides.
     row("L42T4", "way twice, fall half", "2 * c.velocity * h", "gravity * h / 2",
         {QStringLiteral("Every step moves both circles twice"),

@@ -7,11 +7,14 @@
 #include "tasks/questions/answers.h"
 #include "tasks/reading/lab_reader.h"
 #include "tasks/values/put_values.h"
+#include "tasks/values/value_ranges.h"
+#include "tasks/values/values_of_file.h"
 #include "tasks/workspace/workspace_info.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSet>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -35,6 +38,9 @@ private slots:
     void numberDrawsTheSameHoweverWritten();
     void rosterDecidesWhoseValuesAreDrawn();
     void verifyTriesTenStudents();
+    void everyValueOfARangeIsTried();
+    void whatIsNoNumberForSomeIsFound();
+    void filesOfALabHaveItsValues();
 };
 
 namespace {
@@ -361,6 +367,70 @@ void TestLabValues::verifyTriesTenStudents()
     for (const LabFinding &finding : verified[0].findings)
         told = told || finding.message.startsWith(QStringLiteral("with the values of the student"));
     QVERIFY(told);
+}
+
+void TestLabValues::everyValueOfARangeIsTried()
+{
+    // 0.6, 0.65 … 0.9 are seven; students 1 to 10 draw only some of them.
+    const LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    QStringList ten;
+    for (int i = 1; i <= 10; ++i)
+        ten.append(QString::number(i));
+    QCOMPARE(triedRanges(files, ten)[0].count, 7);
+    const QStringList tried = studentsToTry(files, 10, 24);
+    QVERIFY(tried.size() >= 10);
+    QCOMPARE(triedRanges(files, tried),
+             (std::vector<TriedRange>{{QString(), QStringLiteral("k"), 7, 7, 0.6, 0.9}}));
+    // The ends come first where there is no room for all.
+    const std::vector<TriedRange> few = triedRanges(files, studentsToTry(files, 1, 1));
+    QCOMPARE(few[0].least, 0.6);
+    QCOMPARE(few[0].most, 0.9);
+    QVERIFY(studentsToTry(labWith(values({{QStringLiteral("k"), 2}})), 10, 24).isEmpty());
+    // The reference fails for the largest alone.
+    LabFiles last = files;
+    last.contents[QStringLiteral("S1/solution.lua")] +=
+        "\nif {{k}} > 0.88 then error('stiff') end\n";
+    const auto verified = verifyLab(*readLab(last, QStringLiteral("here")));
+    QVERIFY(
+        std::any_of(verified[0].findings.begin(), verified[0].findings.end(),
+                    [](const LabFinding &f) { return f.program == QLatin1String("solution"); }));
+}
+
+void TestLabValues::whatIsNoNumberForSomeIsFound()
+{
+    const LabFiles files = labWith(
+        values({{QStringLiteral("k"), range}, {QStringLiteral("a"), QStringLiteral("1/(k-0.75)")}}),
+        "a is {{a}}");
+    const auto lab = readLab(files, QStringLiteral("here"));
+    QVERIFY(lab && lab->findings.empty()); // of the first, 0.6
+    const auto verified = verifyLab(*lab);
+    const auto found =
+        std::find_if(verified[0].findings.begin(), verified[0].findings.end(),
+                     [](const LabFinding &f) { return f.kind == LabFinding::Kind::ValueFails; });
+    QVERIFY(found != verified[0].findings.end());
+    QVERIFY2(found->message.contains(QStringLiteral("no finite number")),
+             qPrintable(found->message));
+}
+
+void TestLabValues::filesOfALabHaveItsValues()
+{
+    const QTemporaryDir folder;
+    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    files.contents[QStringLiteral("S1/mistakes/stiff.lua")] = "local k = {{k}}\n";
+    files.contents[QStringLiteral("S1/answers.json")] = R"({"why": "none"})";
+    QVERIFY(!saveLabFiles(files, {}, folder.path()));
+    const QString path = folder.filePath(QStringLiteral("S1/mistakes/stiff.lua"));
+    QCOMPARE(*withValuesOfItsStep(path, "local k = {{k}}\n", {}), QByteArray("local k = 0.6\n"));
+    const QByteArray own = QByteArray::number(k(files, QStringLiteral("4711")));
+    QCOMPARE(*withValuesOfItsStep(path, "{{k}}", QStringLiteral("4711")), own);
+    // A table in a table is Lua; and what lies elsewhere is nobody's.
+    QCOMPARE(*withValuesOfItsStep(path, "{{1, 2}}", {}), QByteArray("{{1, 2}}"));
+    const QTemporaryDir elsewhere;
+    QCOMPARE(*withValuesOfItsStep(elsewhere.filePath(QStringLiteral("a.lua")), "{{k}}", {}),
+             QByteArray("{{k}}"));
+    // Other JSON in the folder is no scene.
+    for (const Error &finding : readLab(folder.path())->findings)
+        QVERIFY2(!finding.file.contains(QStringLiteral("answers")), qPrintable(finding.toString()));
 }
 
 QTEST_GUILESS_MAIN(TestLabValues)

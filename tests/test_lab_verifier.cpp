@@ -109,6 +109,7 @@ void TestLabVerifier::findingSaysWhatItIsAbout_data()
     row("remark fails", Kind::RemarkFails, "remarks/word", "drifts");
     row("remark not recognised", Kind::RemarkNotRecognised, "remarks/word", "");
     row("check never fails", Kind::CheckNeverFails, "", "start");
+    row("check stops", Kind::CheckStops, "starter", "own");
     row("tolerance used up", Kind::ToleranceTooTight, "solution", "end");
 }
 
@@ -138,7 +139,8 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     } else if (change == QLatin1String("mistake not recognised")) {
         // It goes wrong later than its laws are measured.
         task.mistakes[0].source = QStringLiteral(
-            "function on_update(dt)\n  local share = step > 10 and 2 or 1\n"
+            "local count = 0\n"
+            "function on_update(dt)\n  count = count + 1\n  local share = count > 10 and 2 or 1\n"
             "  circle1.position = circle1.position + share * circle1.velocity * dt\nend\n");
     } else if (change == QLatin1String("mistake like another")) {
         task.mistakes[1].source = twice;
@@ -150,6 +152,15 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     } else if (change == QLatin1String("remark not recognised")) {
         word.script.source = drift;
         task.remarks = {word};
+    } else if (change == QLatin1String("check stops")) {
+        // A slip in the line that runs only where something is wrong.
+        more.id = QStringLiteral("own");
+        more.kind = QStringLiteral("script");
+        more.source =
+            QStringLiteral("function check(run)\n"
+                           "  if math.abs(run:at(1).circles[1].position.x + 1) > 0.1 then\n"
+                           "    return false, 'it is ' .. nil\n  end\n  return true\nend\n");
+        task.checks.push_back(more);
     } else if (change == QLatin1String("check never fails")) {
         more.id = QStringLiteral("start");
         more.kind = QStringLiteral("start");

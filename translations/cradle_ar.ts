@@ -5692,6 +5692,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>no</source>
         <translation>لا</translation>
     </message>
+    <message>
+        <source>, in %1</source>
+        <translation>، بوحدة ⁦%1⁩</translation>
+    </message>
 </context>
 <context>
     <name>Phase</name>
@@ -6373,10 +6377,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>عدد بوحدة ⁦m/s²⁩ من ⁦-10000⁩ إلى 10000</translation>
     </message>
     <message>
-        <source>a short name of letters, digits, dots and dashes</source>
-        <translation>اسم قصير من أحرف لاتينية وأرقام ونقاط وشرطات</translation>
-    </message>
-    <message>
         <source>a text of 1 to 100 characters</source>
         <translation>نص من 1 إلى 100 حرف</translation>
     </message>
@@ -6559,6 +6559,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
         <translation>مقدار الانحراف الذي يبقى صحيحًا، عدد من 0 فأكثر أو تعبير</translation>
+    </message>
+    <message>
+        <source>a short name of letters, digits, dots, dashes and underscores</source>
+        <translation>اسم قصير من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
     </message>
 </context>
 <context>
@@ -7904,10 +7908,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات</translation>
-    </message>
-    <message>
         <source>Points: a number from 0 to 1000 is right</source>
         <translation>النقاط: الصواب عدد من 0 إلى 1000</translation>
     </message>
@@ -7958,6 +7958,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Kind of the check</source>
         <translation>نوع الفحص</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
     </message>
 </context>
 <context>
@@ -10872,10 +10876,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>الصواب عنوان من 1 إلى 200 حرف</translation>
     </message>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات</translation>
-    </message>
-    <message>
         <source>Another question has this id already</source>
         <translation>لسؤال آخر هذا المعرّف بالفعل</translation>
     </message>
@@ -11030,6 +11030,10 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>ما يراه الطالب، بإجابة صحيحة</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
     </message>
 </context>
 <context>

@@ -5656,6 +5656,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message>
+        <source>, in %1</source>
+        <translation>, in %1</translation>
+    </message>
 </context>
 <context>
     <name>Phase</name>
@@ -6237,10 +6241,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>eine Zahl in m/s² von -10000 bis 10000</translation>
     </message>
     <message>
-        <source>a short name of letters, digits, dots and dashes</source>
-        <translation>ein kurzer Name aus Buchstaben, Ziffern, Punkten und Bindestrichen</translation>
-    </message>
-    <message>
         <source>a text of at most 200 characters</source>
         <translation>ein Text mit höchstens 200 Zeichen</translation>
     </message>
@@ -6519,6 +6519,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
         <translation>welche Abweichung noch richtig ist, eine Zahl ab 0 oder ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>a short name of letters, digits, dots, dashes and underscores</source>
+        <translation>ein kurzer Name aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
     </message>
 </context>
 <context>
@@ -7856,10 +7860,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten und Strichen</translation>
-    </message>
-    <message>
         <source>Points: a number from 0 to 1000 is right</source>
         <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
     </message>
@@ -7910,6 +7910,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Kind of the check</source>
         <translation>Art der Prüfung</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
     </message>
 </context>
 <context>
@@ -10792,10 +10796,6 @@ Ihre Nummer:</translation>
         <translation>Richtig ist ein Titel von 1 bis 200 Zeichen</translation>
     </message>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten und Strichen</translation>
-    </message>
-    <message>
         <source>Another question has this id already</source>
         <translation>Eine andere Frage hat diese Kennung schon</translation>
     </message>
@@ -10950,6 +10950,10 @@ Ihre Nummer:</translation>
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>Was zu sehen ist, richtig beantwortet</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
     </message>
 </context>
 <context>

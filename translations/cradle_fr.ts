@@ -4590,11 +4590,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the question %1 asks for %2, and its tolerance is 0: nobody answers it rightly</source>
-        <translation>la question %1 demande %2 et sa tolérance est 0 : personne n&apos;y répond juste</translation>
+        <translation>la question %1 demande %2 et sa tolérance est 0&#xa0;: personne n&apos;y répond juste</translation>
     </message>
     <message>
         <source>in the language %1: %2</source>
-        <translation>dans la langue %1 : %2</translation>
+        <translation>dans la langue %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5656,6 +5656,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>no</source>
         <translation>non</translation>
     </message>
+    <message>
+        <source>, in %1</source>
+        <translation>, en %1</translation>
+    </message>
 </context>
 <context>
     <name>Phase</name>
@@ -6329,10 +6333,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>un nombre en m/s² de -10000 à 10000</translation>
     </message>
     <message>
-        <source>a short name of letters, digits, dots and dashes</source>
-        <translation>un nom court fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
-    </message>
-    <message>
         <source>a text of 1 to 100 characters</source>
         <translation>un texte de 1 à 100 caractères</translation>
     </message>
@@ -6519,6 +6519,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
         <translation>l&apos;écart encore juste, un nombre à partir de 0 ou une expression</translation>
+    </message>
+    <message>
+        <source>a short name of letters, digits, dots, dashes and underscores</source>
+        <translation>un nom court fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
     </message>
 </context>
 <context>
@@ -7765,7 +7769,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Until it can be read, nothing of the lab can be edited. Mend it here; the steps come back by themselves.</source>
-        <translation>Tant qu&apos;il ne peut pas être lu, rien du TP ne peut être modifié. Réparez-le ici ; les étapes reviennent d&apos;elles-mêmes.</translation>
+        <translation>Tant qu&apos;il ne peut pas être lu, rien du TP ne peut être modifié. Réparez-le ici&#xa0;; les étapes reviennent d&apos;elles-mêmes.</translation>
     </message>
 </context>
 <context>
@@ -7856,10 +7860,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>Il faut un id fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
-    </message>
-    <message>
         <source>Points: a number from 0 to 1000 is right</source>
         <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
     </message>
@@ -7910,6 +7910,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Kind of the check</source>
         <translation>Type de la vérification</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Il faut un id fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
     </message>
 </context>
 <context>
@@ -10792,10 +10796,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Il faut un titre de 1 à 200 caractères</translation>
     </message>
     <message>
-        <source>An id of letters, digits, dots and dashes is right</source>
-        <translation>Il faut un id fait de lettres, de chiffres, de points et de traits d&apos;union</translation>
-    </message>
-    <message>
         <source>Another question has this id already</source>
         <translation>Une autre question a déjà cet id</translation>
     </message>
@@ -10950,6 +10950,10 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>Ce que voit l&apos;étudiant, avec la bonne réponse</translation>
+    </message>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Il faut un id fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
     </message>
 </context>
 <context>
@@ -11336,7 +11340,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Add a circle: + Add circle, under its circles</source>
-        <translation>Ajouter un cercle : + Ajouter un cercle, sous les cercles</translation>
+        <translation>Ajouter un cercle&#xa0;: + Ajouter un cercle, sous les cercles</translation>
     </message>
 </context>
 <context>
@@ -11647,7 +11651,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>What passes the step: a program of the student, the laws of the scene, or either</source>
-        <translation>Ce qui réussit l&apos;étape : un programme de l&apos;étudiant, les lois de la scène, ou l&apos;un ou l&apos;autre</translation>
+        <translation>Ce qui réussit l&apos;étape&#xa0;: un programme de l&apos;étudiant, les lois de la scène, ou l&apos;un ou l&apos;autre</translation>
     </message>
 </context>
 <context>

@@ -44,7 +44,7 @@ namespace cradle {
     QT_TRANSLATE_NOOP("Schema", "a number in m from -10000 to 10000"),
     QT_TRANSLATE_NOOP("Schema", "a number in m/s from -1e7 to 1e7"),
     QT_TRANSLATE_NOOP("Schema", "a number in m/s² from -10000 to 10000"),
-    QT_TRANSLATE_NOOP("Schema", "a short name of letters, digits, dots and dashes"),
+    QT_TRANSLATE_NOOP("Schema", "a short name of letters, digits, dots, dashes and underscores"),
     QT_TRANSLATE_NOOP("Schema", "a text of 1 to 100 characters"),
     QT_TRANSLATE_NOOP("Schema", "a text of 1 to 400 characters"),
     QT_TRANSLATE_NOOP("Schema", "a text of 1 to 1000 characters"),

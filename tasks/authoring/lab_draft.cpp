@@ -44,6 +44,27 @@ bool isAlive(const QString &name)
     return process > 0 && (::kill(process, 0) == 0 || errno == EPERM);
 }
 
+/// A file of a lab in a draft: null is none.
+QJsonValue fileOf(const LabFiles &files, const QString &path)
+{
+    const auto found = files.contents.find(path);
+    return found == files.contents.end() ? QJsonValue(QJsonValue::Null)
+                                         : QJsonValue(QString::fromLatin1(found->toBase64()));
+}
+
+LabFiles withFiles(LabFiles files, const QJsonObject &changes)
+{
+    for (auto it = changes.begin(); it != changes.end(); ++it) {
+        if (!faultOfLabPath(it.key()).isEmpty())
+            continue;
+        if (it.value().isNull())
+            files.contents.remove(it.key());
+        else
+            files.contents[it.key()] = QByteArray::fromBase64(it.value().toString().toLatin1());
+    }
+    return files;
+}
+
 std::optional<LabDraft> readDraft(const QString &path, const LabFiles &onDisk)
 {
     const auto text = readFile(path, maxBytes);
@@ -53,18 +74,9 @@ std::optional<LabDraft> readDraft(const QString &path, const LabFiles &onDisk)
     LabDraft draft{
         .folder = json.value(QStringLiteral("folder")).toString(),
         .when = QDateTime::fromString(json.value(QStringLiteral("when")).toString(), Qt::ISODate),
-        .files = onDisk,
+        .files = withFiles(onDisk, json.value(QStringLiteral("files")).toObject()),
+        .base = withFiles(onDisk, json.value(QStringLiteral("base")).toObject()),
         .path = path};
-    const QJsonObject changes = json.value(QStringLiteral("files")).toObject();
-    for (auto it = changes.begin(); it != changes.end(); ++it) {
-        if (!faultOfLabPath(it.key()).isEmpty())
-            continue;
-        if (it.value().isNull())
-            draft.files.contents.remove(it.key());
-        else
-            draft.files.contents[it.key()] =
-                QByteArray::fromBase64(it.value().toString().toLatin1());
-    }
     return draft;
 }
 
@@ -74,14 +86,14 @@ std::optional<Error> saveDraft(const QString &drafts, const QString &folder, con
                                const LabFiles &onDisk)
 {
     QJsonObject changes;
-    for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
-        const auto old = onDisk.contents.find(it.key());
-        if (old == onDisk.contents.end() || *old != *it)
-            changes.insert(it.key(), QString::fromLatin1(it->toBase64()));
-    }
-    for (auto it = onDisk.contents.begin(); it != onDisk.contents.end(); ++it) {
-        if (!files.contents.contains(it.key()))
-            changes.insert(it.key(), QJsonValue::Null);
+    QJsonObject base;
+    for (const QString &path : files.contents.keys() + onDisk.contents.keys()) {
+        const QJsonValue mine = fileOf(files, path);
+        const QJsonValue before = fileOf(onDisk, path);
+        if (mine == before)
+            continue;
+        changes.insert(path, mine);
+        base.insert(path, before);
     }
     if (auto error = makeFolder(drafts))
         return error;
@@ -89,7 +101,8 @@ std::optional<Error> saveDraft(const QString &drafts, const QString &folder, con
         {QStringLiteral("format"), 1},
         {QStringLiteral("folder"), folder},
         {QStringLiteral("when"), QDateTime::currentDateTimeUtc().toString(Qt::ISODate)},
-        {QStringLiteral("files"), changes}};
+        {QStringLiteral("files"), changes},
+        {QStringLiteral("base"), base}};
     return writeFile(pathOf(drafts, folder), QJsonDocument(json).toJson(QJsonDocument::Compact));
 }
 

@@ -14,6 +14,7 @@ struct LabDraft {
     QString folder{}; ///< of the lab; empty: it was never saved
     QDateTime when{}; ///< UTC
     LabFiles files{}; ///< all of the lab, with the changes
+    LabFiles base{};  ///< the lab on disk, with what was changed as it was before
     QString path{};   ///< of the draft's own file
 
     friend bool operator==(const LabDraft &, const LabDraft &) = default;

@@ -107,8 +107,9 @@ bool findProblem(const VerifiedProgram &program, const CheckReport &report, LabF
 /// Whether \p report fails by \p check and no other.
 bool isFailedAlone(const CheckReport &report, const QString &check)
 {
-    return std::all_of(report.checks.begin(), report.checks.end(),
-                       [&](const CheckOutcome &c) { return c.passed == (c.id != check); });
+    return std::all_of(report.checks.begin(), report.checks.end(), [&](const CheckOutcome &c) {
+        return (c.passed || c.checkStopped) == (c.id != check);
+    });
 }
 
 bool asksTheSame(const CheckSpec &a, const CheckSpec &b)

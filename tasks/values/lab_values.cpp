@@ -145,6 +145,8 @@ Result<QByteArray> put(const QString &path, const QByteArray &bytes, const Value
         const QJsonDocument json = QJsonDocument::fromJson(bytes);
         if (!json.isObject())
             return bytes; // told by the reader, with its line
+        if (!ofTexts && !json.object().contains(QStringLiteral("circles")))
+            return bytes; // answers, perhaps: no scene
         const auto result = ofTexts ? taskWithNumbers(json.object(), values)
                                     : sceneWithNumbers(json.object(), values);
         if (!result)

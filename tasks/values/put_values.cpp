@@ -41,6 +41,7 @@ QString unitAt(const QString &place)
         add("m/s", {"velocity", "velocities", "speeds", "rms_speed"});
         add("m/s²", {"gravity"});
         add("s", {"timestep", "timesteps", "duration"});
+        add("°", {"angles"});
         add("1000 kg/m³", {"density", "densities"});
         return known;
     }();

@@ -47,6 +47,7 @@ private slots:
     void init();
     void killedWindowLosesLittle();
     void changesComeBackAndCanBeDiscarded();
+    void whatOthersChangedMeanwhileIsAskedAbout();
     void savedOrDiscardedLeavesNothing();
     void newLabComesBack();
     void draftOfALivingWindowIsItsOwn();
@@ -119,6 +120,25 @@ void TestAuthorDrafts::changesComeBackAndCanBeDiscarded()
     author.click(QStringLiteral("Discard them"));
     QVERIFY(author.files() == onDisk);
     QTRY_VERIFY(drafts().entryList(QDir::Files).isEmpty());
+}
+
+void TestAuthorDrafts::whatOthersChangedMeanwhileIsAskedAbout()
+{
+    const LabFiles onDisk = *readLabFiles(m_ball);
+    LabFiles changed = onDisk;
+    changed.contents[textFile] = "# Mine";
+    leave(m_ball, changed, onDisk);
+    LabFiles theirs = onDisk;
+    theirs.contents[textFile] = "# Theirs";
+    QVERIFY(!saveLabFiles(theirs, onDisk, m_ball));
+    windows::OpenAuthor author(*m_folder);
+    QVERIFY(!author.window.open(m_ball));
+    QCOMPARE(author.files().contents.value(textFile), QByteArray("# Mine"));
+    const auto refused = author.document().save();
+    QVERIFY(refused && refused->message.contains(textFile));
+    QCOMPARE(readLabFiles(m_ball)->contents.value(textFile), QByteArray("# Theirs"));
+    QVERIFY(!author.document().takeTheirs());
+    QCOMPARE(author.files().contents.value(textFile), QByteArray("# Theirs"));
 }
 
 void TestAuthorDrafts::savedOrDiscardedLeavesNothing()

@@ -20,6 +20,7 @@ void AuthorDocument::takeDraft()
     if (!draft)
         return;
     if (draft->files != m_files && edit(tr("Changes that were not saved"), draft->files)) {
+        m_onDisk = draft->base; // what others changed since is asked about when it is saved
         keepDraft(); // as this window's, before the other goes
         emit draftTaken(draft->when);
     }

@@ -64,7 +64,11 @@ QString listText(const QJsonArray &list)
 
 QString unitOf(const ParameterInfo &info)
 {
-    return info.unit.isEmpty() ? QString() : QLatin1Char(' ') + info.unit;
+    if (info.unit.isEmpty())
+        return {};
+    // One that begins with a number is none after a number: 1000 kg/m³.
+    return info.unit.front().isDigit() ? ParameterMessage::tr(", in %1").arg(info.unit)
+                                       : QLatin1Char(' ') + info.unit;
 }
 
 QString boundsOf(const ParameterInfo &info)

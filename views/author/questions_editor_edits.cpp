@@ -100,7 +100,7 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
         break;
     case Id:
         if (!idForm.match(text).hasMatch())
-            return tr("An id of letters, digits, dots and dashes is right");
+            return tr("An id of letters, digits, dots, dashes and underscores is right");
         if (std::any_of(m_questions.begin(), m_questions.end(), [&](const Question &each) {
                 return &each != &question && each.id == text;
             }))
@@ -108,9 +108,12 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
         question.id = text;
         break;
     case Points:
-        if (!text.isEmpty() && (!number || *number < 0.0 || *number > mostPoints))
+        // The same for everybody: without values.
+        if (const auto points = evaluated(text);
+            !text.isEmpty() && (!points || *points < 0.0 || *points > mostPoints))
             return tr("Points: a number from 0 to 1000 is right");
-        question.points = text.isEmpty() ? 1.0 : *number;
+        else
+            question.points = text.isEmpty() ? 1.0 : *points;
         break;
     case Number:
         if (!number)
