@@ -11427,8 +11427,8 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>ملف هذا المشهد، ويجوز أن تكون الأعداد فيه تعابير</translation>
     </message>
     <message>
-        <source>Add a circle: + Add circle, under its circles</source>
-        <translation>أضف دائرة: + إضافة دائرة، تحت الدوائر</translation>
+        <source>Add a circle: + Add circle</source>
+        <translation>لا دائرة بعد: + إضافة دائرة</translation>
     </message>
 </context>
 <context>

@@ -11339,8 +11339,8 @@ Ihre Nummer:</translation>
         <translation>Die Datei dieser Szene, in der Zahlen Ausdrücke sein dürfen</translation>
     </message>
     <message>
-        <source>Add a circle: + Add circle, under its circles</source>
-        <translation>Kreis hinzufügen: + Kreis hinzufügen, unter den Kreisen</translation>
+        <source>Add a circle: + Add circle</source>
+        <translation>Noch kein Kreis: + Kreis hinzufügen</translation>
     </message>
 </context>
 <context>

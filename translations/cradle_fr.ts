@@ -11339,8 +11339,8 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Le fichier de cette scène, où les nombres peuvent être des expressions</translation>
     </message>
     <message>
-        <source>Add a circle: + Add circle, under its circles</source>
-        <translation>Ajouter un cercle&#xa0;: + Ajouter un cercle, sous les cercles</translation>
+        <source>Add a circle: + Add circle</source>
+        <translation>Aucun cercle encore&#xa0;: + Ajouter un cercle</translation>
     </message>
 </context>
 <context>

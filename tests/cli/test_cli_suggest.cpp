@@ -72,7 +72,8 @@ void TestCliSuggest::namesWhatPassesAndWhatIsNotExplained()
     };
     QCOMPARE(after(" if false then"), text("passes every check"));
     QVERIFY2(after(" c.position = c.position + c.velocity")
-                 .startsWith(text("fails drifts without a diagnosis: At step 1")),
+                 .startsWith(text("fails drifts; what is measured tells: The way of circle 1 is "
+                                  "not multiplied by the timestep")),
              outcome.toText().constData());
 }
 

@@ -248,7 +248,7 @@ void SceneTab::retranslate()
 {
     m_templateButton->setText(tr("Templates"));
     m_templateButton->setToolTip(tr("Scenes to begin with; the one that is here is replaced"));
-    m_scene->setEmptyHint(tr("Add a circle: + Add circle, under its circles"));
+    m_scene->setEmptyHint(tr("Add a circle: + Add circle"));
     m_fromMoment->setText(tr("Start from this moment"));
     m_fromMoment->setToolTip(
         tr("The circles start where, and as fast as, they are at the moment shown"));
