@@ -82,10 +82,9 @@ std::vector<QColor> circleColours(const Preset &preset)
 /// A number in a disc has to stand out from its fill.
 QColor textOn(const QColor &fill)
 {
-    const double luminance = 0.2126 * fill.redF() * fill.redF()
-                             + 0.7152 * fill.greenF() * fill.greenF()
-                             + 0.0722 * fill.blueF() * fill.blueF();
-    return luminance > 0.45 ? QColor(0x10, 0x16, 0x1d) : QColor(Qt::white);
+    // On a ground that is too light for white, black has more.
+    constexpr double least = 4.5; // WCAG 2.1, 1.4.3
+    return contrast(Qt::white, fill) >= least ? QColor(Qt::white) : QColor(Qt::black);
 }
 
 /// The name that a circle was given, or its number where it has none or only "circle N".
