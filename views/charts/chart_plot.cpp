@@ -126,7 +126,7 @@ void ChartPlot::layOut()
 {
     const QSizeF size = viewport()->size();
     const double height = size.height() - topRoom * textScale() - axisRoom * textScale();
-    const int ticks = std::max(leastTicks, static_cast<int>(height / tickHeight * textScale()));
+    const int ticks = std::max(leastTicks, static_cast<int>(height / (tickHeight * textScale())));
     m_scale = m_moment.range.scale(ticks, margin);
     if (const auto &zoom = m_moment.zoom)
         m_scale = {zoom->low, zoom->high, niceStep((zoom->high - zoom->low) / ticks)};

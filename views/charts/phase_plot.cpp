@@ -99,7 +99,7 @@ void PhasePlot::layOut()
     m_acrossRange.fit(left, right, std::max(right, -left));
     m_upRange.fit(low, high, std::max(high, -low));
     const double height = this->height() - topRoom * textScale() - axisRoom * textScale();
-    const int rows = static_cast<int>(height / tickHeight * textScale());
+    const int rows = static_cast<int>(height / (tickHeight * textScale()));
     m_up = m_upRange.scale(rows, margin);
     setEnds(m_up, m_picture.up, rows);
     const QFontMetricsF metrics(smallFont());
@@ -109,7 +109,7 @@ void PhasePlot::layOut()
                           std::ceil(metrics.horizontalAdvance(tickNumber(tick, m_up.step))) + 18.0);
     m_area = QRectF(gutter, topRoom * textScale(), std::max(1.0, width() - gutter - rightRoom),
                     std::max(1.0, height));
-    const int columns = static_cast<int>(m_area.width() / tickWidth * textScale());
+    const int columns = static_cast<int>(m_area.width() / (tickWidth * textScale()));
     m_across = m_acrossRange.scale(columns, margin);
     setEnds(m_across, m_picture.across, columns);
     if (m_picture.isEqual) {

@@ -113,7 +113,7 @@ void SpeedPlot::layOut()
                     height() - topRoom * textScale() - axisRoom * textScale());
     const double top = maxwellDensity(m_picture.spread, m_picture.spread) * m_picture.binWidth;
     m_highest = headroom * top;
-    m_tickStep = niceStep(m_highest / std::max(1.0, m_area.height() / tickHeight * textScale()));
+    m_tickStep = niceStep(m_highest / std::max(1.0, m_area.height() / (tickHeight * textScale())));
 }
 
 void SpeedPlot::paintEvent(QPaintEvent *)
