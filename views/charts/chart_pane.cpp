@@ -44,6 +44,7 @@ ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *p
 {
     auto *group = new QButtonGroup(this);
     m_heading->setTextFormat(Qt::PlainText);
+    m_heading->installEventFilter(this);
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_header->setContentsMargins(14, 8, 8, 0);
     m_header->setSpacing(0);
@@ -114,8 +115,8 @@ void ChartPane::setTexts(const QString &heading, const QString &unit, const QStr
     const QString capitals = heading.toUpper();
     m_name = heading;
     m_unit = unit;
-    m_heading->setText(unit.isEmpty() ? capitals
-                                      : tr("%1 · %2", "heading · unit").arg(capitals, unit));
+    m_title = unit.isEmpty() ? capitals : tr("%1 · %2", "heading · unit").arg(capitals, unit);
+    fitHeading();
     m_plot->setAccessibleName(unit.isEmpty() ? tr("%1 over time").arg(heading)
                                              : tr("%1 over time, %2").arg(heading, unit));
     m_emptyText = empty;
@@ -164,6 +165,36 @@ void ChartPane::setHeadingFont()
     QFont heading = headingFont();
     heading.setCapitalization(QFont::MixedCase); // a unit keeps its letters
     m_heading->setFont(heading);
+    fitHeading();
+}
+
+/// On two lines where one has no room, as with large texts; a unit stays together.
+void ChartPane::fitHeading()
+{
+    const QFontMetrics metrics = m_heading->fontMetrics();
+    const int room = m_heading->width();
+    QString title = m_title;
+    if (!m_unit.isEmpty())
+        title.replace(m_unit, QString(m_unit).replace(QLatin1Char(' '), QChar::Nbsp));
+    QString text;
+    QString line;
+    for (const QString &word : title.split(QLatin1Char(' '))) {
+        const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+        if (!line.isEmpty() && metrics.horizontalAdvance(longer) > room) {
+            text += line + QLatin1Char('\n');
+            line = word;
+        } else {
+            line = longer;
+        }
+    }
+    m_heading->setText(text + line);
+}
+
+bool ChartPane::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_heading && event->type() == QEvent::Resize)
+        fitHeading();
+    return QWidget::eventFilter(watched, event);
 }
 
 QColor ChartPane::colourOf(std::size_t circle) const
@@ -181,7 +212,7 @@ QString ChartPane::nameOf(std::size_t circle) const
 
 QString ChartPane::title() const
 {
-    return m_heading->text();
+    return m_title;
 }
 
 bool ChartPane::readRun()

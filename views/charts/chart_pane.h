@@ -90,6 +90,7 @@ protected:
     /// Other curves are asked for: the values' range begins anew.
     void selectionChanged();
     void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
 
     [[nodiscard]] const RunCurves &runCurves() const { return m_curves; }
@@ -102,6 +103,7 @@ private:
     void followWindow();
     void redraw();
     void setHeadingFont();
+    void fitHeading();
     void addPinned(std::vector<ChartCurve> &shown) const;
     void showLegend();
     void paintPicture(QPainter &painter, QSizeF size) const;
@@ -133,6 +135,7 @@ private:
     ChartPlot *m_plot;
     FrameThrottle *m_throttle;
     QString m_name;
+    QString m_title; ///< the name in capitals, and the unit
     QString m_unit;
     QString m_emptyText;
     SteadyRange m_range;
