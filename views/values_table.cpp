@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -32,8 +33,10 @@ namespace {
 
 constexpr int titleInterval = 250; ///< ms from one count of hits to the next, while it runs
 constexpr int cellPad = 8;         ///< px left and right of a number together
+constexpr int headerSpare = 6;     ///< px that a title may lack of its usual room
 constexpr int mostSpare = 16;      ///< px between two columns where there is room
 constexpr int massPlaces = 7;      ///< characters of a mass
+constexpr int unfitted = -1;       ///< not even the titles
 constexpr int fittedRows = 64;     ///< the columns of the hits fit these many of them
 
 } // namespace
@@ -92,7 +95,8 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     connect(m_tabs, &QTabWidget::currentChanged, this, &ValuesPane::showTab);
     connect(m_throttle, &FrameThrottle::due, this, &ValuesPane::refresh);
     connect(m_valuesModel, &QAbstractItemModel::modelReset, this, &ValuesPane::fitValues);
-    connect(m_hitsModel, &QAbstractItemModel::modelReset, this, [this] { m_fittedHits = 0; });
+    connect(m_hitsModel, &QAbstractItemModel::modelReset, this,
+            [this] { m_fittedHits = unfitted; });
     fitValues();
     retranslate();
 }
@@ -208,22 +212,30 @@ void ValuesPane::refreshHits()
 void ValuesPane::fitValues()
 {
     // Room for the usual numbers, so that widths rest while numbers change.
-    const QFontMetrics figures(columnFont());
-    const int figure = figures.horizontalAdvance(u'0');
-    const auto places = [](int column) {
-        return column <= ValuesModel::Speed  ? ValuesModel::narrowPlaces
-               : column == ValuesModel::Mass ? massPlaces
-                                             : ValuesModel::widePlaces;
+    const double figure = QFontMetricsF(columnFont()).horizontalAdvance(u'0');
+    const auto widthOf = [&](int column) {
+        const int places = column <= ValuesModel::Speed  ? ValuesModel::narrowPlaces
+                           : column == ValuesModel::Mass ? massPlaces
+                                                         : ValuesModel::widePlaces;
+        const int title = m_values->horizontalHeader()->sectionSizeHint(column) - headerSpare;
+        return std::max(title, static_cast<int>(std::ceil(places * figure)) + cellPad);
     };
     const int columns = m_valuesModel->columnCount();
     int needed = m_values->verticalHeader()->sizeHint().width() + cellPad;
     for (int column = 0; column < columns; ++column)
-        needed += places(column) * figure + cellPad;
+        needed += widthOf(column);
     // What is left over keeps them apart.
     const int spare = std::clamp((width() - needed) / columns, 0, mostSpare);
     for (int column = 0; column < columns; ++column)
-        m_values->setColumnWidth(column, places(column) * figure + cellPad + spare);
+        m_values->setColumnWidth(column, widthOf(column) + spare);
     fitHeights();
+}
+
+void ValuesPane::fitColumns()
+{
+    fitValues();
+    m_fittedHits = unfitted;
+    m_throttle->request();
 }
 
 void ValuesPane::fitHeights()
@@ -275,12 +287,14 @@ void ValuesPane::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     switch (event->type()) {
     case QEvent::LanguageChange:
+        m_fittedHits = unfitted;
         retranslate();
         break;
     case QEvent::FontChange:
         setNumberRows(m_values);
         setNumberRows(m_hits);
-        fitValues();
+        // The headers have the new font a little later.
+        QMetaObject::invokeMethod(this, &ValuesPane::fitColumns, Qt::QueuedConnection);
         [[fallthrough]];
     case QEvent::PaletteChange:
         m_valuesModel->reload();

@@ -66,6 +66,7 @@ private:
     void refresh();
     void refreshValues();
     void refreshHits();
+    void fitColumns(); ///< of both tables
     void fitValues();
     void fitHeights();
     void fitSentences();
@@ -87,7 +88,8 @@ private:
     FrameThrottle *m_throttle;
     std::vector<Tab> m_added;
     QElapsedTimer m_sinceTitle; ///< the tab of the hits got its title
-    int m_fittedHits = 0;       ///< rows whose texts the columns were fitted to
+    int m_fittedHits =
+        -1; ///< rows to whose texts the columns were fitted; −1: not even to the titles
 };
 
 } // namespace cradle

@@ -14,6 +14,8 @@ namespace cradle {
 
 namespace {
 
+constexpr int symbolBase = 16;    ///< px from the top to the line of the symbols
+constexpr int unitBase = 31;      ///< px to that of the units
 constexpr double firstPad = 14.0; ///< px left of the numbers of the rows
 constexpr double pad = 6.0;       ///< px beside a text
 constexpr int headerHeight = 38;  ///< px
@@ -75,8 +77,8 @@ void SymbolHeader::paintSection(QPainter *painter, const QRect &rect, int sectio
             left ? rect.left() + pad : rect.right() + 1.0 - pad - subscriptWidth(textFont, text);
         drawSubscripted(*painter, {x, rect.top() + baseline}, text);
     };
-    draw(font(), colours.text, symbol(section), 16.0);
-    draw(unitFont(), colours.mutedText, unit(section), 31.0);
+    draw(font(), colours.text, symbol(section), scaledByText(symbolBase));
+    draw(unitFont(), colours.mutedText, unit(section), scaledByText(unitBase));
     painter->restore();
 }
 

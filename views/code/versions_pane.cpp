@@ -80,6 +80,7 @@ QWidget *titled(QLabel *title, QWidget *content)
     auto *column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    title->setWordWrap(true);
     title->setContentsMargins(12, 4, 6, 2);
     setKind(title, "heading");
     column->addWidget(title);
@@ -137,6 +138,7 @@ VersionsPane::VersionsPane(QWidget *parent)
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(m_parts);
     setFocusProxy(m_list);
+    m_list->viewport()->installEventFilter(this);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &VersionsPane::showChosen);
     connect(m_goBack, &QPushButton::clicked, this, [this] {
         if (const ShownVersion *version = chosen())
@@ -175,10 +177,22 @@ void VersionsPane::fill()
         row->setText(Change, changeOf(before, text));
         row->setToolTip(Change, row->text(Change));
     }
-    m_list->resizeColumnToContents(When);
-    m_list->resizeColumnToContents(What);
+    fitColumns();
     m_empty->setVisible(m_versions.empty());
     m_list->setVisible(!m_versions.empty());
+}
+
+/// The last column takes what is left, or else the list scrolls.
+void VersionsPane::fitColumns()
+{
+    m_list->resizeColumnToContents(When);
+    m_list->resizeColumnToContents(What);
+    QHeaderView &header = *m_list->header();
+    const int needed = header.sectionSizeHint(Change);
+    const int left = m_list->viewport()->width() - header.sectionPosition(Change);
+    header.setStretchLastSection(left >= needed);
+    if (left < needed)
+        header.resizeSection(Change, needed);
 }
 
 void VersionsPane::setPresent(const QString &text, bool mayChange)
@@ -250,6 +264,13 @@ void VersionsPane::resizeEvent(QResizeEvent *event)
     m_parts->setSizes(stacks ? QList{height() / 4, 3 * height() / 4} : QList{420, 720});
 }
 
+bool VersionsPane::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize)
+        fitColumns();
+    return QWidget::eventFilter(watched, event);
+}
+
 void VersionsPane::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
@@ -257,6 +278,8 @@ void VersionsPane::changeEvent(QEvent *event)
         retranslate();
         setVersions(m_versions);
     }
+    if (event->type() == QEvent::FontChange) // the list has it a little later
+        QMetaObject::invokeMethod(this, &VersionsPane::fitColumns, Qt::QueuedConnection);
 }
 
 void VersionsPane::retranslate()

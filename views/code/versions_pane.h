@@ -47,10 +47,12 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void fill();
+    void fitColumns();
     void showChosen();
     void showButtons();
     void retranslate();
