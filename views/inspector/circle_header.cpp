@@ -74,6 +74,7 @@ void CircleHeader::paintSection(QPainter *painter, const QRect &rect, int logica
     const int symbol = large.horizontalAdvance(parts.symbol);
     const int x = leftOf(symbol + small.horizontalAdvance(parts.index));
     const int baseline = rect.top() + symbolTop + large.ascent();
+    painter->setLayoutDirection(Qt::LeftToRight); // "1000 kg/m³" is no sentence
     painter->setPen(theme().text);
     painter->setFont(font());
     painter->drawText(x, baseline, parts.symbol);

@@ -44,6 +44,8 @@ void CirclesGroup::makeButtons()
 {
     auto *row = new QHBoxLayout;
     row->setSpacing(8);
+    m_strut = new QSpacerItem(0, 0);
+    row->addItem(m_strut);
     m_heading = new QLabel(this);
     m_heading->setFont(headingFont());
     setKind(m_heading, "heading");
@@ -89,8 +91,7 @@ void CirclesGroup::makeTable()
     m_table->setWordWrap(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setMinimumHeight(m_header->sizeHint().height()
-                              + rowsAtLeast * scaledByText(rowHeight));
+    fitHeight();
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
     layout()->addWidget(m_table);
@@ -101,6 +102,12 @@ void CirclesGroup::makeTable()
         if (std::exchange(m_announced, selected()) != selected())
             emit selectionChanged(selected());
     });
+}
+
+void CirclesGroup::fitHeight()
+{
+    m_table->setMinimumHeight(m_header->sizeHint().height()
+                              + rowsAtLeast * scaledByText(rowHeight));
 }
 
 void CirclesGroup::retranslate()
@@ -127,6 +134,9 @@ void CirclesGroup::nameButtons()
     QPushButton *const buttons[] = {m_add, m_duplicate, m_remove, m_reset};
     for (QPushButton *button : buttons)
         button->setText(button->accessibleName());
+    // The style sheet's least height is less than large texts need.
+    m_strut->changeSize(0, m_add->sizeHint().height(), QSizePolicy::Fixed, QSizePolicy::Fixed);
+    layout()->invalidate();
     for (QPushButton *button : buttons) {
         int wanted = m_heading->sizeHint().width();
         for (const QPushButton *each : buttons)
@@ -261,6 +271,9 @@ void CirclesGroup::changeEvent(QEvent *event)
     if (event->type() == QEvent::FontChange) {
         m_table->verticalHeader()->setDefaultSectionSize(scaledByText(rowHeight));
         layOutColumns();
+        // The header and the buttons have the new font a little later.
+        QMetaObject::invokeMethod(this, &CirclesGroup::fitHeight, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &CirclesGroup::nameButtons, Qt::QueuedConnection);
     }
 }
 

@@ -51,6 +51,7 @@ private:
     void makeButtons();
     void retranslate();
     void nameButtons();
+    void fitHeight();
     void reload();
     void enableButtons();
     void layOutColumns();
@@ -63,6 +64,7 @@ private:
     bool handleKey(QKeyEvent *event);
 
     PresetDocument &m_document;
+    QSpacerItem *m_strut = nullptr; ///< as high as the buttons
     QLabel *m_heading = nullptr;
     CircleTableModel *m_model = nullptr;
     CircleDelegate *m_delegate = nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How wide the columns of the table of circles are.
+#include "views/circle_name.h"
 #include "views/inspector/circle_header.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/circles_group.h"
@@ -25,7 +26,8 @@ constexpr int measuredRows = 50; ///< whose texts make their columns wider
 void CirclesGroup::layOutColumns()
 {
     const int room = m_table->viewport()->width() - slack;
-    const int name = fontMetrics().horizontalAdvance(QStringLiteral("circle 10")) + cellPad;
+    const int name =
+        fontMetrics().horizontalAdvance(shownCircleName(plainCircleName(10))) + cellPad;
     m_model->setBrief(false);
     m_model->setBrief(name + othersWidth() > room);
     for (int column = 0; column < CircleTableModel::ColumnCount; ++column) {

@@ -53,6 +53,9 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
     int row = 0;
     for (QComboBox **list : {&m_walls, &m_circles, &m_timing}) {
         *list = new QComboBox(this);
+        // In whatever language and size of texts; Qt keeps an older least size.
+        (*list)->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        (*list)->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
         (*list)->installEventFilter(this);
         m_captions[row] = new QLabel(this);
         m_captions[row]->setBuddy(*list);
@@ -88,10 +91,15 @@ void LawsGroup::arrange(Arrangement arrangement)
     m_grid->addWidget(m_heading, 0, 0, 1, row ? 1 : 3);
     QComboBox *const lists[] = {m_walls, m_circles, m_timing};
     for (int i = 0; i < 3; ++i) {
+        if (arrangement == OwnRows) {
+            m_grid->addWidget(m_captions[i], 2 * i + 1, 0, 1, 3);
+            m_grid->addWidget(lists[i], 2 * i + 2, 0, 1, 3);
+            continue;
+        }
         m_grid->addWidget(m_captions[i], row ? 0 : i + 1, row ? i + 1 : 0);
         m_grid->addWidget(lists[i], row ? 1 : i + 1, row ? i + 1 : 1);
     }
-    m_grid->setRowStretch(4, row ? 0 : 1);
+    m_grid->setRowStretch(4, arrangement == Column ? 1 : 0);
 }
 
 int LawsGroup::columnWidth() const

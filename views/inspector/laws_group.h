@@ -23,7 +23,8 @@ public:
 
     enum Arrangement {
         Column, ///< below each other, the name beside each
-        Row     ///< beside each other, the name above each
+        Row,    ///< beside each other, the name above each
+        OwnRows ///< below each other, the name above each: the narrowest
     };
     void arrange(Arrangement arrangement);
     [[nodiscard]] int columnWidth() const; ///< px that a column of them needs
