@@ -2,37 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
+#include "tests/gui/pseudo_language.h"
 #include "views/task_pane/instructions_pane.h"
 #include "views/task_pane/result_pane.h"
 
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QTranslator>
 
 using namespace cradle;
 using namespace cradle::windows;
 
 namespace {
-
-/// Longer by a third, accented and bracketed, places for numbers kept.
-class PseudoLanguage final : public QTranslator
-{
-public:
-    QString translate(const char *, const char *source, const char *, int) const override
-    {
-        const QString text = QString::fromUtf8(source);
-        if (text.startsWith(QLatin1String(":/")))
-            return text; // the name of a file
-        QString accented = text;
-        const std::pair<char16_t, char16_t> accents[] = {
-            {u'a', u'á'}, {u'e', u'é'}, {u'i', u'í'}, {u'o', u'ó'}, {u'u', u'ú'}};
-        for (const auto &[plain, accent] : accents)
-            accented.replace(QChar(plain), QChar(accent));
-        return QStringLiteral("[%1%2]").arg(accented, QString(text.size() / 3, QChar(u'~')));
-    }
-    bool isEmpty() const override { return false; }
-};
 
 /// Whether it has a word: symbols and numbers are the same in every language.
 bool hasWord(QString text)

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/gui/open_window.h"
+#include "tests/gui/pseudo_language.h"
+#include "tests/gui/settled.h"
+#include "views/markdown_view.h"
+#include "views/values_table.h"
+
+#include <QHash>
+#include <QTabWidget>
+
+#include <array>
+#include <optional>
+
+namespace cradle::windows {
+
+inline const QString pseudoLanguage = QStringLiteral("pseudo");
+
+/// How somebody may have the window.
+struct RoomState {
+    Mode mode = Mode::Explore;
+    QSize size{1440, 900};
+    ThemeChoice theme = ThemeChoice::Light;
+    QString language = QStringLiteral("en");
+    int percent = 100; ///< size of texts
+};
+
+/// Both modes at three sizes in three themes; in every language; with large texts.
+inline std::vector<RoomState> roomStates()
+{
+    constexpr std::array<QSize, 3> sizes{{{1280, 720}, {1440, 900}, {1920, 1080}}};
+    std::vector<RoomState> all;
+    for (const Mode mode : {Mode::Explore, Mode::Code}) {
+        for (const ThemeChoice theme :
+             {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::HighContrast}) {
+            for (const QSize size : sizes)
+                all.push_back({.mode = mode, .size = size, .theme = theme});
+        }
+        for (const int percent : {150, 200}) {
+            for (const char *language : {"en", "de"}) {
+                for (const QSize size : {sizes[1], sizes[2]})
+                    all.push_back({.mode = mode,
+                                   .size = size,
+                                   .language = QLatin1String(language),
+                                   .percent = percent});
+            }
+        }
+        for (const char *language : {"de", "fr", "ar", "pseudo"})
+            all.push_back({.mode = mode, .language = QLatin1String(language)});
+    }
+    return all;
+}
+
+/// A row of test data for each of them.
+inline void addRoomStates()
+{
+    QTest::addColumn<RoomState>("state");
+    static const QHash<ThemeChoice, const char *> themes{{ThemeChoice::Light, "light"},
+                                                         {ThemeChoice::Dark, "dark"},
+                                                         {ThemeChoice::HighContrast, "contrast"}};
+    for (const RoomState &state : roomStates())
+        QTest::addRow("%s %dx%d %s %s %d %%", state.mode == Mode::Code ? "code" : "explore",
+                      state.size.width(), state.size.height(), themes[state.theme],
+                      qPrintable(state.language), state.percent)
+            << state;
+}
+
+/// One window that goes from state to state, with a step that was checked and is not yet right.
+class StatefulRoom
+{
+public:
+    explicit StatefulRoom(const QTemporaryDir &folder)
+        : m_open(folder)
+    {
+        applyTheme(ThemeChoice::Light);
+        m_open.bench.openTask(QStringLiteral("L42T11"));
+        m_open.window.chooseRenderer(Renderer::Raster);
+        m_open.window.show();
+    }
+    ~StatefulRoom()
+    {
+        QCoreApplication::removeTranslator(&m_pseudo);
+        setLanguage(QStringLiteral("en"));
+        setTextScale(1.0);
+    }
+    StatefulRoom(const StatefulRoom &) = delete;
+    StatefulRoom &operator=(const StatefulRoom &) = delete;
+
+    [[nodiscard]] MainWindow &window() { return m_open.window; }
+    [[nodiscard]] OpenWindow &open() { return m_open; }
+
+    void take(const RoomState &state)
+    {
+        speak(state.language);
+        if (window().themeChoice() != state.theme)
+            window().chooseTheme(state.theme);
+        if (textScale() != state.percent / 100.0)
+            window().chooseTextSize(state.percent);
+        m_open.bench.setMode(state.mode);
+        check();
+        window().resize(state.size);
+        calm();
+        window().resetLayout();
+        m_open.simulation().goTo(30);
+        calm();
+        QCOMPARE(window().size(), state.size); // no larger than the screen that it is for
+    }
+
+    static constexpr int turns = 4;
+    /// What stands behind other panes comes to the front, in so many turns.
+    void showBehind(int turn)
+    {
+        const std::array<std::vector<const char *>, turns> fronts{
+            {{}, {"energy", "versions"}, {"values", "notes"}, {"values", "inspector"}}};
+        for (const char *name : fronts[static_cast<std::size_t>(turn)]) {
+            auto *pane = window().findChild<QDockWidget *>(QLatin1String(name));
+            if (!pane->isHidden())
+                pane->raise();
+        }
+        window().findChild<ValuesPane *>()->tabs().setCurrentIndex(turn == 3 ? 1 : 0);
+        calm();
+    }
+
+    /// Waits until no text is still to come and every widget has its place.
+    void calm()
+    {
+        int rounds = 0; // one layout asks for another
+        QByteArray before;
+        const auto isCalm = [&] {
+            settle();
+            QByteArray now = places();
+            rounds = now == before && areTextsComplete() ? rounds + 1 : 0;
+            before.swap(now);
+            return rounds >= 3;
+        };
+        QVERIFY(QTest::qWaitFor(isCalm, 30'000));
+    }
+
+private:
+    void speak(const QString &language)
+    {
+        if (language == m_language)
+            return;
+        m_language = language;
+        QCoreApplication::removeTranslator(&m_pseudo);
+        const bool isPseudo = language == pseudoLanguage;
+        window().chooseLanguage(isPseudo ? QStringLiteral("en") : language);
+        if (isPseudo)
+            QVERIFY(QCoreApplication::installTranslator(&m_pseudo));
+        QCoreApplication::processEvents();
+        // Also where Qt's own translations are missing, which tell it the direction.
+        QGuiApplication::setLayoutDirection(
+            QLocale(isPseudo ? QStringLiteral("en") : language).textDirection());
+    }
+
+    /// What was found is told anew in another language, and is of its own in each mode.
+    void check()
+    {
+        if (!m_open.bench.report() && !window().transportBar().isChecking())
+            m_open.bench.check();
+        QTRY_VERIFY_WITH_TIMEOUT(m_open.bench.report() && !window().transportBar().isChecking(),
+                                 60'000);
+    }
+
+    [[nodiscard]] bool areTextsComplete()
+    {
+        const auto texts = window().findChildren<MarkdownView *>();
+        return std::all_of(texts.begin(), texts.end(), [](const MarkdownView *each) {
+            return !each->isVisible() || each->isComplete();
+        });
+    }
+
+    [[nodiscard]] QByteArray places()
+    {
+        QByteArray all;
+        QDataStream stream(&all, QIODevice::WriteOnly);
+        for (const auto *each : window().findChildren<QWidget *>())
+            stream << quintptr(each) << each->geometry() << each->isVisible();
+        return all;
+    }
+
+    PseudoLanguage m_pseudo;
+    QString m_language = QStringLiteral("en");
+    OpenWindow m_open;
+};
+
+} // namespace cradle::windows
+
+Q_DECLARE_METATYPE(cradle::windows::RoomState)
