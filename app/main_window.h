@@ -128,6 +128,7 @@ protected:
     void closeEvent(QCloseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     bool event(QEvent *event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     void makePanes();
@@ -137,9 +138,10 @@ private:
     void wireCharts();
     [[nodiscard]] RunSource runSource(); ///< of the run that goes on
     enum class Height { Low, Middling, High };
-    [[nodiscard]] static Height heightOf(int body); ///< px
-    void arrangePanes();                            ///< as the mode has them at first
-    [[nodiscard]] std::vector<QWidget *> focusRound() const;
+    [[nodiscard]] static Height heightOf(int body);          ///< px
+    void arrangePanes();                                     ///< as the mode has them at first
+    [[nodiscard]] std::vector<QWidget *> focusRound() const; ///< by F6
+    [[nodiscard]] std::vector<QWidget *> tabRound() const;
     void arrangeCode();
     void arrangeExplore();
     void shareRoom();

@@ -4,6 +4,8 @@
 // The keyboard's ways through the window.
 #include "app/main_window.h"
 
+#include "app/focus_order.h"
+#include "app/notice_bar.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/inspector/inspector.h"
@@ -22,42 +24,11 @@
 #include <QTabBar>
 
 #include <algorithm>
-#include <tuple>
+#include <iterator>
 
 namespace cradle {
 
 namespace {
-
-/// Whether some of it is within all that it lies in. (What its own children cover counts.)
-bool isInSight(const QWidget &widget)
-{
-    QRect rect = widget.rect();
-    for (const QWidget *w = &widget; !w->isWindow() && w->parentWidget(); w = w->parentWidget())
-        rect = rect.translated(w->pos()).intersected(w->parentWidget()->rect());
-    return widget.isVisible() && !rect.isEmpty();
-}
-
-bool takesFocus(const QWidget &widget)
-{
-    return widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0 && isInSight(widget);
-}
-
-/// The first control in \p pane, from the top and from the left; nullptr if there is none.
-QWidget *firstIn(QWidget *pane)
-{
-    if (takesFocus(*pane))
-        return pane;
-    QWidget *first = nullptr;
-    const auto place = [pane](const QWidget *widget) {
-        const QPoint corner = widget->mapTo(pane, QPoint());
-        return std::tuple(corner.y() / 16, corner.x());
-    };
-    for (QWidget *each : pane->findChildren<QWidget *>()) {
-        if (takesFocus(*each) && (!first || place(each) < place(first)))
-            first = each;
-    }
-    return first;
-}
 
 using KeyRow = std::pair<QString, QString>;
 
@@ -107,7 +78,7 @@ QString tableOf(const QString &title, const std::vector<KeyRow> &rows)
 
 } // namespace
 
-/// What F6 goes round, as the eye does: from the left to the right.
+/// What F6 goes round, as the eye does.
 std::vector<QWidget *> MainWindow::focusRound() const
 {
     std::vector<QWidget *> round{m_taskPane};
@@ -118,15 +89,44 @@ std::vector<QWidget *> MainWindow::focusRound() const
     }
     panes.push_back(m_scene);
     std::erase_if(panes, [](QWidget *pane) { return !isInSight(*pane); });
-    std::sort(panes.begin(), panes.end(), [this](QWidget *a, QWidget *b) {
-        const QPoint p = a->mapTo(this, QPoint());
-        const QPoint q = b->mapTo(this, QPoint());
-        return std::tuple(p.x() / 32, p.y()) < std::tuple(q.x() / 32, q.y());
-    });
+    sortByEye(panes, *this);
     round.insert(round.end(), panes.begin(), panes.end());
     round.push_back(m_timeline);
     round.push_back(m_transport);
     return round;
+}
+
+/// What Tab goes round: the controls of those, the titles of panes, and what is said above all.
+std::vector<QWidget *> MainWindow::tabRound() const
+{
+    std::vector<QWidget *> parts = focusRound();
+    const auto titles = findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly);
+    std::copy_if(titles.begin(), titles.end(), std::back_inserter(parts),
+                 [](const QTabBar *bar) { return isInSight(*bar); });
+    std::erase_if(parts, [this](const QWidget *part) {
+        return part->window() != this || part == m_timeline || part == m_transport;
+    });
+    sortByEye(parts, *this);
+    parts.insert(parts.end(), {m_timeline, m_transport, m_notice});
+    std::vector<QWidget *> controls;
+    for (QWidget *part : parts) {
+        const std::vector<QWidget *> found = controlsIn(*part);
+        controls.insert(controls.end(), found.begin(), found.end());
+    }
+    return controls;
+}
+
+/// Qt goes in the order in which controls were made, so that a card that is made later comes last.
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    const std::vector<QWidget *> controls = tabRound();
+    const auto here = std::find(controls.begin(), controls.end(), QApplication::focusWidget());
+    if (here == controls.end())
+        return QMainWindow::focusNextPrevChild(next);
+    const auto count = static_cast<std::ptrdiff_t>(controls.size());
+    const std::ptrdiff_t at = (here - controls.begin() + (next ? 1 : count - 1)) % count;
+    focusByTab(*controls[static_cast<std::size_t>(at)], next);
+    return true;
 }
 
 void MainWindow::focusNextPane(int direction)
@@ -142,11 +142,13 @@ void MainWindow::focusNextPane(int direction)
     for (int tried = 0; tried < count; ++tried) {
         at = (at + direction + count) % count;
         QWidget *pane = round[static_cast<std::size_t>(at)];
-        QWidget *first = pane == m_code ? m_code->editor().focusProxy() : firstIn(pane);
-        if (!first && pane == m_code)
-            first = &m_code->editor();
-        if (first)
-            return first->setFocus(Qt::ShortcutFocusReason);
+        const std::vector<QWidget *> controls = controlsIn(*pane);
+        const auto first = std::find_if(controls.begin(), controls.end(),
+                                        [](const QWidget *each) { return isInSight(*each); });
+        if (pane == m_code)
+            return m_code->editor().setFocus(Qt::ShortcutFocusReason);
+        if (first != controls.end())
+            return (*first)->setFocus(Qt::ShortcutFocusReason);
     }
 }
 

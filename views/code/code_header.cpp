@@ -88,6 +88,7 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
 void CodeHeader::setTitle(const QString &title)
 {
     m_title->setText(title);
+    m_title->setVisible(!title.isEmpty()); // else a screen reader meets a text without words
     arrange();
 }
 
