@@ -12,71 +12,12 @@
 using namespace cradle;
 using namespace cradle::windows;
 
-namespace {
-
-/// What a screen reader cannot tell apart without a name.
-bool needsName(const QAccessibleInterface &each)
-{
-    switch (each.role()) {
-    case QAccessible::PushButton:
-    case QAccessible::CheckBox:
-    case QAccessible::RadioButton:
-    case QAccessible::ComboBox:
-    case QAccessible::EditableText:
-    case QAccessible::Slider:
-    case QAccessible::SpinBox:
-    case QAccessible::Table:
-    case QAccessible::List:
-    case QAccessible::Tree:
-    case QAccessible::PageTab:
-    case QAccessible::ProgressBar:
-    case QAccessible::Canvas:
-    case QAccessible::Chart:
-    case QAccessible::StaticText:
-        return true;
-    default:
-        return each.state().focusable;
-    }
-}
-
-QString describe(const QAccessibleInterface &each)
-{
-    QStringList path;
-    for (const QObject *object = each.object(); object; object = object->parent())
-        path.prepend(QLatin1String(object->metaObject()->className()));
-    return QStringLiteral("role %1 at %2")
-        .arg(int(each.role()))
-        .arg(path.join(QLatin1String(" / ")));
-}
-
-/// Those that are seen and have no name.
-void findNameless(QAccessibleInterface *parent, QStringList &found, int &met)
-{
-    for (int i = 0; i < parent->childCount(); ++i) {
-        QAccessibleInterface *child = parent->child(i);
-        if (!child || child->state().invisible)
-            continue;
-        ++met;
-        const auto *widget = qobject_cast<QWidget *>(child->object());
-        const bool seen = !widget || (widget->isVisible() && !widget->visibleRegion().isEmpty());
-        if (seen && needsName(*child) && child->text(QAccessible::Name).trimmed().isEmpty()
-            && child->text(QAccessible::Value).trimmed().isEmpty())
-            found.append(describe(*child));
-        if (child->role() != QAccessible::Table) // cells are told by their texts
-            findNameless(child, found, met);
-    }
-}
-
-} // namespace
-
 /// The window as a screen reader finds it.
 class TestAccessibleTree final : public QObject
 {
     Q_OBJECT
 private slots:
     void initTestCase() { QVERIFY(m_folder.isValid()); }
-    void nothingIsNameless_data();
-    void nothingIsNameless();
     void sceneTellsItsCircles();
     void chartsTellTheirCurves();
     void chartsAreSteppedThroughByKeys();
@@ -89,36 +30,6 @@ private slots:
 private:
     QTemporaryDir m_folder;
 };
-
-void TestAccessibleTree::nothingIsNameless_data()
-{
-    QTest::addColumn<Mode>("mode");
-    QTest::addColumn<bool>("checked");
-    QTest::newRow("explore") << Mode::Explore << false;
-    QTest::newRow("code") << Mode::Code << false;
-    QTest::newRow("explore, checked") << Mode::Explore << true;
-    QTest::newRow("code, checked") << Mode::Code << true;
-}
-
-void TestAccessibleTree::nothingIsNameless()
-{
-    QFETCH(Mode, mode);
-    QFETCH(bool, checked);
-    OpenWindow open(m_folder);
-    open.bench.openTask(QStringLiteral("L42T11"));
-    open.bench.setMode(mode);
-    open.window.resize(1440, 900);
-    QTest::qWait(100);
-    if (checked)
-        open.check();
-    QTest::qWait(50);
-    QStringList found;
-    int met = 0;
-    findNameless(QAccessible::queryAccessibleInterface(&open.window), found, met);
-    found.removeDuplicates();
-    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
-    QVERIFY2(met > 120, qPrintable(QString::number(met)));
-}
 
 void TestAccessibleTree::sceneTellsItsCircles()
 {

@@ -6,8 +6,6 @@
 #include "views/code/code_pane.h"
 #include "views/timeline.h"
 
-#include <QSet>
-
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -18,8 +16,6 @@ class TestKeyboard final : public QObject
 private slots:
     void initTestCase() { QVERIFY(m_folder.isValid()); }
     void init();
-    void tabGoesRoundAndOn_data();
-    void tabGoesRoundAndOn();
     void f6GoesRoundThePanes_data();
     void f6GoesRoundThePanes();
     void controlLGoesIntoTheProgram();
@@ -49,50 +45,6 @@ void TestKeyboard::init()
     m_open->window.resize(1440, 900);
     m_open->window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
-}
-
-void TestKeyboard::tabGoesRoundAndOn_data()
-{
-    QTest::addColumn<Mode>("mode");
-    QTest::addColumn<bool>("backwards");
-    QTest::newRow("explore") << Mode::Explore << false;
-    QTest::newRow("code") << Mode::Code << false;
-    QTest::newRow("explore, backwards") << Mode::Explore << true;
-    QTest::newRow("code, backwards") << Mode::Code << true;
-}
-
-/// But in the program, where Tab indents: F6 goes on from there.
-void TestKeyboard::tabGoesRoundAndOn()
-{
-    QFETCH(Mode, mode);
-    QFETCH(bool, backwards);
-    m_open->bench.setMode(mode);
-    QTest::qWait(50);
-    m_open->window.scene().setFocus();
-    const CodeEditor &editor = m_open->window.codePane().editor();
-    QSet<const QWidget *> met;
-    bool back = false;
-    for (int i = 0; i < 150 && !back; ++i) {
-        QWidget *focused = QApplication::focusWidget();
-        QVERIFY2(isSeen(focused),
-                 qPrintable(QStringLiteral("%1 %2 after %3")
-                                .arg(QLatin1String(focused->metaObject()->className()),
-                                     focused->accessibleName())
-                                .arg(met.size())));
-        met.insert(focused);
-        if (editor.isAncestorOf(focused))
-            m_open->window.focusNextPane(backwards ? -1 : 1);
-        else if (backwards)
-            QTest::keyClick(focused, Qt::Key_Backtab, Qt::ShiftModifier);
-        else
-            QTest::keyClick(focused, Qt::Key_Tab);
-        // In the scene, Tab goes from circle to circle first.
-        QVERIFY2(QApplication::focusWidget() != focused || focused == &m_open->window.scene(),
-                 focused->metaObject()->className());
-        back = met.size() > 1 && QApplication::focusWidget() == &m_open->window.scene();
-    }
-    QVERIFY2(back, qPrintable(QString::number(met.size())));
-    QVERIFY(met.size() >= 12);
 }
 
 void TestKeyboard::f6GoesRoundThePanes_data()
