@@ -12,6 +12,7 @@
 #include "views/announcer.h"
 #include "views/charts/chart_pane.h"
 #include "views/code/code_pane.h"
+#include "views/menu.h"
 #include "views/scene/scene_view.h"
 #include "views/sound/hit_sounds.h"
 #include "views/transport_bar.h"
@@ -19,7 +20,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
-#include <QMenu>
 #include <QMenuBar>
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct MenuText {
 
 /// Adds an action that calls a slot of \p target; its shortcut holds in the whole window.
 template <typename Target, typename Slot>
-QAction *add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Target *target,
+QAction *add(Menu *menu, const QString &text, const QKeySequence &shortcut, Target *target,
              Slot slot)
 {
     QAction *action = menu->addAction(text);
@@ -43,9 +43,16 @@ QAction *add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Tar
     return action;
 }
 
-void addExamples(MainWindow &window, QMenu *menu)
+Menu *addMenu(QMenuBar &bar, const QString &title)
 {
-    QMenu *scenes = menu->addMenu(MenuText::tr("&Example scenes"));
+    auto *menu = new Menu(title, &bar);
+    bar.addMenu(menu);
+    return menu;
+}
+
+void addExamples(MainWindow &window, Menu *menu)
+{
+    Menu *scenes = menu->addMenu(MenuText::tr("&Example scenes"));
     for (const Example example : allExamples) {
         QAction *action = scenes->addAction(titleOf(example));
         QObject::connect(action, &QAction::triggered, &window,
@@ -55,7 +62,7 @@ void addExamples(MainWindow &window, QMenu *menu)
 
 void addLab(MainWindow &window, QMenuBar &bar)
 {
-    QMenu *menu = bar.addMenu(MenuText::tr("&Lab"));
+    Menu *menu = addMenu(bar, MenuText::tr("&Lab"));
     Workbench *bench = &window.workbench();
     menu->addAction(window.transportBar().checkAction());
     menu->addSeparator();
@@ -100,7 +107,7 @@ bool isOfClipboard(const QAction &action)
 
 void addEdit(MainWindow &window, QMenuBar &bar)
 {
-    QMenu *menu = bar.addMenu(MenuText::tr("&Edit"));
+    Menu *menu = addMenu(bar, MenuText::tr("&Edit"));
     PresetDocument *document = &window.workbench().document();
     SceneView *scene = &window.scene();
     // The menu is filled anew with every language; they belong to it and go with it.
@@ -120,7 +127,7 @@ void addEdit(MainWindow &window, QMenuBar &bar)
         &PresetDocument::resetToOriginal);
 }
 
-void addRuns(MainWindow &window, QMenu *menu)
+void addRuns(MainWindow &window, Menu *menu)
 {
     MainWindow *w = &window;
     QAction *pin = add(menu, MenuText::tr("&Pin this run"), QKeySequence(Qt::CTRL | Qt::Key_P), w,
@@ -149,7 +156,7 @@ void addRuns(MainWindow &window, QMenu *menu)
 
 void addSimulation(MainWindow &window, QMenuBar &bar)
 {
-    QMenu *menu = bar.addMenu(MenuText::tr("&Simulation"));
+    Menu *menu = addMenu(bar, MenuText::tr("&Simulation"));
     TransportBar &transport = window.transportBar();
     menu->addActions({transport.runAction(), transport.stepAction(), transport.stepBackAction(),
                       transport.nextHitAction(), transport.previousHitAction(),
@@ -189,7 +196,7 @@ void addSimulation(MainWindow &window, QMenuBar &bar)
 }
 
 template <typename Value, typename Choose>
-void addChoice(QMenu *menu, QActionGroup *group, const QString &text, Value value, Value inForce,
+void addChoice(Menu *menu, QActionGroup *group, const QString &text, Value value, Value inForce,
                QObject *context, Choose choose)
 {
     QAction *action = menu->addAction(text);
@@ -199,9 +206,9 @@ void addChoice(QMenu *menu, QActionGroup *group, const QString &text, Value valu
     QObject::connect(action, &QAction::triggered, context, [choose, value] { choose(value); });
 }
 
-void addSceneOptions(MainWindow &window, QMenu *menu)
+void addSceneOptions(MainWindow &window, Menu *menu)
 {
-    QMenu *options = menu->addMenu(MenuText::tr("&Scene shows"));
+    Menu *options = menu->addMenu(MenuText::tr("&Scene shows"));
     SceneView *scene = &window.scene();
     const auto addOption = [&](const QString &text, bool SceneOptions::*member) {
         QAction *action = options->addAction(text);
@@ -244,9 +251,9 @@ void addSceneOptions(MainWindow &window, QMenu *menu)
         &SceneView::fit);
 }
 
-void addCharts(MainWindow &window, QMenu *menu)
+void addCharts(MainWindow &window, Menu *menu)
 {
-    QMenu *charts = menu->addMenu(MenuText::tr("C&harts"));
+    Menu *charts = menu->addMenu(MenuText::tr("C&harts"));
     const auto all = window.findChildren<ChartPane *>();
     if (all.isEmpty())
         return;
@@ -261,7 +268,7 @@ void addCharts(MainWindow &window, QMenu *menu)
 
 void addView(MainWindow &window, QMenuBar &bar)
 {
-    QMenu *menu = bar.addMenu(MenuText::tr("&View"));
+    Menu *menu = addMenu(bar, MenuText::tr("&View"));
     menu->setToolTipsVisible(true);
     addSceneOptions(window, menu);
     menu->addSeparator();
@@ -309,7 +316,7 @@ void addView(MainWindow &window, QMenuBar &bar)
     add(menu, MenuText::tr("Into the &program"), QKeySequence(Qt::CTRL | Qt::Key_L), &window,
         &MainWindow::focusCode);
     menu->addSeparator();
-    QMenu *panes = menu->addMenu(MenuText::tr("&Panes"));
+    Menu *panes = menu->addMenu(MenuText::tr("&Panes"));
     for (QDockWidget *dock : window.panes())
         panes->addAction(dock->toggleViewAction());
     panes->addSeparator();
@@ -319,7 +326,7 @@ void addView(MainWindow &window, QMenuBar &bar)
     add(panes, MenuText::tr("&Reset layout"), {}, &window, &MainWindow::resetLayout);
 
     MainWindow *w = &window;
-    QMenu *themes = menu->addMenu(MenuText::tr("&Colours"));
+    Menu *themes = menu->addMenu(MenuText::tr("&Colours"));
     auto *themeGroup = new QActionGroup(themes);
     const auto chooseTheme = [w](ThemeChoice choice) { w->chooseTheme(choice); };
     const ThemeChoice theme = window.themeChoice();
@@ -331,20 +338,20 @@ void addView(MainWindow &window, QMenuBar &bar)
     addChoice(themes, themeGroup, MenuText::tr("&High contrast"), ThemeChoice::HighContrast, theme,
               w, chooseTheme);
 
-    QMenu *sizes = menu->addMenu(MenuText::tr("Si&ze of texts"));
+    Menu *sizes = menu->addMenu(MenuText::tr("Si&ze of texts"));
     auto *sizeGroup = new QActionGroup(sizes);
     const auto inForce = static_cast<int>(std::lround(100.0 * textScale()));
     for (const int percent : {100, 125, 150, 175, 200})
         addChoice(sizes, sizeGroup, MenuText::tr("%1 %").arg(percent), percent, inForce, w,
                   [w](int chosen) { w->chooseTextSize(chosen); });
 
-    QMenu *speech = menu->addMenu(MenuText::tr("Lan&guage"));
+    Menu *speech = menu->addMenu(MenuText::tr("Lan&guage"));
     auto *speechGroup = new QActionGroup(speech);
     for (const QString &code : languages())
         addChoice(speech, speechGroup, languageName(code), code, currentLanguage(), w,
                   [w](const QString &chosen) { w->chooseLanguage(chosen); });
 
-    QMenu *drawing = menu->addMenu(MenuText::tr("Scene drawn &by"));
+    Menu *drawing = menu->addMenu(MenuText::tr("Scene drawn &by"));
     auto *drawingGroup = new QActionGroup(drawing);
     const auto chooseRenderer = [w](Renderer renderer) { w->chooseRenderer(renderer); };
     const Renderer renderer = window.scene().renderer();
@@ -358,7 +365,7 @@ void addView(MainWindow &window, QMenuBar &bar)
 
 void addHelp(MainWindow &window, QMenuBar &bar)
 {
-    QMenu *menu = bar.addMenu(MenuText::tr("&Help"));
+    Menu *menu = addMenu(bar, MenuText::tr("&Help"));
     add(menu, MenuText::tr("&Reference of the lab's Lua"), QKeySequence(Qt::Key_F1), &window,
         [w = &window] { w->codeDesk().showReference({}); });
     add(menu, MenuText::tr("&Lua for C# people"), {}, &window, &MainWindow::showCSharpSheet);
@@ -377,6 +384,9 @@ void addHelp(MainWindow &window, QMenuBar &bar)
 void fillMenuBar(MainWindow &window)
 {
     QMenuBar &bar = *window.menuBar();
+    // One of them may have asked for this, so they go later.
+    for (QMenu *old : bar.findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly))
+        old->deleteLater();
     bar.clear();
     addLab(window, bar);
     addEdit(window, bar);

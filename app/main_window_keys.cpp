@@ -12,6 +12,7 @@
 #include "views/mnemonics.h"
 #include "views/scene/scene_view.h"
 #include "views/task_pane/task_pane.h"
+#include "views/text_direction.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
 #include "views/values_table.h"
@@ -31,12 +32,6 @@ namespace cradle {
 namespace {
 
 using KeyRow = std::pair<QString, QString>;
-
-/// "Ctrl++" as it is, also where one reads from the right.
-QString isolated(const QString &keys)
-{
-    return QGuiApplication::isRightToLeft() ? QChar(0x2066) + keys + QChar(0x2069) : keys;
-}
 
 void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
 {

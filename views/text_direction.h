@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QGuiApplication>
 #include <QString>
 
 namespace cradle {
@@ -11,6 +12,13 @@ namespace cradle {
 [[nodiscard]] inline Qt::LayoutDirection directionOf(const QString &text)
 {
     return text.isRightToLeft() ? Qt::RightToLeft : Qt::LeftToRight;
+}
+
+/// What goes from left to right in every language, such as "Ctrl++" or a unit, within a text that
+/// may go the other way.
+[[nodiscard]] inline QString isolated(const QString &text)
+{
+    return QGuiApplication::isRightToLeft() ? QChar(0x2066) + text + QChar(0x2069) : text;
 }
 
 } // namespace cradle

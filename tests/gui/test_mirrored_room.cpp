@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/drawn_texts.h"
 #include "tests/gui/open_window.h"
 #include "views/action_button.h"
 #include "views/charts/chart_plot.h"
@@ -9,6 +10,9 @@
 #include "views/timeline.h"
 #include "views/transport_bar.h"
 #include "views/values_table.h"
+
+#include <QMenu>
+#include <QMenuBar>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -27,6 +31,7 @@ private slots:
     void timeGoesToTheRight();
     void dotsBeginAtTheRight();
     void languageTurnsTheWindow();
+    void keysStandAsTheyAre();
 
 private:
     void open(Mode mode);
@@ -149,6 +154,26 @@ void TestMirroredRoom::languageTurnsTheWindow()
     speak(QStringLiteral("ar"));
     QTest::qWait(150);
     QVERIFY(middle("task") > sceneMiddle());
+}
+
+/// Not "++Ctrl"; and the menus of the language before are gone.
+void TestMirroredRoom::keysStandAsTheyAre()
+{
+    speak(QStringLiteral("ar"));
+    open(Mode::Explore);
+    const auto menus =
+        m_open->window.menuBar()->findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
+    QCOMPARE(menus.size(), m_open->window.menuBar()->actions().size());
+    QStringList drawn;
+    for (QMenu *menu : menus) {
+        menu->popup(QPoint());
+        for (const DrawnText &each : drawnTexts(*menu))
+            drawn << each.text;
+        menu->hide();
+    }
+    QVERIFY2(drawn.contains(QStringLiteral("Ctrl++")), qPrintable(drawn.join(u' ')));
+    QVERIFY(drawn.contains(QStringLiteral("Ctrl+-")));
+    QVERIFY(drawn.contains(QStringLiteral("Ctrl+/")));
 }
 
 QTEST_MAIN(TestMirroredRoom)

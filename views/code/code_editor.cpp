@@ -4,9 +4,9 @@
 
 #include "views/code/code_assistant.h"
 #include "views/code/lua_area.h"
+#include "views/menu.h"
 
 #include <QEvent>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include <Qsci/qscidocument.h>
@@ -210,7 +210,7 @@ void CodeEditor::resizeEvent(QResizeEvent *event)
 
 void CodeEditor::showMenu(QPoint at)
 {
-    QMenu menu(this);
+    Menu menu(this);
     const auto add = [&](const QString &text, const QKeySequence &keys, bool enabled, auto slot) {
         QAction *action = menu.addAction(text, m_area, slot);
         action->setShortcut(keys);

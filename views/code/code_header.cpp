@@ -4,12 +4,12 @@
 
 #include "views/action_button.h"
 #include "views/code/code_actions.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 
@@ -61,7 +61,7 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
     row->addWidget(m_more);
     m_buttons = {finish, step, run};
 
-    auto *menu = new QMenu(m_more);
+    auto *menu = new Menu(m_more);
     actions.fillMenu(menu);
     m_more->setMenu(menu);
     m_more->setFocusPolicy(Qt::TabFocus);

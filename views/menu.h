@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMenu>
+
+namespace cradle {
+
+/// A menu whose keys stand as they are, also where one reads from the right: Qt's have "++Ctrl".
+class Menu final : public QMenu
+{
+    Q_OBJECT
+public:
+    using QMenu::QMenu;
+
+    /// A submenu of the same kind.
+    Menu *addMenu(const QString &title);
+
+protected:
+    void initStyleOption(QStyleOptionMenuItem *option, const QAction *action) const override;
+};
+
+} // namespace cradle
