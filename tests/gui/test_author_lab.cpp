@@ -104,7 +104,8 @@ void TestAuthorLab::labWithoutATitleIsRefused()
     QVERIFY2(said.contains(QStringLiteral("A title of 1 to 200 characters")), qPrintable(said));
     tryOut("labId", QStringLiteral("two words"), QStringLiteral("en"));
     author.choose(QStringLiteral("Properties…"));
-    QVERIFY2(said.contains(QStringLiteral("letters, digits, dots, dashes and underscores")), qPrintable(said));
+    QVERIFY2(said.contains(QStringLiteral("letters, digits, dots, dashes and underscores")),
+             qPrintable(said));
     // German texts are there already, as translations.
     tryOut("labTitle.en", QStringLiteral("Ball"), QStringLiteral("de"));
     author.choose(QStringLiteral("Properties…"));

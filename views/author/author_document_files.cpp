@@ -21,7 +21,7 @@ void AuthorDocument::takeDraft()
         return;
     if (draft->files != m_files && edit(tr("Changes that were not saved"), draft->files)) {
         m_onDisk = draft->base; // what others changed since is asked about when it is saved
-        keepDraft(); // as this window's, before the other goes
+        keepDraft();            // as this window's, before the other goes
         emit draftTaken(draft->when);
     }
     QFile::remove(draft->path);

@@ -172,7 +172,8 @@ void CheckEditor::takeId()
     static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     const QString id = m_id->text().trimmed();
     if (!form.match(id).hasMatch()) {
-        refuse(m_id, m_check.id, tr("An id of letters, digits, dots, dashes and underscores is right"));
+        refuse(m_id, m_check.id,
+               tr("An id of letters, digits, dots, dashes and underscores is right"));
         return;
     }
     accept(m_id);
