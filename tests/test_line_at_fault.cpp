@@ -98,6 +98,54 @@ function on_update(h)
 end
 )lua";
 
+/// The same with a table of what each circle has, read at first and written back at last.
+constexpr char tables[] = R"lua(local walls = {vec(1, 0), vec(-1, 0), vec(0, 1), vec(0, -1)}
+local function read()
+  local state = {}
+  for i, c in ipairs(circles) do
+    state[i] = {p = c.position, v = c.velocity, r = c.radius}
+  end
+  return state
+end
+local function write(state)
+  for i, s in ipairs(state) do
+    circles[i].position = s.p
+    circles[i].velocity = s.v
+  end
+end
+local function touch(a, b)
+  local n = (b.p - a.p):normalized()
+  local depth = a.r + b.r - (b.p - a.p):dot(n)
+  local closing = (a.v - b.v):dot(n)
+  if depth <= 0 or closing <= 0 then return end
+  a.p = a.p - depth / 2 * n
+  b.p = b.p + depth / 2 * n
+  a.v = a.v - closing * n
+  b.v = b.v + closing * n
+end
+function on_load()
+  gravity = vec(0, 0)
+  circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0)
+  circle2.position, circle2.velocity = vec(2, -2), vec(0, 2)
+end
+function on_update(h)
+  local state = read()
+  for _, s in ipairs(state) do
+    s.p = s.p + s.v * h
+    for _, w in ipairs(walls) do
+      local depth = square.half_width - s.r - s.p:dot(w)
+      local into = s.v:dot(w)
+      if depth < 0 and into > 0 then
+        s.p = s.p + depth * w
+        s.v = s.v - 2 * into * w
+      end
+    end
+  end
+  touch(state[1], state[2])
+  write(state)
+end
+)lua";
+
 } // namespace
 
 void TestLineAtFault::findingMarksTheLine_data()
@@ -137,6 +185,12 @@ void TestLineAtFault::findingMarksTheLine_data()
     row("setter: contact", objects, ">= a.radius() + b.radius()", ">= a.radius()");
     row("setter: normal", objects, "d:normalized()", "d");
     row("setter: push on one", objects, "b.velocity() + u * n", "b.velocity() - u * n");
+    row("own numbers: some speed lost at a wall", flat, "bvy = math.abs(bvy)",
+        "bvy = math.abs(bvy) * 0.4 + 0.1");
+    row("own table: some speed lost at the walls", tables, "s.v - 2 * into * w",
+        "s.v - (1 + 0.4) * into * w");
+    row("own table: turned round", tables, "s.v - 2 * into * w", "-s.v");
+    row("own table: one of two pushes", tables, "b.v + closing * n", "b.v + 0.3 * closing * n");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

@@ -13,6 +13,7 @@
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/task_laws.h"
+#include "tasks/judging/value_origin.h"
 #include "tasks/judging/wall_words.h"
 
 #include <algorithm>
@@ -217,10 +218,16 @@ private:
         if (!m_submission.script || deviation.moment.start)
             return;
         const RanLines ran = ranLines(*m_submission.script, deviation.moment);
-        const int proven = provenLine(deviation, ran, finding.line);
+        const ValueOrigin origin(*m_submission.script, m_task.solution, deviation.moment, ran,
+                                 deviation.aspect != Aspect::Motion);
+        std::optional<int> workedOut;
+        if (!deviation.moment.circles.empty() && origin.isWriteBack(finding.line))
+            workedOut = origin.of(finding.line);
+        const int proven =
+            provenLine(deviation, ran, workedOut && *workedOut > 0 ? *workedOut : finding.line);
         const int line = proven != 0 ? proven
                                      : guessedLine(*m_submission.script, deviation, ran,
-                                                   finding.line, finding.calls);
+                                                   {finding.line, workedOut, finding.calls});
         if (line == finding.line)
             return;
         finding.line = line;

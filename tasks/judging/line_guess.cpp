@@ -153,8 +153,9 @@ int hidingLine(const QString &program, Assignment::Field field)
 }
 
 int guessedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
-                int last, const std::vector<int> &calls)
+                const LastAssignment &assignment)
 {
+    const int last = assignment.line;
     const QStringList rows = rowsOf(program);
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
     switch (deviation.suspect) {
@@ -175,15 +176,31 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     }
     if (deviation.moment.circles.empty() || !isRow(last))
         return last;
-    const int acting = actingLine(rows, last, calls);
-    const Lines within = functionOf(rows, acting);
-    std::vector<int> special = ran.special();
     const bool isOfPair =
         deviation.aspect == Aspect::Contact || deviation.aspect == Aspect::Response;
-    std::erase_if(special, [&](int line) {
-        return line < within.first || line > within.last || !isRow(line)
-               || (isOfPair && asksForWall(rows[line - 1]));
-    });
+    Lines within;
+    const auto specialAround = [&](int at) {
+        within = functionOf(rows, at);
+        std::vector<int> lines = ran.special();
+        std::erase_if(lines, [&](int line) {
+            return line < within.first || line > within.last || !isRow(line)
+                   || (isOfPair && asksForWall(rows[line - 1]));
+        });
+        return lines;
+    };
+    int acting = actingLine(rows, last, assignment.calls);
+    std::vector<int> special = specialAround(acting);
+    // Who writes both circles down where he answers their hit works the answer out before.
+    const bool isBehind = special.empty() || deviation.moment.circles.size() < 2;
+    if (assignment.origin && isBehind) {
+        acting = *assignment.origin;
+        if (acting == 0)
+            return 0;
+        // At a wall that is all there is.
+        if (!isOfPair && deviation.suspect != Suspect::Question)
+            return acting;
+        special = specialAround(acting);
+    }
     const bool isQuestion = deviation.suspect == Suspect::Question;
     if (special.empty())
         return !isQuestion || compares(rows[acting - 1]) ? acting : 0;

@@ -4,21 +4,30 @@
 
 #include "tasks/judging/ran_lines.h"
 
+#include <optional>
+#include <vector>
+
 namespace cradle {
 
 /// The line of a `local gravity = …` or `local restitution = …`, which makes another variable of
 /// the same name instead of setting that of the world. \return 0 if there is none
 [[nodiscard]] int hidingLine(const QString &program, Assignment::Field field);
 
+/// The assignment that last changed what is wrong.
+struct LastAssignment {
+    int line = 0; ///< 0 if unknown
+    /// If it only writes a value down: the line in which that was worked out, 0 if it is not one.
+    std::optional<int> origin{};
+    std::vector<int> calls{}; ///< the lines that called it, the innermost last
+};
+
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines
 /// that run at the moment and not in free flight, the question before them where something is
 /// answered at a wrong place, the formula where the answer is wrong; the line that works out a mass
 /// where masses are.
 /// \param ran   the lines that run at the moment
-/// \param last  the line of the assignment that last changed what is wrong; 0 if unknown
-/// \param calls  the lines that called it, the innermost last
-/// \return  \p last if there is no better one, 0 if the fault is that a line is missing
+/// \return the last assignment if there is no better one, 0 if the fault is that a line is missing
 [[nodiscard]] int guessedLine(const QString &program, const LawDeviation &deviation,
-                              const RanLines &ran, int last, const std::vector<int> &calls);
+                              const RanLines &ran, const LastAssignment &last);
 
 } // namespace cradle

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/program_statements.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cradle {
+
+namespace {
+
+bool isName(const ProgramLines &program, std::size_t i)
+{
+    return i < program.tokens().size() && program.tokens()[i].kind == ProgramToken::Kind::Name;
+}
+
+bool isOneOf(const ProgramLines &program, std::size_t i, std::initializer_list<const char *> words)
+{
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char *word) { return program.is(i, word); });
+}
+
+/// The token after the expression that begins at \p i; \p i if it is none of operands and signs.
+std::size_t afterExpression(const ProgramLines &program, std::size_t i)
+{
+    std::size_t at = i;
+    while (true) {
+        while (isOneOf(program, at, {"-", "not", "#"}))
+            ++at;
+        const std::size_t next =
+            isOneOf(program, at, {"nil", "true", "false"}) ? at + 1 : program.afterOperand(at);
+        if (next == at)
+            return i;
+        at = next;
+        if (!isOneOf(program, at,
+                     {"+", "-", "*", "/", "//", "%", "^", "..", "==", "~=", "<", ">",
+                      "<=", ">=", "and", "or"}))
+            return at;
+        ++at;
+    }
+}
+
+/// The first token of the target that ends at \p i, such as circles of circles[1].v.
+std::size_t targetStart(const ProgramLines &program, std::size_t i)
+{
+    while (i > 0) {
+        if (program.is(i, "]")) {
+            while (i > 0 && !program.is(i, "["))
+                --i;
+            --i;
+        } else if (i > 1 && program.is(i - 1, ".")) {
+            i -= 2;
+        } else {
+            break;
+        }
+    }
+    return i;
+}
+
+/// What is assigned at the sign = at \p sign.
+void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &program,
+                    std::size_t sign, bool isInTable)
+{
+    std::vector<ProgramAssignment> targets;
+    std::size_t at = sign;
+    while (at > 0) {
+        const std::size_t last = at - 1;
+        const std::size_t first = targetStart(program, last);
+        if (!isName(program, first) || (first > 0 && program.is(first - 1, "for")))
+            return;
+        targets.push_back({.line = program.tokens()[sign].line,
+                           .name = isName(program, last) ? program.tokens()[last].text : QString(),
+                           .isField = isInTable || first != last,
+                           .target = first,
+                           .last = last});
+        if (first == 0 || isInTable || !program.is(first - 1, ","))
+            break;
+        at = first - 1;
+    }
+    std::reverse(targets.begin(), targets.end());
+    std::vector<std::pair<std::size_t, std::size_t>> values;
+    for (std::size_t from = sign + 1;; ++from) {
+        const std::size_t to = afterExpression(program, from);
+        if (to == from)
+            break;
+        values.emplace_back(from, to);
+        from = to;
+        if (!program.is(to, ","))
+            break;
+    }
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+        if (values.size() >= targets.size()) {
+            targets[k].from = values[k].first;
+            targets[k].to = values[k].second;
+        }
+        if (!targets[k].name.isEmpty())
+            all.push_back(targets[k]);
+    }
+}
+
+} // namespace
+
+std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
+{
+    std::vector<ProgramAssignment> all;
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
+        if (isOneOf(program, i, {"{", "(", "["}))
+            open.push_back(i);
+        else if (isOneOf(program, i, {"}", ")", "]"}) && !open.empty())
+            open.pop_back();
+        else if (program.is(i, "="))
+            addAssignments(all, program, i, !open.empty() && program.is(open.back(), "{"));
+    }
+    return all;
+}
+
+std::vector<ProgramFunction> functionsOf(const ProgramLines &program)
+{
+    std::vector<ProgramFunction> functions;
+    std::vector<std::size_t> open; // of each block its function, from 1; 0 for others
+    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
+        if (program.is(i, "function")) {
+            ProgramFunction function{.first = program.tokens()[i].line, .last = program.count()};
+            std::size_t at = i + 1;
+            for (; at < program.tokens().size() && !program.is(at, "("); ++at)
+                function.name = program.tokens()[at].text;
+            if (function.name.isEmpty() && i > 1 && program.is(i - 1, "="))
+                function.name = program.tokens()[i - 2].text;
+            for (; at < program.tokens().size() && !program.is(at, ")"); ++at) {
+                if (isName(program, at))
+                    function.parameters.append(program.tokens()[at].text);
+            }
+            functions.push_back(function);
+            open.push_back(functions.size());
+        } else if (isOneOf(program, i, {"if", "do", "repeat"})) {
+            open.push_back(0);
+        } else if (isOneOf(program, i, {"end", "until"}) && !open.empty()) {
+            if (open.back() > 0)
+                functions[open.back() - 1].last = program.tokens()[i].line;
+            open.pop_back();
+        }
+    }
+    return functions;
+}
+
+const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions, int line)
+{
+    const ProgramFunction *innermost = nullptr;
+    for (const ProgramFunction &function : functions) {
+        if (function.first <= line && line <= function.last)
+            innermost = &function;
+    }
+    return innermost;
+}
+
+QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t to)
+{
+    QStringList names;
+    for (std::size_t i = from; i < to; ++i) {
+        const bool goesOn = isOneOf(program, i + 1, {".", ":", "(", "["});
+        if (isName(program, i) && !goesOn && !names.contains(program.tokens()[i].text))
+            names.append(program.tokens()[i].text);
+    }
+    return names;
+}
+
+bool isHandedOn(const ProgramLines &program, const ProgramAssignment &assignment)
+{
+    for (std::size_t i = assignment.from; i < assignment.to; ++i) {
+        const bool isPart = isName(program, i) || isOneOf(program, i, {".", ",", ")", "[", "]"})
+                            || (program.is(i, "(") && program.is(i - 1, "vec"));
+        if (isPart)
+            continue;
+        // What stands at a number is one circle's, so it has to be that one's.
+        const auto first =
+            program.tokens().begin() + static_cast<std::ptrdiff_t>(assignment.target);
+        const auto end = program.tokens().begin() + static_cast<std::ptrdiff_t>(assignment.last);
+        const bool isOfSame = std::any_of(first, end, [&](const ProgramToken &token) {
+            return token.text.endsWith(program.tokens()[i].text);
+        });
+        if (!program.is(i - 1, "[") || !isOfSame)
+            return false;
+    }
+    return assignment.from < assignment.to;
+}
+
+} // namespace cradle

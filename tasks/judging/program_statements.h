@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/program_lines.h"
+
+namespace cradle {
+
+/// A value that a statement gives to a name: each of `a.v, b.v = x, y` is one.
+struct ProgramAssignment {
+    int line = 0;
+    QString name{};         ///< the last of the target: v of self.v
+    bool isField = false;   ///< of a table or a circle, else a variable
+    std::size_t target = 0; ///< its first token
+    std::size_t from = 0;   ///< the tokens of the value, without \p to; none where a call gives
+    std::size_t to = 0;     ///< several values
+    std::size_t last = 0;   ///< the last token of the target
+};
+
+/// All of \p program, in order; also what a table begins with.
+[[nodiscard]] std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program);
+
+/// A function of a program, as far as it has a name.
+struct ProgramFunction {
+    QString name{}; ///< the last of it: push of self.push
+    QStringList parameters{};
+    int first = 0; ///< its lines
+    int last = 0;
+};
+
+[[nodiscard]] std::vector<ProgramFunction> functionsOf(const ProgramLines &program);
+/// The innermost in which \p line stands; null if it stands in none.
+[[nodiscard]] const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions,
+                                                int line);
+
+/// The names in tokens \p from to \p to without \p to that stand for numbers or vectors: the last
+/// of each, v of self.v; not those of functions.
+[[nodiscard]] QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t to);
+
+/// Whether a value is only handed on: v, self.v or vec(x, self.y).
+[[nodiscard]] bool isHandedOn(const ProgramLines &program, const ProgramAssignment &assignment);
+
+} // namespace cradle

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/value_origin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+/// A part that is less wrong than this share of the other is right.
+constexpr double noise = 0.02;
+
+} // namespace
+
+ValueOrigin::ValueOrigin(const QString &program, const QString &reference, const Moment &moment,
+                         const RanLines &ran, bool isHit)
+    : m_source(program)
+    , m_reference(reference)
+    , m_moment(moment)
+    , m_ran(ran)
+    , m_isHit(isHit)
+    , m_program(program)
+    , m_assignments(assignmentsOf(m_program))
+    , m_functions(functionsOf(m_program))
+{
+}
+
+QStringList ValueOrigin::writtenAt(int line) const
+{
+    const QLatin1String field(m_moment.isPosition ? "position" : "velocity");
+    QStringList names;
+    for (const ProgramAssignment &each : m_assignments) {
+        if (each.line != line || !each.isField || each.name != field)
+            continue;
+        if (!isHandedOn(m_program, each))
+            return {};
+        for (std::size_t i = each.from; i < each.to; ++i) {
+            // What a circle has is no value of his own.
+            if (m_program.is(i, "position") || m_program.is(i, "velocity"))
+                return {};
+        }
+        names += valuesIn(m_program, each.from, each.to);
+    }
+    return names;
+}
+
+bool ValueOrigin::isWriteBack(int line) const
+{
+    const ProgramFunction *function = functionAt(m_functions, line);
+    const QStringList names = writtenAt(line);
+    // What a function is given was worked out where it is called.
+    return !names.isEmpty() && std::none_of(names.begin(), names.end(), [&](const QString &name) {
+        return function && function->parameters.contains(name);
+    });
+}
+
+int ValueOrigin::of(int line) const
+{
+    const QStringList names = writtenAt(line);
+    const auto now = endOf(m_source, m_moment.step);
+    const auto before = endOf(m_source, m_moment.step - 1);
+    // A variable of that name would hide the count of steps.
+    if (!now || !before || m_program.hasName(QStringLiteral("step")))
+        return 0;
+    const std::vector<Wrong> parts = wrongParts(now);
+    std::vector<std::vector<int>> found(parts.size());
+    for (const ProgramAssignment &each : m_assignments) {
+        if (!names.contains(each.name) || !m_ran.now.contains(each.line)
+            || isHandedOn(m_program, each))
+            continue;
+        if (each.from == each.to)
+            return 0;
+        const auto other = endOf(withOther(each, m_moment.step), m_moment.step);
+        const auto earlier = m_isHit && m_moment.step > 1
+                                 ? endOf(withOther(each, m_moment.step - 1), m_moment.step - 1)
+                                 : std::nullopt;
+        for (std::size_t k = 0; other && k < parts.size(); ++k) {
+            if (differs(parts[k], *now, *other)
+                && !(earlier && differs(parts[k], *before, *earlier)))
+                found[k].push_back(each.line);
+        }
+    }
+    int last = 0;
+    for (const std::vector<int> &lines : found) {
+        if (lines.empty())
+            return 0;
+        const std::vector<int> twins = m_program.twinsOf(lines.front());
+        for (const int other : lines) {
+            if (other != lines.front()
+                && std::find(twins.begin(), twins.end(), other) == twins.end())
+                return 0;
+        }
+        last = lines.back();
+    }
+    return last;
+}
+
+Vec2 ValueOrigin::valueOf(const World &world, int circle) const
+{
+    const Circle &body = world.circles[static_cast<std::size_t>(circle)];
+    return m_moment.isPosition ? body.position : body.velocity;
+}
+
+bool ValueOrigin::differs(const Wrong &part, const World &a, const World &b) const
+{
+    const Vec2 one = valueOf(a, part.circle);
+    const Vec2 other = valueOf(b, part.circle);
+    return (part.x && one.x != other.x) || (part.y && one.y != other.y);
+}
+
+std::optional<World> ValueOrigin::endOf(const QString &program, qint64 step) const
+{
+    Probe probe(&program, m_moment.stage, true);
+    for (qint64 k = 0; k < step; ++k) {
+        if (!probe.step())
+            return std::nullopt;
+    }
+    return probe.runs() ? std::optional(probe.world()) : std::nullopt;
+}
+
+std::vector<ValueOrigin::Wrong> ValueOrigin::wrongParts(const std::optional<World> &theirs) const
+{
+    std::vector<Wrong> parts;
+    for (const int circle : m_moment.circles)
+        parts.push_back({circle, true, true});
+    const auto right = m_reference.isEmpty() ? theirs : endOf(m_reference, m_moment.step);
+    if (!right)
+        return parts;
+    for (Wrong &part : parts) {
+        const Vec2 off = valueOf(*theirs, part.circle) - valueOf(*right, part.circle);
+        const double most = std::max(std::abs(off.x), std::abs(off.y));
+        if (most > 0.0) {
+            part.x = std::abs(off.x) > noise * most;
+            part.y = std::abs(off.y) > noise * most;
+        }
+    }
+    return parts;
+}
+
+QString ValueOrigin::withOther(const ProgramAssignment &assignment, qint64 step) const
+{
+    const std::vector<ProgramToken> &tokens = m_program.tokens();
+    const qsizetype from = tokens[assignment.from].start;
+    const qsizetype to = tokens[assignment.to - 1].end();
+    const QString value = m_source.mid(from, to - from);
+    const QString step0 = QString::number(step - 1);
+    const qsizetype start = tokens[assignment.target].start;
+    const QString target = m_source.mid(start, tokens[assignment.last].end() - start);
+    QString changed = m_source;
+    changed.replace(from, to - from,
+                    m_program.isNewName(assignment.target)
+                            || m_program.is(assignment.target - 1, "{")
+                        ? QStringLiteral("(%1) * (step == %2 and 1.03 or 1)").arg(value, step0)
+                        : QStringLiteral("step == %2 and %3 or (%1)").arg(value, step0, target));
+    return changed;
+}
+
+} // namespace cradle
