@@ -4,6 +4,8 @@
 
 #include "tasks/reading/lab_reader.h"
 
+#include <string_view>
+
 using namespace cradle;
 
 /// Which line of a program a finding marks: one that is at fault, or none where one is missing.
@@ -146,17 +148,60 @@ function on_update(h)
 end
 )lua";
 
+/// Step 15, with masses and a push.
+constexpr char weighed[] = R"lua(function on_load()
+  gravity = vec(0, 0)
+  circle1.position, circle1.velocity = vec(-2.5, 2), vec(1, 0)
+  circle2.position, circle2.velocity = vec(0, 2), vec(-1, 0)
+  circle1.radius, circle1.density = 0.2, 1
+  circle2.radius, circle2.density = 0.2, 2
+end
+local function mass_of(c)
+  local volume = 4 / 3 * math.pi * c.radius ^ 3
+  return c.density * 1000 * volume
+end
+local function push(c, p)
+  c.velocity = c.velocity + p / mass_of(c)
+end
+local function meet(a, b)
+  local line = b.position - a.position
+  local gap = line:length() - a.radius - b.radius
+  if gap > 0 then return end
+  local n = line:normalized()
+  local closing = dot(a.velocity - b.velocity, n)
+  if closing <= 0 then return end
+  local ma, mb = mass_of(a), mass_of(b)
+  local m = ma * mb / (ma + mb)
+  local p = 2 * m * closing * n
+  push(a, -p)
+  push(b, p)
+end
+function on_update(h)
+  for _, c in ipairs(circles) do
+    local p, v, w = c.position, c.velocity, square.half_width - c.radius
+    if math.abs(p.x) > w and p.x * v.x > 0 then v = vec(-v.x, v.y) end
+    if math.abs(p.y) > w and p.y * v.y > 0 then v = vec(v.x, -v.y) end
+    c.velocity = v
+    c.position = p + v * h
+  end
+  meet(circle1, circle2)
+end
+)lua";
+
 } // namespace
 
 void TestLineAtFault::findingMarksTheLine_data()
 {
+    QTest::addColumn<QString>("step");
     QTest::addColumn<QString>("program");
     QTest::addColumn<QString>("right");
     QTest::addColumn<QString>("wrong");
     QTest::addColumn<bool>("marked");
     const auto row = [](const char *name, const char *program, const char *right, const char *wrong,
                         bool marked = true) {
-        QTest::newRow(name) << QString::fromLatin1(program) << QString::fromLatin1(right)
+        const bool isWeighed = std::string_view(program) == weighed;
+        QTest::newRow(name) << (isWeighed ? QStringLiteral("L42T15") : QStringLiteral("L42T12"))
+                            << QString::fromLatin1(program) << QString::fromLatin1(right)
                             << QString::fromLatin1(wrong) << marked;
     };
     row("nothing wrong", flat, "nx, ny = dx / d", "nx, ny = dx / d", false);
@@ -191,12 +236,20 @@ void TestLineAtFault::findingMarksTheLine_data()
         "s.v - (1 + 0.4) * into * w");
     row("own table: turned round", tables, "s.v - 2 * into * w", "-s.v");
     row("own table: one of two pushes", tables, "b.v + closing * n", "b.v + 0.3 * closing * n");
+    row("masses: nothing wrong", weighed, "2 * m", "2 * m", false);
+    row("masses: numbers, and functions that nobody calls", weighed,
+        "local ma, mb = mass_of(a), mass_of(b)\n  local m = ma * mb / (ma + mb)\n"
+        "  local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
+        "local ma, mb = 1, 1.25\n  local m = ma * mb / (ma + mb)\n"
+        "  local p = 2 * m * closing * n\n  a.velocity = a.velocity - p / ma\n"
+        "  b.velocity = b.velocity + p / mb");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }
 
 void TestLineAtFault::findingMarksTheLine()
 {
+    QFETCH(QString, step);
     QFETCH(QString, program);
     QFETCH(QString, right);
     QFETCH(QString, wrong);
@@ -204,8 +257,8 @@ void TestLineAtFault::findingMarksTheLine()
     const auto at = program.indexOf(right);
     QVERIFY(at >= 0);
     program.replace(at, right.size(), wrong);
-    const Task &step = task(QStringLiteral("L42T12"));
-    const CheckReport report = *judgeTask(m_lab, step, Submission(step.preset, program), 1);
+    const Task &asked = task(step);
+    const CheckReport report = *judgeTask(m_lab, asked, Submission(asked.preset, program), 1);
     QCOMPARE(report.passed, wrong == right);
     if (report.passed)
         return;

@@ -3,6 +3,7 @@
 #include "tasks/judging/line_at_fault.h"
 
 #include "tasks/judging/fault_look.h"
+#include "tasks/judging/program_statements.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -24,6 +25,8 @@ constexpr int mostOfALine = 3;
 std::vector<int> suspects(const FaultQuery &query)
 {
     const QStringList rows = query.program.split(QLatin1Char('\n'));
+    // What never runs is not to blame.
+    const std::set<int> dead = deadLines(ProgramLines(query.program));
     std::vector<int> lines;
     const auto add = [&](int line) {
         if (std::find(lines.begin(), lines.end(), line) == lines.end())
@@ -39,7 +42,7 @@ std::vector<int> suspects(const FaultQuery &query)
     static const QRegularExpression masses(QStringLiteral("radius|density|mass"));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
         if (query.suspect == Suspect::Masses && rows[line - 1].contains(masses)
-            && !rows[line - 1].contains(comparison))
+            && !rows[line - 1].contains(comparison) && !dead.contains(line))
             add(line);
     }
     for (const int line : query.ran.special())
@@ -49,7 +52,7 @@ std::vector<int> suspects(const FaultQuery &query)
     static const QRegularExpression quantities(
         QStringLiteral("radius|density|mass|restitution|gravity|square"));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        if (rows[line - 1].contains(quantities))
+        if (rows[line - 1].contains(quantities) && !dead.contains(line))
             add(line);
     }
     return lines;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/line_guess.h"
 
+#include "tasks/judging/program_statements.h"
+
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -37,17 +39,26 @@ int worksOut(const QString &row)
 }
 
 /// The line that works out a mass; 0 if none is found.
-int massLine(const QStringList &rows)
+int massLine(const QString &source, const QStringList &rows)
 {
-    static const QRegularExpression quantity(
-        QStringLiteral("\\b(radius|density|volume|masse?)\\b"));
-    static const QRegularExpression power(QStringLiteral("\\bpi\\b|\\^|\\bdensity\\b"));
+    const ProgramLines program(source);
+    const QStringList copies =
+        copiesOf(program, {QStringLiteral("radius"), QStringLiteral("density")});
+    const QString quantities =
+        (QStringList{QStringLiteral("radius|density|volume|masse?")} + copies)
+            .join(QLatin1Char('|'));
+    const QString densities =
+        (QStringList{QStringLiteral("density")} + copiesOf(program, {QStringLiteral("density")}))
+            .join(QLatin1Char('|'));
+    const QRegularExpression quantity(QStringLiteral("\\b(%1)\\b").arg(quantities));
+    const QRegularExpression power(QStringLiteral("\\bpi\\b|\\^|\\b(%1)\\b").arg(densities));
+    const std::set<int> dead = deadLines(program);
     int best = 0;
     int most = 0;
     for (int i = 0; i < rows.size(); ++i) {
         const QString &row = rows[i];
         if (!row.contains(quantity) || !row.contains(power) || compares(row)
-            || row.contains(QLatin1String("velocity")))
+            || row.contains(QLatin1String("velocity")) || dead.contains(i + 1))
             continue;
         const int work = worksOut(row);
         if (work > most) {
@@ -56,6 +67,29 @@ int massLine(const QStringList &rows)
         }
     }
     return best;
+}
+
+/// The line in which what is called a mass is given a value; 0 if there are several.
+int namedMassLine(const QString &source)
+{
+    static const QRegularExpression mass(QStringLiteral("^m(ass(es)?)?_?(\\d|[abij]|one|two)?$"),
+                                         QRegularExpression::CaseInsensitiveOption);
+    const ProgramLines program(source);
+    const std::set<int> dead = deadLines(program);
+    int found = 0;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        const QStringList values = valuesIn(program, each.from, each.to);
+        // What is worked out of masses is no circle's.
+        if (!each.name.contains(mass) || each.line == found || dead.contains(each.line)
+            || std::any_of(values.begin(), values.end(),
+                           [](const QString &value) { return value.contains(mass); }))
+            continue;
+        const std::vector<int> twins = program.twinsOf(each.line);
+        if (found != 0 && std::find(twins.begin(), twins.end(), found) == twins.end())
+            return 0;
+        found = found == 0 ? each.line : found;
+    }
+    return found;
 }
 
 /// The line that copies a value of the scene; 0 if there is none.
@@ -162,7 +196,9 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     case Suspect::Omission:
         return 0;
     case Suspect::Masses:
-        if (const int line = massLine(rows))
+        if (const int line = massLine(program, rows))
+            return line;
+        if (const int line = namedMassLine(program))
             return line;
         break;
     case Suspect::Copy:

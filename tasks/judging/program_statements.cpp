@@ -154,6 +154,40 @@ const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions,
     return innermost;
 }
 
+std::set<int> deadLines(const ProgramLines &program)
+{
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    std::set<int> dead;
+    for (std::size_t before = dead.size() + 1; before != dead.size();) {
+        before = dead.size();
+        for (const ProgramFunction &function : functions) {
+            const bool isNamed =
+                function.name.isEmpty() || function.name == QLatin1String("on_load")
+                || function.name == QLatin1String("on_update")
+                || std::any_of(program.tokens().begin(), program.tokens().end(),
+                               [&](const ProgramToken &token) {
+                                   const bool isWithin =
+                                       function.first <= token.line && token.line <= function.last;
+                                   return token.text == function.name && !isWithin
+                                          && !dead.contains(token.line);
+                               });
+            for (int line = function.first; !isNamed && line <= function.last; ++line)
+                dead.insert(line);
+        }
+    }
+    return dead;
+}
+
+QStringList copiesOf(const ProgramLines &program, const QStringList &fields)
+{
+    QStringList names;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        if (isHandedOn(program, each) && fields.contains(program.tokens()[each.to - 1].text))
+            names.append(each.name);
+    }
+    return names;
+}
+
 QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t to)
 {
     QStringList names;

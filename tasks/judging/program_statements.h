@@ -33,6 +33,12 @@ struct ProgramFunction {
 [[nodiscard]] const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions,
                                                 int line);
 
+/// The lines of functions that nothing outside of them names: they never run.
+[[nodiscard]] std::set<int> deadLines(const ProgramLines &program);
+
+/// The names, of variables or in tables, that a radius or a density is copied to.
+[[nodiscard]] QStringList copiesOf(const ProgramLines &program, const QStringList &fields);
+
 /// The names in tokens \p from to \p to without \p to that stand for numbers or vectors: the last
 /// of each, v of self.v; not those of functions.
 [[nodiscard]] QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t to);
