@@ -243,6 +243,12 @@ void TestLineAtFault::findingMarksTheLine_data()
         "local ma, mb = 1, 1.25\n  local m = ma * mb / (ma + mb)\n"
         "  local p = 2 * m * closing * n\n  a.velocity = a.velocity - p / ma\n"
         "  b.velocity = b.velocity + p / mb");
+    row("own table: depth of two that touch", tables, "local depth = a.r + b.r - (b",
+        "local depth = 0.8 * (a.r + b.r) - 0.01 - (b");
+    row("gap between two", weighed, "line:length() - a.radius - b.radius",
+        "line:length() - 0.9 * (a.radius + b.radius) - 0.01");
+    row("setter: answered once", objects, "if u <= 0 then return end",
+        "if u <= 0 or balls.done then return end balls.done = true");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

@@ -43,12 +43,13 @@ public:
     }
 
 private:
-    void add(const QString &headline, const QString &body, const PairHit &hit)
+    void add(const QString &headline, const QString &body, const PairHit &hit,
+             Suspect suspect = Suspect::Question)
     {
         m_found.push_back({Aspect::Contact,
                            headline + QStringLiteral("\n\n") + body,
                            {hit.stage, std::max<qint64>(hit.step, 1), {0, 1}, false},
-                           Suspect::Question});
+                           suspect});
     }
 
     [[nodiscard]] static bool answersAny(const std::vector<PairHit> &hits)
@@ -164,7 +165,7 @@ private:
             body.replace(QLatin1String("%2"), brief(test.distance(hit)));
             if (!test.body.contains(QLatin1String("%2")))
                 body += QLatin1Char(' ') + seen(hit);
-            add(test.headline, body, hit);
+            add(test.headline, body, hit, Suspect::Reach);
             return;
         }
         findOtherDistance(hit);
@@ -216,7 +217,7 @@ private:
                                 "between %1 and %2 m.")
                         .arg(brief(hit.reached), brief(hit.before))
                     + QLatin1Char(' ') + seen(hit),
-                hit);
+                hit, Suspect::Reach);
             return;
         }
         const bool early = hit.reached > hit.meeting.sum();
@@ -225,7 +226,7 @@ private:
             seen(hit) + QLatin1Char(' ')
                 + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
                       .arg(brief(hit.meeting.sum())),
-            hit);
+            hit, Suspect::Reach);
     }
 
     /// A hit puts each circle near its own path, not at the place of the other.

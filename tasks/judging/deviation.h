@@ -22,10 +22,16 @@ enum class Suspect {
     Answer,   ///< what it does
     Formula,  ///< the numbers that it works out
     Question, ///< when, or where
+    Reach,    ///< a question: at which distance
     Masses,   ///< what it works out for the circles
     Copy,     ///< a value of the scene that it copied before it was set
     Omission, ///< something that is not there
 };
+
+[[nodiscard]] constexpr bool isOfQuestion(Suspect suspect)
+{
+    return suspect == Suspect::Question || suspect == Suspect::Reach;
+}
 
 /// One thing in which a program's law is not the one that is asked for.
 struct LawDeviation {

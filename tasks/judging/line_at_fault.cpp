@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/line_at_fault.h"
 
+#include "tasks/judging/asked_values.h"
 #include "tasks/judging/fault_look.h"
 #include "tasks/judging/program_statements.h"
 
@@ -26,7 +27,8 @@ std::vector<int> suspects(const FaultQuery &query)
 {
     const QStringList rows = query.program.split(QLatin1Char('\n'));
     // What never runs is not to blame.
-    const std::set<int> dead = deadLines(ProgramLines(query.program));
+    const ProgramLines program(query.program);
+    const std::set<int> dead = deadLines(program);
     std::vector<int> lines;
     const auto add = [&](int line) {
         if (std::find(lines.begin(), lines.end(), line) == lines.end())
@@ -34,8 +36,15 @@ std::vector<int> suspects(const FaultQuery &query)
     };
     static const QRegularExpression comparison(QStringLiteral("[<>]"));
     for (const int line : query.ran.now) {
-        if (query.suspect == Suspect::Question && rows[line - 1].contains(comparison))
+        if (isOfQuestion(query.suspect) && rows[line - 1].contains(comparison))
             add(line);
+    }
+    if (isOfQuestion(query.suspect)) {
+        const AskedValues asked(program);
+        for (const int line : std::vector<int>(lines)) {
+            for (const AskedValue &value : asked.of(line))
+                add(value.line);
+        }
     }
     if (query.suspect == Suspect::Answer && query.ran.now.contains(query.last))
         add(query.last);
@@ -101,7 +110,7 @@ private:
 std::optional<Repair> repairOf(const FaultQuery &query)
 {
     FaultLook look(query.program, query.reference, query.moment, query.isHit,
-                   query.suspect == Suspect::Question);
+                   isOfQuestion(query.suspect));
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || !look.showsFault())
         return std::nullopt;

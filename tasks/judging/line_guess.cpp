@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/line_guess.h"
 
-#include "tasks/judging/program_statements.h"
+#include "tasks/judging/asked_values.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -140,20 +140,45 @@ bool asksForWall(const QString &row)
     return row.contains(wall);
 }
 
-/// The question that leads to the first of \p special; without such lines the first of them all.
-int questionBefore(const std::vector<int> &special, const QStringList &rows, const RanLines &ran,
-                   const Lines &within)
+/// The question that leads to the first of \p special, or that is among them: of those within a
+/// function such as ask for a distance, or for more than that.
+int questionOf(Suspect suspect, const std::vector<int> &special, const QStringList &rows,
+               const RanLines &ran, const Lines &within, const AskedValues &asked)
 {
-    if (!ran.before.empty()) {
-        for (int line = special.front(); line >= within.first; --line) {
-            if (ran.now.contains(line) && compares(rows[line - 1]))
-                return line;
+    const auto fits = [&](int line) {
+        return suspect == Suspect::Reach ? asked.asksReach(line)
+                                         : !asked.asksReach(line) || asked.isJoined(line);
+    };
+    std::vector<int> questions; // the likeliest first
+    if (suspect == Suspect::Question || ran.before.empty()) {
+        for (const int line : special) {
+            if (compares(rows[line - 1]))
+                questions.push_back(line);
         }
-        return 0;
     }
-    const auto first = std::find_if(special.begin(), special.end(),
-                                    [&](int line) { return compares(rows[line - 1]); });
-    return first == special.end() ? 0 : *first;
+    for (int line = special.front(); line >= within.first && !ran.before.empty(); --line) {
+        if (ran.now.contains(line) && compares(rows[line - 1]))
+            questions.push_back(line);
+    }
+    const auto best = std::find_if(questions.begin(), questions.end(), fits);
+    return best != questions.end() ? *best : questions.empty() ? 0 : questions.front();
+}
+
+/// Where the value is worked out that a question asks, if it is one.
+int askedIn(int question, Suspect suspect, const AskedValues &asked)
+{
+    // Another part of it may be what is wrong.
+    if (suspect == Suspect::Question && asked.isJoined(question))
+        return question;
+    int found = 0;
+    for (const AskedValue &value : asked.of(question)) {
+        if (value.isReach != (suspect == Suspect::Reach))
+            continue;
+        if (found != 0 && found != value.line)
+            return question;
+        found = value.line;
+    }
+    return found == 0 ? question : found;
 }
 
 int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
@@ -207,6 +232,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         break;
     case Suspect::Answer:
     case Suspect::Question:
+    case Suspect::Reach:
     case Suspect::Formula:
         break;
     }
@@ -233,17 +259,21 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         if (acting == 0)
             return 0;
         // At a wall that is all there is.
-        if (!isOfPair && deviation.suspect != Suspect::Question)
+        if (!isOfPair && !isOfQuestion(deviation.suspect))
             return acting;
         special = specialAround(acting);
     }
-    const bool isQuestion = deviation.suspect == Suspect::Question;
-    if (special.empty())
-        return !isQuestion || compares(rows[acting - 1]) ? acting : 0;
-    if (isQuestion) {
-        const int line = questionBefore(special, rows, ran, within);
-        return line == 0 ? acting : line;
+    if (isOfQuestion(deviation.suspect)) {
+        const ProgramLines lines(program);
+        const AskedValues asked(lines);
+        const int line =
+            special.empty() ? 0 : questionOf(deviation.suspect, special, rows, ran, within, asked);
+        if (line == 0 && !compares(rows[acting - 1]))
+            return 0;
+        return askedIn(line == 0 ? acting : line, deviation.suspect, asked);
     }
+    if (special.empty())
+        return acting;
     const bool isSpecial = std::find(special.begin(), special.end(), acting) != special.end();
     // What runs in every step only writes down what was worked out before.
     if (deviation.suspect == Suspect::Answer && (isSpecial || ran.before.empty()))

@@ -48,7 +48,7 @@ public:
         std::vector<LawDeviation> found;
         for (std::size_t i = 0; i < said.size(); ++i) {
             found.push_back(deviation(said[i].first, bodies[i].first, *bodies[i].second,
-                                      said[i].second, Suspect::Question));
+                                      said[i].second, Suspect::Reach));
             // A length that is right at some walls and wrong at others has another name.
             found.back().family = QStringLiteral("reach");
             found.back().shown = shownBy(said[i].second);
