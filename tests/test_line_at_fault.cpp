@@ -249,6 +249,14 @@ void TestLineAtFault::findingMarksTheLine_data()
         "line:length() - 0.9 * (a.radius + b.radius) - 0.01");
     row("setter: answered once", objects, "if u <= 0 then return end",
         "if u <= 0 or balls.done then return end balls.done = true");
+    row("push: half of one mass for the reduced one", weighed, "local m = ma * mb / (ma + mb)",
+        "local m = mass_of(a) / 2");
+    row("push: some of it is lost", weighed, "2 * m * closing * n",
+        "(2 * m * closing - 0.01 * m) * 0.9 * n");
+    row("push: applied, and worked out there", weighed,
+        "local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
+        "local p = 0.7 * m * (closing + 0.1) * 2 * n\n  a.velocity = a.velocity - p / ma\n"
+        "  b.velocity = b.velocity + p / mb");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

@@ -11,6 +11,7 @@
 #include "tasks/judging/measured_laws.h"
 #include "tasks/judging/mending.h"
 #include "tasks/judging/pair_words.h"
+#include "tasks/judging/push_origin.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/task_laws.h"
 #include "tasks/judging/value_origin.h"
@@ -225,9 +226,14 @@ private:
             workedOut = origin.of(finding.line);
         const int proven =
             provenLine(deviation, ran, workedOut && *workedOut > 0 ? *workedOut : finding.line);
-        const int line = proven != 0 ? proven
-                                     : guessedLine(*m_submission.script, deviation, ran,
-                                                   {finding.line, workedOut, finding.calls});
+        const int line = proven != 0
+                             ? proven
+                             : guessedLine(*m_submission.script, deviation, ran,
+                                           {finding.line, workedOut, finding.calls, [&] {
+                                                return PushOrigin::isSizeWrong(*m_submission.script,
+                                                                               m_task.solution,
+                                                                               deviation.moment);
+                                            }});
         if (line == finding.line)
             return;
         finding.line = line;

@@ -3,6 +3,7 @@
 #include "tasks/judging/line_guess.h"
 
 #include "tasks/judging/asked_values.h"
+#include "tasks/judging/push_origin.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -263,14 +264,22 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
             return acting;
         special = specialAround(acting);
     }
+    const ProgramLines lines(program);
     if (isOfQuestion(deviation.suspect)) {
-        const ProgramLines lines(program);
         const AskedValues asked(lines);
         const int line =
             special.empty() ? 0 : questionOf(deviation.suspect, special, rows, ran, within, asked);
         if (line == 0 && !compares(rows[acting - 1]))
             return 0;
         return askedIn(line == 0 ? acting : line, deviation.suspect, asked);
+    }
+    if (deviation.aspect == Aspect::Response && assignment.isSizeWrong()) {
+        const PushOrigin push(lines, ran);
+        if (const auto given = push.ofGiven(acting, assignment.calls))
+            return *given;
+        const int added = deviation.suspect == Suspect::Answer ? push.ofAdded(acting) : 0;
+        if (added > 0)
+            return added;
     }
     if (special.empty())
         return acting;

@@ -4,6 +4,7 @@
 
 #include "tasks/judging/ran_lines.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct LastAssignment {
     /// If it only writes a value down: the line in which that was worked out, 0 if it is not one.
     std::optional<int> origin{};
     std::vector<int> calls{}; ///< the lines that called it, the innermost last
+    /// Of a hit of two: whether the push is wrong in its size alone.
+    std::function<bool()> isSizeWrong{};
 };
 
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/program_statements.h"
+#include "tasks/judging/ran_lines.h"
+
+namespace cradle {
+
+/// Where the push is worked out that a line only applies, such as c.velocity = c.velocity + p / m.
+class PushOrigin
+{
+public:
+    /// Both must live as long.
+    PushOrigin(const ProgramLines &program, const RanLines &ran);
+
+    /// Of a line in a function that is given the push.
+    /// \param calls  the lines that called it, the innermost last
+    /// \return nothing if the line is none such, 0 if where it is worked out is not known
+    [[nodiscard]] std::optional<int> ofGiven(int line, const std::vector<int> &calls) const;
+    /// Of a line that adds what was worked out in the same function; 0 if it is none such.
+    [[nodiscard]] int ofAdded(int line) const;
+
+    /// Whether at \p moment only the size of the push is wrong, not its direction.
+    /// \param reference  a program that is right there
+    [[nodiscard]] static bool isSizeWrong(const QString &program, const QString &reference,
+                                          const Moment &moment);
+
+private:
+    [[nodiscard]] QStringList addedAt(int line) const;
+    [[nodiscard]] const ProgramAssignment *assignmentOf(const QString &name, int above) const;
+    [[nodiscard]] int workOf(const ProgramAssignment &assignment) const;
+    /// Of the names' values, worked out above a line, the one with most work.
+    [[nodiscard]] const ProgramAssignment *mostWorked(const QStringList &names, int above) const;
+    /// The line of a push or, if it takes one mass for both circles, of that.
+    [[nodiscard]] int lineOf(const ProgramAssignment &push) const;
+
+    const ProgramLines &m_program;
+    const RanLines &m_ran;
+    std::vector<ProgramAssignment> m_assignments;
+    std::vector<ProgramFunction> m_functions;
+};
+
+} // namespace cradle
