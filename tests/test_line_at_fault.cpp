@@ -236,6 +236,13 @@ void TestLineAtFault::findingMarksTheLine_data()
         "s.v - (1 + 0.4) * into * w");
     row("own table: turned round", tables, "s.v - 2 * into * w", "-s.v");
     row("own table: one of two pushes", tables, "b.v + closing * n", "b.v + 0.3 * closing * n");
+    row("own numbers: a push that goes on with a speed", flat,
+        "local w = bvx * nx + bvy * ny\n    if u > w then\n      avx = avx + (w - u) * nx\n"
+        "      avy = avy + (w - u) * ny\n      bvx = bvx + (u - w) * nx\n"
+        "      bvy = bvy + (u - w) * ny",
+        "local j = (u - bvx * nx - bvy * ny) * 0.6 - 0.001\n    if j > 0 then\n"
+        "      avx = avx - j * nx\n      avy = avy - j * ny\n      bvx = bvx + j * nx\n"
+        "      bvy = bvy + j * ny");
     row("masses: nothing wrong", weighed, "2 * m", "2 * m", false);
     row("masses: numbers, and functions that nobody calls", weighed,
         "local ma, mb = mass_of(a), mass_of(b)\n  local m = ma * mb / (ma + mb)\n"

@@ -182,12 +182,23 @@ int askedIn(int question, Suspect suspect, const AskedValues &asked)
     return found == 0 ? question : found;
 }
 
+/// Whether a line takes what another, a local value, gives.
+bool takes(const QString &row, const QString &giving)
+{
+    static const QRegularExpression local(QStringLiteral("^\\s*local\\s+(\\w+)\\s*="));
+    const QRegularExpressionMatch match = local.match(giving);
+    return match.hasMatch()
+           && row.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(match.captured(1))));
+}
+
+/// The line with most work; of those with as much the one that goes on with the others.
 int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
 {
     int best = last;
     int most = last > 0 ? worksOut(rows[last - 1]) : 0;
     for (const int line : lines) {
-        if (const int work = worksOut(rows[line - 1]); work > most) {
+        const int work = worksOut(rows[line - 1]);
+        if (work > most || (best > 0 && work == most && takes(rows[line - 1], rows[best - 1]))) {
             most = work;
             best = line;
         }
