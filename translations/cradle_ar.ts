@@ -8177,10 +8177,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>الكتلة</translation>
     </message>
     <message>
-        <source>Sympl. Euler</source>
-        <translation>أويلر التماثلية</translation>
-    </message>
-    <message>
         <source>Euler</source>
         <translation>أويلر</translation>
     </message>
@@ -8223,6 +8219,21 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Change integrator of %1</source>
         <translation>تغيير طريقة تكامل ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Integr.</source>
+        <comment>short for Integrator</comment>
+        <translation>التكامل</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>أويلر تم.‏</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>فيرليه</translation>
     </message>
 </context>
 <context>

@@ -8173,8 +8173,19 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Runge-Kutta 4</translation>
     </message>
     <message>
-        <source>Sympl. Euler</source>
-        <translation>Sympl. Euler</translation>
+        <source>Integr.</source>
+        <comment>short for Integrator</comment>
+        <translation>Integr.</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>S. Euler</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>Verlet</translation>
     </message>
 </context>
 <context>

@@ -8129,10 +8129,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Sympl. Euler</source>
-        <translation>Euler sympl.</translation>
-    </message>
-    <message>
         <source>Euler</source>
         <translation>Euler</translation>
     </message>
@@ -8175,6 +8171,21 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Change integrator of %1</source>
         <translation>Changer l&apos;intégrateur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Integr.</source>
+        <comment>short for Integrator</comment>
+        <translation>Intégr.</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>Euler s.</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>Verlet</translation>
     </message>
 </context>
 <context>

@@ -142,7 +142,7 @@ void TestInspectorCircles::spaceBelongsToTheShortcut()
 
 void TestInspectorCircles::addingDoesNotScrollSideways()
 {
-    m_open->inspector.resize(400, 400);
+    m_open->inspector.resize(300, 400);
     QCoreApplication::processEvents();
     QScrollBar *sideways = m_open->table()->horizontalScrollBar();
     QVERIFY(sideways->maximum() > 60);

@@ -15,9 +15,11 @@ QVariant CircleTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role == Qt::TextAlignmentRole)
         return QVariant(isNumber(section) || section == Mass ? Qt::AlignRight | Qt::AlignVCenter
                                                              : Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole)
         return {};
     const bool tip = role == Qt::ToolTipRole;
+    if (m_isBrief && role == Qt::DisplayRole && !symbolOf(section).isEmpty())
+        return symbolOf(section);
     switch (section) {
     case Colour:
         return tip ? tr("Colour") : QString();
@@ -43,7 +45,24 @@ QVariant CircleTableModel::headerData(int section, Qt::Orientation orientation, 
     return tip ? tr("Mass of a ball of this radius and density") : tr("Mass");
 }
 
-QString CircleTableModel::unitOf(int column)
+/// Where room is scarce it stands for the name, which is told by the tool tip.
+QString CircleTableModel::symbolOf(int column)
+{
+    switch (column) {
+    case Radius:
+        return QStringLiteral("r");
+    case Density:
+        return QStringLiteral("ρ");
+    case Mass:
+        return QStringLiteral("m");
+    case IntegratorColumn:
+        return tr("Integr.", "short for Integrator");
+    default:
+        return {};
+    }
+}
+
+QString CircleTableModel::unitOf(int column) const
 {
     switch (column) {
     case X:
@@ -54,7 +73,7 @@ QString CircleTableModel::unitOf(int column)
     case VelocityY:
         return QStringLiteral("m/s");
     case Density:
-        return QStringLiteral("1000 kg/m³");
+        return m_isBrief ? QStringLiteral("g/cm³") : QStringLiteral("1000 kg/m³"); // the same
     case Mass:
         return QStringLiteral("kg");
     default:
@@ -82,8 +101,13 @@ int CircleTableModel::columnOf(const QString &pointer)
 
 QString CircleTableModel::integratorCell(Integrator integrator) const
 {
-    return m_isBrief && integrator == Integrator::SymplecticEuler ? tr("Sympl. Euler")
-                                                                  : integratorText(integrator);
+    if (m_isBrief && integrator == Integrator::SymplecticEuler)
+        return tr("S. Euler", "short for Symplectic Euler");
+    if (m_isBrief && integrator == Integrator::Verlet)
+        return tr("Verlet", "short for Velocity Verlet");
+    if (m_isBrief && integrator == Integrator::RungeKutta4)
+        return QStringLiteral("RK4");
+    return integratorText(integrator);
 }
 
 QString CircleTableModel::integratorText(Integrator integrator)

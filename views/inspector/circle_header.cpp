@@ -25,7 +25,7 @@ CircleHeader::CircleHeader(QWidget *parent)
 {
     setSectionsClickable(false);
     setHighlightSections(false);
-    setMinimumSectionSize(28);
+    setMinimumSectionSize(22);
 }
 
 CircleHeader::Parts CircleHeader::partsOf(int section) const

@@ -100,8 +100,9 @@ QVariant CircleTableModel::text(const PresetCircle &circle, int column) const
         return integratorCell(circle.integrator);
     if (column == Mass) {
         const double kilograms = mass(circle.body);
+        const int digits = m_isBrief ? 4 : 5;
         const bool fits = kilograms >= 1e4 && kilograms < 1e7;
-        return fits ? QString::number(kilograms, 'f', 0) : QString::number(kilograms, 'g', 5);
+        return fits ? QString::number(kilograms, 'f', 0) : QString::number(kilograms, 'g', digits);
     }
     return {};
 }

@@ -45,7 +45,7 @@ public:
 
     /// Whether a column holds a number that can be edited.
     [[nodiscard]] static bool isNumber(int column) { return column >= X && column <= Density; }
-    [[nodiscard]] static QString unitOf(int column);
+    [[nodiscard]] QString unitOf(int column) const;
     /// What Up adds to a number of the column.
     [[nodiscard]] static double spinStep(int column);
     /// The column of a JSON pointer as /circles/3/velocity/1; Name if it is of the whole circle.
@@ -53,8 +53,9 @@ public:
     [[nodiscard]] static QString integratorText(Integrator integrator);
     /// What a cell shows of it.
     [[nodiscard]] QString integratorCell(Integrator integrator) const;
-    /// Lets cells abbreviate what is long, where room is scarce.
+    /// Lets cells and headers abbreviate what is long, where room is scarce.
     void setBrief(bool brief) { m_isBrief = brief; }
+    [[nodiscard]] bool isBrief() const { return m_isBrief; }
 
     /// Marks the cell of a JSON pointer as the one at fault; an empty pointer marks none.
     void setFault(const QString &pointer);
@@ -64,6 +65,7 @@ public slots:
     void retranslate(); ///< the language changed
 
 private:
+    [[nodiscard]] static QString symbolOf(int column);
     [[nodiscard]] QString whyLocked(const QModelIndex &index) const;
     [[nodiscard]] bool isFault(const QModelIndex &index) const;
     [[nodiscard]] QVariant text(const PresetCircle &circle, int column) const;

@@ -56,6 +56,7 @@ private:
     void enableButtons();
     void layOutColumns();
     [[nodiscard]] int columnWidth(int column) const;
+    [[nodiscard]] int nameWidth() const;
     [[nodiscard]] int othersWidth() const;
     void selectLast();
     void addCircle();

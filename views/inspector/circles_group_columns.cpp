@@ -11,6 +11,7 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -18,7 +19,14 @@ namespace {
 
 constexpr int slack = 4;         ///< px left free, so that no scroll bar comes and goes
 constexpr int cellPad = 8;       ///< px left and right of a text together
+constexpr int tightPad = 6;      ///< the same where room is scarce: what Qt itself keeps free
 constexpr int measuredRows = 50; ///< whose texts make their columns wider
+
+/// In whole pixels: Qt abbreviates what lacks a part of one.
+int textWidth(const QString &text, const QFont &font)
+{
+    return static_cast<int>(std::ceil(QFontMetricsF(font).horizontalAdvance(text)));
+}
 
 } // namespace
 
@@ -26,17 +34,30 @@ constexpr int measuredRows = 50; ///< whose texts make their columns wider
 void CirclesGroup::layOutColumns()
 {
     const int room = m_table->viewport()->width() - slack;
-    const int name =
-        fontMetrics().horizontalAdvance(shownCircleName(plainCircleName(10))) + cellPad;
     m_model->setBrief(false);
-    m_model->setBrief(name + othersWidth() > room);
+    m_model->setBrief(nameWidth() + othersWidth() > room);
     for (int column = 0; column < CircleTableModel::ColumnCount; ++column) {
         if (column != CircleTableModel::Name)
             m_table->setColumnWidth(column, columnWidth(column));
     }
     m_table->setColumnWidth(CircleTableModel::Name,
-                            std::clamp(room - othersWidth(), name, 2 * name));
+                            std::clamp(room - othersWidth(), nameWidth(), 2 * nameWidth()));
     m_table->viewport()->update();
+    m_header->viewport()->update();
+}
+
+/// Of the names that circles have at first; where room is scarce, of those that are there.
+int CirclesGroup::nameWidth() const
+{
+    const int usual = textWidth(shownCircleName(plainCircleName(10)), font());
+    if (!m_model->isBrief())
+        return usual + cellPad;
+    int widest = m_header->widthOf(CircleTableModel::Name) - tightPad;
+    for (int row = 0; row < std::min(m_model->rowCount(), measuredRows); ++row) {
+        const QString name = m_model->index(row, CircleTableModel::Name).data().toString();
+        widest = std::max(widest, textWidth(name, font()));
+    }
+    return std::min(usual, widest) + tightPad;
 }
 
 /// Of all columns but the names.
@@ -51,21 +72,24 @@ int CirclesGroup::othersWidth() const
 /// Room for the header of a column, for its usual texts, and for those that are in it.
 int CirclesGroup::columnWidth(int column) const
 {
+    const bool isBrief = m_model->isBrief();
     if (column == CircleTableModel::Colour)
-        return rowHeight;
+        return isBrief ? m_header->minimumSectionSize() : rowHeight;
     const bool isText = column == CircleTableModel::IntegratorColumn;
-    const QFontMetrics metrics(isText ? fontMetrics() : QFontMetrics(numericFont()));
+    const QFont shown = isText ? font() : numericFont();
     int widest = 0;
     if (isText) {
-        widest = metrics.horizontalAdvance(m_model->integratorCell(Integrator::SymplecticEuler));
+        widest = textWidth(m_model->integratorCell(Integrator::SymplecticEuler), shown);
     } else if (column <= CircleTableModel::VelocityY) {
-        widest = metrics.horizontalAdvance(QStringLiteral("-0.00"));
+        widest = textWidth(isBrief ? QStringLiteral("-0.0") : QStringLiteral("-0.00"), shown);
     }
-    for (int row = 0; row < std::min(m_model->rowCount(), measuredRows); ++row) {
-        const QString text = m_model->index(row, column).data().toString();
-        widest = std::max(widest, metrics.horizontalAdvance(text));
-    }
-    return std::max(m_header->widthOf(column), widest + cellPad);
+    for (int row = 0; row < std::min(m_model->rowCount(), measuredRows); ++row)
+        widest = std::max(widest, textWidth(m_model->index(row, column).data().toString(), shown));
+    // Without a little more the radius would read as a digit of the velocity.
+    const int pad = !isBrief                             ? cellPad
+                    : column == CircleTableModel::Radius ? 2 * tightPad
+                                                         : tightPad;
+    return std::max(m_header->widthOf(column), widest + pad);
 }
 
 } // namespace cradle
