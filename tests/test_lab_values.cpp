@@ -429,7 +429,8 @@ void TestLabValues::filesOfALabHaveItsValues()
     QCOMPARE(*withValuesOfItsStep(elsewhere.filePath(QStringLiteral("a.lua")), "{{k}}", {}),
              QByteArray("{{k}}"));
     // Other JSON in the folder is no scene.
-    for (const Error &finding : readLab(folder.path())->findings)
+    const auto lab = readLab(folder.path());
+    for (const Error &finding : lab->findings)
         QVERIFY2(!finding.file.contains(QStringLiteral("answers")), qPrintable(finding.toString()));
 }
 
