@@ -3146,6 +3146,22 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>At the walls the radius of another circle stands for that of %who</source>
         <translation>عند الجدران يحل نصف قطر دائرة أخرى محل نصف قطر %who</translation>
     </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>دائرتان متساويتا نصف القطر والكثافة تستجيبان كأن الدائرة 2 أثقل من الدائرة 1 بمقدار ⁨%1⁩ مرة، ومع ⁦r₁ = %2⁩ و⁦r₂ = %3 m⁩ كأنها أثقل بمقدار ⁨%4⁩ مرة. قارن بين سطري الكتلتين.</translation>
+    </message>
+    <message>
+        <source>The hits hardly depend on the radii</source>
+        <translation>التصادمات لا تكاد تتوقف على أنصاف الأقطار</translation>
+    </message>
+    <message>
+        <source>e acts on more than the rebound</source>
+        <translation>e يؤثر في أكثر من الارتداد</translation>
+    </message>
+    <message>
+        <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
+        <translation>تفترق الدائرتان بسرعة التقائهما مضروبة في e كما ينبغي؛ لكن ما لهما معًا، أي كمية حركتهما، يتغير أيضًا.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3122,6 +3122,22 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>At the walls the radius of another circle stands for that of %who</source>
         <translation>An den Wänden steht der Radius eines anderen Kreises für den von %who</translation>
     </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1, und mit r₁ = %2 und r₂ = %3 m, als wäre er es %4-mal. Vergleiche die Zeilen für die beiden Massen.</translation>
+    </message>
+    <message>
+        <source>The hits hardly depend on the radii</source>
+        <translation>Die Stöße hängen kaum von den Radien ab</translation>
+    </message>
+    <message>
+        <source>e acts on more than the rebound</source>
+        <translation>e wirkt auf mehr als den Rückprall</translation>
+    </message>
+    <message>
+        <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
+        <translation>Die Kreise trennen sich e-mal so schnell, wie sie sich trafen, wie es sein soll; aber auch was beide zusammen haben, ihr Impuls, ändert sich.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3122,6 +3122,22 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>At the walls the radius of another circle stands for that of %who</source>
         <translation>Aux parois, le rayon d&apos;un autre cercle remplace celui de %who</translation>
     </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>Deux cercles de même rayon et de même densité répondent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec r₁ = %2 et r₂ = %3 m comme s&apos;il l&apos;était %4 fois. Comparez les lignes des deux masses.</translation>
+    </message>
+    <message>
+        <source>The hits hardly depend on the radii</source>
+        <translation>Les chocs ne dépendent guère des rayons</translation>
+    </message>
+    <message>
+        <source>e acts on more than the rebound</source>
+        <translation>e agit sur plus que le rebond</translation>
+    </message>
+    <message>
+        <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
+        <translation>Les cercles se séparent e fois aussi vite qu&apos;ils se sont rencontrés, comme il se doit ; mais ce qu&apos;ils ont ensemble, leur quantité de mouvement, change aussi.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -43,6 +43,15 @@ bool is(const std::optional<double> &p, double value)
     return p && std::abs(*p - value) < 3.0 * ratioBlur;
 }
 
+/// Whether circle 2 is \p ratio times as heavy in all \p hits, but for what a measurement blurs.
+bool isExact(const std::vector<PairHit> &hits, double ratio)
+{
+    return std::all_of(hits.begin(), hits.end(), [&](const PairHit &hit) {
+        const auto heavy = massRatio(hit);
+        return !heavy || std::abs(*heavy - ratio) < 2e-3;
+    });
+}
+
 double rounded(double p)
 {
     return std::round(p * 50.0) / 50.0;
@@ -78,6 +87,16 @@ std::optional<double> equalRatioOf(const std::vector<PairHit> &hits)
             return massRatio(hit);
     }
     return std::nullopt;
+}
+
+/// A hit in which circle 2 is another number of times as heavy; null if there is none.
+const PairHit *otherRatioIn(const std::vector<PairHit> &hits, double ratio)
+{
+    const auto found = std::find_if(hits.begin(), hits.end(), [&](const PairHit &hit) {
+        const auto heavy = massRatio(hit);
+        return heavy && std::abs(*heavy / ratio - 1.0) > 3.0 * ratioBlur;
+    });
+    return found == hits.end() ? nullptr : &*found;
 }
 
 /// One circle always leaves as it should, and the other does not where the masses differ.
@@ -187,6 +206,16 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
                          "%2 times. Compare the lines for the two masses.")
                 .arg(brief(*ratio), brief(*other)),
             own.equals.front(), Suspect::Masses)};
+    // Numbers are the same whatever the radii are.
+    if (const PairHit *other = ratio ? otherRatioIn(own.radii, *ratio) : nullptr)
+        return {responseDeviation(
+            MassText::tr("The two masses are not worked out in the same way"),
+            MassText::tr("Two circles of the same radius and density answer as if circle 2 were "
+                         "%1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it "
+                         "were %4 times. Compare the lines for the two masses.")
+                .arg(brief(*ratio), brief(other->meeting.radius1), brief(other->meeting.radius2),
+                     brief(massRatio(*other).value_or(0.0))),
+            own.equals.front(), Suspect::Masses)};
     if (ratio)
         return {responseDeviation(
             MassText::tr("The masses are numbers, not those of the circles"),
@@ -227,7 +256,9 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
     }
     if (isOff(p.radius, good.radius))
         found.push_back(
-            say(is(p.radius, 0.0) ? MassText::tr("The hits do not depend on the radii")
+            say(is(p.radius, 0.0) ? isExact(own.radii, 1.0)
+                                        ? MassText::tr("The hits do not depend on the radii")
+                                        : MassText::tr("The hits hardly depend on the radii")
                 : isPower(*p.radius)
                     ? MassText::tr("The mass grows with r to the power of %1, not %2")
                           .arg(brief(rounded(*p.radius)), brief(rounded(*good.radius)))

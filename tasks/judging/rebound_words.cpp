@@ -227,6 +227,20 @@ private:
         return false;
     }
 
+    /// What no other law tells. They may part as fast as they should: that is the mean of both.
+    void addOdd()
+    {
+        const bool isRebound = std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
+            return std::abs(0.5 * (r.first + r.second) - r.e) < blur;
+        });
+        if (isRebound)
+            add(ReboundText::tr("e acts on more than the rebound"),
+                ReboundText::tr("The circles part e times as fast as they met, as they should; but "
+                                "what both have together, their momentum, changes, too."));
+        else
+            add(ReboundText::tr("e does not act on the rebound as it should"));
+    }
+
     void findNumbers()
     {
         const auto kept = [](double) { return 1.0; };
@@ -240,7 +254,7 @@ private:
         if (m_all.size() < 2 || !across || !isLaw(fixed(first), fixed(second))) {
             // What is wrong already where e is 1 has been named; it hides what e does.
             if (m_isElastic)
-                add(ReboundText::tr("e does not act on the rebound as it should"));
+                addOdd();
             return;
         }
         const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
@@ -258,7 +272,7 @@ private:
                         .arg(number(first)));
         } else if (std::min(first, second) < -blur || std::max(first, second) > 1.0 + blur) {
             // No e is like that: something else is wrong with the push.
-            add(ReboundText::tr("e does not act on the rebound as it should"));
+            addOdd();
         } else {
             add(ReboundText::tr("Numbers stand for e in the hit of two circles"),
                 ReboundText::tr("Whatever e is, circle 1 answers as with e = %1 and circle 2 as "
