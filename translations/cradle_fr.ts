@@ -17,11 +17,11 @@
     </message>
     <message>
         <source>%1 circles are too many: at most %2 are right</source>
-        <translation>%1 cercles sont trop nombreux : %2 au plus conviennent</translation>
+        <translation>%1 cercles sont trop nombreux&#xa0;: %2 au plus conviennent</translation>
     </message>
     <message>
         <source>They do not fit into the square: fewer or smaller ones are right</source>
-        <translation>Ils ne tiennent pas dans le carré : il en faut moins ou de plus petits</translation>
+        <translation>Ils ne tiennent pas dans le carré&#xa0;: il en faut moins ou de plus petits</translation>
     </message>
 </context>
 <context>
@@ -1421,7 +1421,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
-        <translation>Écrit un TP dans un seul fichier. Pour les étudiants, il laisse de côté solutions, erreurs, remarques et fichiers qu’aucune étape n’utilise ; ce que demandent contrôles et questions reste.</translation>
+        <translation>Écrit un TP dans un seul fichier. Pour les étudiants, il laisse de côté solutions, erreurs, remarques et fichiers qu&apos;aucune étape n&apos;utilise&#xa0;; ce que demandent contrôles et questions reste.</translation>
     </message>
     <message>
         <source>leave out what students shall find</source>
@@ -1429,11 +1429,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>the file to write; needed</source>
-        <translation>le fichier à écrire ; nécessaire</translation>
+        <translation>le fichier à écrire&#xa0;; nécessaire</translation>
     </message>
     <message>
         <source>--output is missing: the file to write</source>
-        <translation>--output manque : le fichier à écrire</translation>
+        <translation>--output manque&#xa0;: le fichier à écrire</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) left out</source>
@@ -1444,11 +1444,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
-        <translation>dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse : ces contrôles n’en nomment aucune</translation>
+        <translation>dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse&#xa0;: ces contrôles n&apos;en nomment aucune</translation>
     </message>
     <message>
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
-        <translation>ceci est une édition pour étudiants, sans les solutions et les erreurs qui prouvent un TP ; il faut le TP entier</translation>
+        <translation>ceci est une édition pour étudiants, sans les solutions et les erreurs qui prouvent un TP&#xa0;; il faut le TP entier</translation>
     </message>
     <message>
         <source>writing, %1 of %2</source>
@@ -1456,7 +1456,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>there is nothing of that name; the name of something new must be UTF-8</source>
-        <translation>rien ne porte ce nom ; le nom de ce qui est nouveau doit être en UTF-8</translation>
+        <translation>rien ne porte ce nom&#xa0;; le nom de ce qui est nouveau doit être en UTF-8</translation>
     </message>
     <message>
         <source>of what the student is told, such as en or de; en without it</source>
@@ -3136,7 +3136,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
-        <translation>Les cercles se séparent e fois aussi vite qu&apos;ils se sont rencontrés, comme il se doit ; mais ce qu&apos;ils ont ensemble, leur quantité de mouvement, change aussi.</translation>
+        <translation>Les cercles se séparent e fois aussi vite qu&apos;ils se sont rencontrés, comme il se doit&#xa0;; mais ce qu&apos;ils ont ensemble, leur quantité de mouvement, change aussi.</translation>
     </message>
 </context>
 <context>
@@ -3972,31 +3972,31 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>of the names of Blackboard, what follows the last _ is taken for the account; a roster tells better</source>
-        <translation>dans les noms de Blackboard, ce qui suit le dernier _ est pris pour le compte&#x202f;; une liste de la classe le dit mieux</translation>
+        <translation>dans les noms de Blackboard, ce qui suit le dernier _ est pris pour le compte&#xa0;; une liste de la classe le dit mieux</translation>
     </message>
     <message>
         <source>of the names of Blackboard, what follows %1 is taken for the account; a roster tells better</source>
-        <translation>dans les noms de Blackboard, ce qui suit %1 est pris pour le compte&#x202f;; une liste de la classe le dit mieux</translation>
+        <translation>dans les noms de Blackboard, ce qui suit %1 est pris pour le compte&#xa0;; une liste de la classe le dit mieux</translation>
     </message>
     <message>
         <source>%1: too large to be unpacked</source>
-        <translation>%1 : trop grand pour être décompressé</translation>
+        <translation>%1&#xa0;: trop grand pour être décompressé</translation>
     </message>
     <message>
         <source>%1: left out %2</source>
-        <translation>%1 : laissé de côté : %2</translation>
+        <translation>%1&#xa0;: laissé de côté&#xa0;: %2</translation>
     </message>
     <message>
         <source>names that are in it more than once</source>
-        <translation>des noms qui s’y trouvent plus d’une fois</translation>
+        <translation>des noms qui s&apos;y trouvent plus d&apos;une fois</translation>
     </message>
     <message>
         <source>this is the zip of a whole class; grade the zip itself</source>
-        <translation>c’est le zip de toute une classe ; évaluez le zip lui-même</translation>
+        <translation>c&apos;est le zip de toute une classe&#xa0;; évaluez le zip lui-même</translation>
     </message>
     <message>
         <source>cannot be unpacked: %1</source>
-        <translation>impossible à décompresser : %1</translation>
+        <translation>impossible à décompresser&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6530,7 +6530,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>of an edition for students: the SHA-256 of the lab that it is of</source>
-        <translation>d’une édition pour étudiants : le SHA-256 du TP dont elle vient</translation>
+        <translation>d&apos;une édition pour étudiants&#xa0;: le SHA-256 du TP dont elle vient</translation>
     </message>
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
@@ -7752,8 +7752,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message numerus="yes">
         <source>Exported without %n file(s) that are yours: %1</source>
         <translation>
-            <numerusform>Exporté sans %n fichier qui n’est que pour vous : %1</numerusform>
-            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous : %1</numerusform>
+            <numerusform>Exporté sans %n fichier qui n&apos;est que pour vous&#xa0;: %1</numerusform>
+            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous&#xa0;: %1</numerusform>
         </translation>
     </message>
     <message>
@@ -8985,7 +8985,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source> % a day</source>
-        <translation> % par jour</translation>
+        <translation>&#xa0;% par jour</translation>
     </message>
     <message>
         <source>What each day late that has begun takes of the points</source>
@@ -11588,7 +11588,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
-        <translation>%1 à %2 m/s&#xa0;: %3 %, la courbe %4 %</translation>
+        <translation>%1 à %2 m/s&#xa0;: %3&#xa0;%, la courbe %4&#xa0;%</translation>
     </message>
 </context>
 <context>
