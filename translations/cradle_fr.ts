@@ -5422,7 +5422,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation>&amp;Sombre</translation>
+        <translation>S&amp;ombre</translation>
     </message>
     <message>
         <source>&amp;High contrast</source>
@@ -7743,7 +7743,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Export &amp;for students…</source>
-        <translation>Exporter pour les é&amp;tudiants…</translation>
+        <translation>Exporter pour &amp;les étudiants…</translation>
     </message>
     <message>
         <source>Export the lab for students</source>
