@@ -1421,7 +1421,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
-        <translation>Écrit un TP dans un seul fichier. Pour les étudiants, il laisse de côté solutions, erreurs, remarques et fichiers qu&apos;aucune étape n&apos;utilise&#xa0;; ce que demandent contrôles et questions reste.</translation>
+        <translation>Écrit un TP dans un seul fichier. Pour les étudiants, il laisse de côté corrigés, erreurs, appréciations et fichiers qu&apos;aucune étape n&apos;utilise&#xa0;; ce que demandent vérifications et questions reste.</translation>
     </message>
     <message>
         <source>leave out what students shall find</source>
@@ -1444,11 +1444,11 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
-        <translation>dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse&#xa0;: ces contrôles n&apos;en nomment aucune</translation>
+        <translation>dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse&#xa0;: ces vérifications n&apos;en nomment aucune</translation>
     </message>
     <message>
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
-        <translation>ceci est une édition pour étudiants, sans les solutions et les erreurs qui prouvent un TP&#xa0;; il faut le TP entier</translation>
+        <translation>ceci est une édition pour étudiants, sans les corrigés et les erreurs qui prouvent un TP&#xa0;; il faut le TP entier</translation>
     </message>
     <message>
         <source>writing, %1 of %2</source>
@@ -1478,7 +1478,7 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
     <message>
         <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing), those that fail without a diagnosis (a mistake may be missing), and those of which a law that is measured tells.</source>
-        <translation>Fabrique, à partir des solutions d&apos;un TP, des erreurs comme en font les étudiants, et nomme celles qui passent toutes les vérifications (il en manque peut-être une), celles qui échouent sans diagnostic (il manque peut-être une erreur) et celles dont une loi mesurée dit quelque chose.</translation>
+        <translation>Fabrique, à partir des corrigés d&apos;un TP, des erreurs comme en font les étudiants, et nomme celles qui passent toutes les vérifications (il en manque peut-être une), celles qui échouent sans diagnostic (il manque peut-être une erreur) et celles dont une loi mesurée dit quelque chose.</translation>
     </message>
     <message numerus="yes">
         <source>%n steps</source>
@@ -7758,7 +7758,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>Dans %1, les étudiants lisent ce que les contrôles ont vu, et non quelle loi est fausse.</translation>
+        <translation>Dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse.</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>
@@ -10410,7 +10410,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>The reference: it should pass every check, with every seed.</source>
-        <translation>La référence&#xa0;: elle doit réussir chaque vérification, avec chaque graine.</translation>
+        <translation>Le corrigé de référence&#xa0;: il doit réussir chaque vérification, avec chaque graine.</translation>
     </message>
     <message>
         <source>The solution was changed where this difference changes it. Mend the lines after @@ so that they say what stands in the solution now, and what stands here instead.</source>
@@ -12211,7 +12211,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>Kind</source>
-        <translation>Genre</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Whether the value is drawn</source>
