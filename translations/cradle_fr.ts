@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>Any of these is right: both stop; they swap their velocities; they swap the parts along the line of centres; the impulse of masses and e</source>
-        <translation>N&apos;importe laquelle convient&#xa0;: les deux s&apos;arrêtent&#xa0;; ils échangent leurs vitesses&#xa0;; ils échangent les composantes suivant la ligne des centres&#xa0;; l&apos;impulsion des masses et de e</translation>
+        <translation>N&apos;importe laquelle convient&#xa0;: les deux s&apos;arrêtent&#xa0;; ils échangent leurs vitesses&#xa0;; ils échangent les composantes suivant la ligne des centres&#xa0;; l&apos;impulsion calculée avec les masses et e</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -239,7 +239,7 @@
     </message>
     <message>
         <source>At a wall v_n&apos; = −e v_n; the part along the wall stays; at the rim and in time</source>
-        <translation>À une paroi v_n&apos; = −e v_n&#xa0;; la composante le long de la paroi reste&#xa0;; au bord et à temps</translation>
+        <translation>À une paroi v_n&apos; = −e v_n&#xa0;; la composante le long de la paroi est conservée&#xa0;; au bord et à temps</translation>
     </message>
     <message>
         <source>Stays inside</source>
@@ -339,7 +339,7 @@
     </message>
     <message>
         <source>The first hit of circles 1 and 2 takes kinetic energy</source>
-        <translation>Le premier choc des cercles 1 et 2 prend de l&apos;énergie cinétique</translation>
+        <translation>Le premier choc des cercles 1 et 2 fait perdre de l&apos;énergie cinétique</translation>
     </message>
     <message>
         <source>Pass through each other</source>
@@ -1723,7 +1723,7 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     </message>
     <message>
         <source>Side by side they answer in time, but on a diagonal when their centres are still %2 m apart: x and y each on its own ask for squares. Make one distance out of the two differences.</source>
-        <translation>Côte à côte, ils réagissent à temps, mais en diagonale dès que leurs centres sont encore à %2 m l&apos;un de l&apos;autre&#xa0;: x et y examinés séparément décrivent des carrés. Faites des deux différences une seule distance.</translation>
+        <translation>Côte à côte, ils réagissent à temps, mais en diagonale alors que leurs centres sont encore à %2 m l&apos;un de l&apos;autre&#xa0;: x et y examinés séparément décrivent des carrés. Faites des deux différences une seule distance.</translation>
     </message>
     <message>
         <source>|Δx| + |Δy| is not the distance</source>
@@ -1891,7 +1891,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Gravity moves %who at once and changes no velocity</source>
-        <translation>La pesanteur agit aussitôt sur la position et ne change aucune vitesse, pour %who</translation>
+        <translation>La pesanteur agit directement sur la position et ne change aucune vitesse, pour %who</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
@@ -1939,7 +1939,7 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
     </message>
     <message>
         <source>Gravity pushes %who against its own direction</source>
-        <translation>La pesanteur pousse %who contre son propre sens</translation>
+        <translation>La pesanteur pousse %who dans le sens opposé au sien</translation>
     </message>
     <message>
         <source>Look at the signs.</source>
@@ -2988,7 +2988,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans aucune réaction&#xa0;; après une paroi plus éloignée, il y en a une. Peu importe depuis combien de temps a eu lieu le dernier choc&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
+        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans aucune réaction&#xa0;; après une paroi plus éloignée, il y en a une. Peu importe à quand remonte le dernier choc&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
     </message>
     <message>
         <source>A later hit is not answered</source>
@@ -3088,7 +3088,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The step of %who depends on how long the run has lasted</source>
-        <translation>Le pas de %who dépend de la durée écoulée de l&apos;exécution</translation>
+        <translation>Le pas dépend du temps écoulé depuis le début de l&apos;exécution, pour %who</translation>
     </message>
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
@@ -3096,7 +3096,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Between hits the velocity of %who changes</source>
-        <translation>Entre les chocs, la vitesse de %who change</translation>
+        <translation>Entre les chocs, la vitesse change, pour %who</translation>
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
@@ -3112,19 +3112,19 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The walls do not give %who e times the speed back</source>
-        <translation>Les parois ne rendent pas e fois la vitesse à %who</translation>
+        <translation>Les parois ne rendent pas e fois la vitesse, pour %who</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois. Regardez le facteur devant la composante que vous retournez.</translation>
+        <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois. Regardez le facteur devant la composante que vous inversez.</translation>
     </message>
     <message>
         <source>At the walls the radius of another circle stands for that of %who</source>
-        <translation>Aux parois, le rayon d&apos;un autre cercle remplace celui de %who</translation>
+        <translation>Aux parois, le rayon d&apos;un autre cercle tient lieu du bon, pour %who</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
-        <translation>Deux cercles de même rayon et de même densité répondent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec r₁ = %2 et r₂ = %3 m comme s&apos;il l&apos;était %4 fois. Comparez les lignes des deux masses.</translation>
+        <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec r₁ = %2 et r₂ = %3 m comme s&apos;il l&apos;était %4 fois. Comparez les lignes des deux masses.</translation>
     </message>
     <message>
         <source>The hits hardly depend on the radii</source>
@@ -3132,7 +3132,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>e acts on more than the rebound</source>
-        <translation>e agit sur plus que le rebond</translation>
+        <translation>e n&apos;agit pas seulement sur le rebond</translation>
     </message>
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
@@ -3809,7 +3809,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
-        <translation>Ce qui a été rendu porte le numéro %2, que la liste n&apos;a pas pour cet étudiant&#xa0;: l&apos;évaluation s&apos;est faite avec les valeurs tirées du numéro %1.</translation>
+        <translation>Ce qui a été rendu porte le numéro %2, qui n&apos;est pas celui de cet étudiant dans la liste&#xa0;: l&apos;évaluation s&apos;est faite avec les valeurs tirées du numéro %1.</translation>
     </message>
     <message>
         <source>The values of this lab were drawn by the number %1.</source>
@@ -4597,7 +4597,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>is not judged by the check %1: %2</source>
-        <translation>n&apos;est pas jugé par la vérification %1&#xa0;: %2</translation>
+        <translation>n&apos;est pas évalué par la vérification %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2 of %3 values, %4 to %5</source>
@@ -5490,7 +5490,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
-        <translation>Plus un cercle est lourd, plus son ton est grave&#xa0;; plus l&apos;impulsion est grande, plus il est fort</translation>
+        <translation>Plus un cercle est lourd, plus le son est grave&#xa0;; plus l&apos;impulsion est grande, plus il est fort</translation>
     </message>
 </context>
 <context>
@@ -5587,7 +5587,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>The hit takes nothing</source>
-        <translation>Le choc ne prend rien</translation>
+        <translation>Le choc ne fait rien perdre</translation>
     </message>
     <message>
         <source>Which part of the velocity should become e times what it was?</source>
@@ -5897,11 +5897,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>all that is chosen is right, but not all that is right is chosen</source>
-        <translation>tout ce qui est choisi est juste, mais tout ce qui est juste n&apos;est pas choisi</translation>
+        <translation>tout ce qui est choisi est juste, mais il manque des réponses justes</translation>
     </message>
     <message>
         <source>not all of them are in the order</source>
-        <translation>tous ne sont pas dans l&apos;ordre</translation>
+        <translation>l&apos;ordre ne les contient pas tous</translation>
     </message>
     <message>
         <source>it does not begin with what is first</source>
@@ -6534,7 +6534,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
-        <translation>l&apos;écart encore juste, un nombre à partir de 0 ou une expression</translation>
+        <translation>l&apos;écart encore admis, un nombre à partir de 0 ou une expression</translation>
     </message>
     <message>
         <source>a short name of letters, digits, dots, dashes and underscores</source>
@@ -7329,7 +7329,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>another window works on this lab now; this one saves nothing more, and what was typed last here is among the versions of the step</source>
-        <translation>une autre fenêtre travaille maintenant à ce TP&#xa0;; celle-ci n&apos;enregistre plus rien, et ce qui a été tapé ici en dernier est parmi les versions de l&apos;étape</translation>
+        <translation>une autre fenêtre travaille maintenant sur ce TP&#xa0;; celle-ci n&apos;enregistre plus rien, et ce qui a été tapé ici en dernier est parmi les versions de l&apos;étape</translation>
     </message>
     <message>
         <source>the file cannot be moved aside</source>
@@ -7345,7 +7345,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>another window works on this lab now; this one saves nothing more</source>
-        <translation>une autre fenêtre travaille maintenant à ce TP&#xa0;; celle-ci n&apos;enregistre plus rien</translation>
+        <translation>une autre fenêtre travaille maintenant sur ce TP&#xa0;; celle-ci n&apos;enregistre plus rien</translation>
     </message>
     <message>
         <source>another program has changed this note; yours stays, and the other is kept in git as refs/cradle/notes/%1</source>
@@ -9044,7 +9044,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>No program opened the page. It is %1</source>
-        <translation>Aucun programme n&apos;a ouvert la page. C&apos;est %1</translation>
+        <translation>Aucun programme n&apos;a ouvert la page. La voici&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose what was handed in, and a folder for the results. Grading can be stopped at any time, and goes on where it was.</source>
@@ -9710,7 +9710,7 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
-        <translation>Une autre fenêtre travaille à ce TP (processus %1 sur %2, depuis %3). Dans celle-ci vous pouvez regarder, mais rien n&apos;est enregistré.</translation>
+        <translation>Une autre fenêtre travaille sur ce TP (processus %1 sur %2, depuis %3). Dans celle-ci vous pouvez regarder, mais rien n&apos;est enregistré.</translation>
     </message>
     <message>
         <source>Take over</source>
@@ -10328,7 +10328,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>This step asks for no prediction. A question that is asked before the scene is watched, and answered after it, makes students look.</source>
-        <translation>Cette étape ne demande pas de prédiction. Une question posée avant de regarder la scène, et résolue après, fait regarder les étudiants.</translation>
+        <translation>Cette étape ne demande pas de prédiction. Une question posée avant de regarder la scène, et à laquelle on répond après, fait regarder les étudiants.</translation>
     </message>
     <message>
         <source>Ask for a prediction</source>
@@ -10541,7 +10541,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>No mistake of another step applies to this solution that the step does not have</source>
-        <translation>Aucune erreur d&apos;une autre étape ne s&apos;applique à cette solution sans y être déjà</translation>
+        <translation>Cette étape a déjà toutes les erreurs d&apos;autres étapes qui s&apos;appliquent à ce corrigé</translation>
     </message>
     <message>
         <source>Take over a mistake</source>
@@ -10596,7 +10596,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>By how much a right run must be turned, too fast or adrift, or how wrong restitution and masses must be in its first hit, for the check to fail it</source>
-        <translation>De combien un calcul juste doit être tourné, trop rapide ou à la dérive, ou combien la restitution et les masses doivent être fausses dans son premier choc, pour que la vérification échoue</translation>
+        <translation>De combien une exécution juste doit être tournée, trop rapide ou décalée, ou à quel point la restitution et les masses doivent être fausses à son premier choc, pour échouer à la vérification</translation>
     </message>
     <message>
         <source>; a hit with %1</source>
@@ -10619,7 +10619,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>The solution passes, and every mistake fails and is recognised; but a check is missing: changes of the solution that pass every check: %1</source>
-        <translation>Le corrigé réussit, et chaque erreur échoue et est reconnue&#xa0;; mais il manque une vérification&#xa0;: modifications du corrigé qui réussissent toutes les vérifications&#xa0;: %1</translation>
+        <translation>Le corrigé réussit, et chaque erreur échoue et est reconnue&#xa0;; mais il manque une vérification, car ces modifications du corrigé réussissent toutes les vérifications&#xa0;: %1</translation>
     </message>
     <message>
         <source>All is as it should be: the solution passes, every mistake fails and is recognised, every check is needed.</source>
@@ -11819,7 +11819,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>%1, and %2 more</source>
-        <translation>%1, et %2 de plus</translation>
+        <translation>%1, et %2 autres</translation>
     </message>
     <message>
         <source>Instructions</source>
