@@ -1,4 +1,4 @@
--- Lab 4.2. Longueurs en m, temps en s, vitesses en m/s.
+-- TP 4.2. Longueurs en m, temps en s, vitesses en m/s.
 
 -- Exécutée une fois, quand la scène est en place. C'est ici que va ce dont partent les cercles.
 function on_load()
