@@ -4037,7 +4037,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Move %1</source>
-        <translation>Déplacer %1</translation>
+        <translation>Déplacer&#xa0;: %1</translation>
     </message>
     <message numerus="yes">
         <source>Change velocities of %n circles</source>
@@ -5901,7 +5901,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>not all of them are in the order</source>
-        <translation>l&apos;ordre ne les contient pas tous</translation>
+        <translation>il manque des éléments dans l&apos;ordre</translation>
     </message>
     <message>
         <source>it does not begin with what is first</source>
@@ -5953,7 +5953,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Tolerance: a number from 0 is right</source>
-        <translation>Tolérance&#xa0;: un nombre à partir de 0</translation>
+        <translation>Tolérance&#xa0;: il faut un nombre à partir de 0</translation>
     </message>
 </context>
 <context>
@@ -7843,7 +7843,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Remove %1</source>
         <comment>a kept run</comment>
-        <translation>Retirer %1</translation>
+        <translation>Retirer&#xa0;: %1</translation>
     </message>
     <message>
         <source>time</source>
