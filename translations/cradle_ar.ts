@@ -625,7 +625,7 @@
     </message>
     <message>
         <source>another check has the id %1 already; an id of its own is right</source>
-        <translation>لفحص آخر المعرّف ⁨%1⁩ بالفعل؛ الصحيح معرّف خاص به</translation>
+        <translation>لفحص آخر المعرّف ⁨%1⁩ بالفعل؛ الصواب معرّف خاص به</translation>
     </message>
 </context>
 <context>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
-        <translation>في الخطوة ⁨%1⁩ كانت سرعة الدائرة ⁨%2⁩ نحو ⁨%3⁩ قبل الخطوة ⁦%4 m/s⁩ وبعدها ⁦%5 m/s⁩؛ ومع e = ⁨%6⁩ والجاذبية الصواب من ⁨%7⁩ إلى ⁦%8 m/s⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ كانت سرعة الدائرة ⁨%2⁩ نحو ⁨%3⁩ قبل الخطوة ⁦%4 m/s⁩ وبعدها ⁦%5 m/s⁩؛ ومع ⁦e = %6⁩ والجاذبية الصواب من ⁨%7⁩ إلى ⁦%8 m/s⁩</translation>
     </message>
     <message>
         <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
@@ -1429,7 +1429,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
-        <translation>يكتب مختبرًا في ملف واحد. للطلاب يترك الحلول والأخطاء والملاحظات والملفات التي لا تستعملها أي خطوة؛ ويبقى ما تطلبه الفحوص والأسئلة.</translation>
+        <translation>يكتب مختبرًا في ملف واحد. للطلاب يترك الحلول والأخطاء والملاحظات والملفات التي لا تستعملها أي مرحلة؛ ويبقى ما تطلبه الفحوص والأسئلة.</translation>
     </message>
     <message>
         <source>leave out what students shall find</source>
@@ -1441,7 +1441,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>--output is missing: the file to write</source>
-        <translation>‏--output مفقود: الملف الذي يُكتب</translation>
+        <translation>⁦--output⁩ ناقص: الملف الذي يُكتب</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) left out</source>
@@ -1456,7 +1456,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
-        <translation>في %1 يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ: هذه الفحوص لا تذكر قانونًا</translation>
+        <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ: هذه الفحوص لا تذكر قانونًا</translation>
     </message>
     <message>
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
@@ -1480,22 +1480,22 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>of files of a lab that draws values: those of the student with this number</source>
-        <translation>لملفات مختبر يسحب قيمًا: قيم الطالب صاحب هذا الرقم</translation>
+        <translation>لملفات مختبر يختار القيم: قيم الطالب صاحب هذا الرقم</translation>
     </message>
     <message>
         <source>      fails %1; what is measured tells: %2
 </source>
-        <translation>      يفشل في ⁨%1⁩؛ والمقيس يقول: ⁨%2⁩
+        <translation>      يخفق في ⁨%1⁩؛ والمقيس يقول: ⁨%2⁩
 </translation>
     </message>
     <message>
         <source>Makes mistakes that students make out of the solutions of a lab, and names those that pass every check (a check may be missing), those that fail without a diagnosis (a mistake may be missing), and those of which a law that is measured tells.</source>
-        <translation>يصنع من حلول المختبر أخطاء كالتي يرتكبها الطلاب، ويسمّي ما يجتاز كل الفحوص (فقد ينقص فحص)، وما يفشل بلا تشخيص (فقد ينقص خطأ)، وما يخبر عنه قانون مقيس.</translation>
+        <translation>يصنع من حلول المختبر أخطاء كالتي يرتكبها الطلاب، ويسمّي ما يجتاز كل الفحوص (فقد ينقص فحص)، وما يخفق بلا تشخيص (فقد ينقص خطأ)، وما يخبر عنه قانون مقيس.</translation>
     </message>
     <message numerus="yes">
         <source>%n steps</source>
         <translation>
-            <numerusform>%n مرحلة</numerusform>
+            <numerusform>لا مراحل</numerusform>
             <numerusform>مرحلة واحدة</numerusform>
             <numerusform>مرحلتان</numerusform>
             <numerusform>%n مراحل</numerusform>
@@ -1506,7 +1506,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message numerus="yes">
         <source>%n mistakes</source>
         <translation>
-            <numerusform>%n خطأ</numerusform>
+            <numerusform>لا أخطاء</numerusform>
             <numerusform>خطأ واحد</numerusform>
             <numerusform>خطآن</numerusform>
             <numerusform>%n أخطاء</numerusform>
@@ -1517,7 +1517,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     <message numerus="yes">
         <source>%n problems</source>
         <translation>
-            <numerusform>%n مشكلة</numerusform>
+            <numerusform>لا مشكلات</numerusform>
             <numerusform>مشكلة واحدة</numerusform>
             <numerusform>مشكلتان</numerusform>
             <numerusform>%n مشكلات</numerusform>
@@ -1543,7 +1543,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>%1 is written: %2 of %3 steps passed</source>
-        <translation>كُتب ⁨%1⁩: اجتيزت ⁨%2⁩ من ⁨%3⁩ مراحل</translation>
+        <translation>كُتب ⁨%1⁩: المراحل المجتازة ⁨%2⁩ من ⁨%3⁩</translation>
     </message>
 </context>
 <context>
@@ -1657,11 +1657,11 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>%1 and %2 stand side by side</source>
-        <translation>%1 و%2 متجاورتان</translation>
+        <translation>⁨%1⁩ و⁨%2⁩ متجاورتان</translation>
     </message>
     <message>
         <source>a power with that unit is none</source>
-        <translation>لا معنى لقوة بهذه الوحدة</translation>
+        <translation>لا معنى للرفع إلى أُسّ مع هذه الوحدة</translation>
     </message>
     <message>
         <source>there is a unit too many</source>
@@ -1669,11 +1669,11 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     </message>
     <message>
         <source>%1 is taken of a number without a unit, not of one in %2</source>
-        <translation>تؤخذ %1 لعدد بلا وحدة، لا لعدد بوحدة %2</translation>
+        <translation>تؤخذ ⁨%1⁩ لعدد بلا وحدة، لا لعدد بوحدة ⁨%2⁩</translation>
     </message>
     <message>
         <source>it is in %1; %2 is right here</source>
-        <translation>إنه بوحدة %1؛ والصحيح هنا %2</translation>
+        <translation>إنه بوحدة ⁨%1⁩؛ والصواب هنا ⁨%2⁩</translation>
     </message>
 </context>
 <context>
@@ -3020,7 +3020,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Look for a factor ½, or for a second half that is missing.</source>
-        <translation>ابحث عن معامل ⁦½⁩، أو عن نصف ثانٍ ناقص.</translation>
+        <translation>ابحث عن عامل ⁦½⁩، أو عن نصف ثانٍ ناقص.</translation>
     </message>
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
@@ -3052,7 +3052,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
-        <translation>السرعة مأخوذة من الدائرة ⁨%1⁩ (%who)</translation>
+        <translation>تؤخذ سرعة %who من الدائرة ⁨%1⁩</translation>
     </message>
     <message>
         <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
@@ -3060,11 +3060,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Away from every wall a low speed of %who is taken away</source>
-        <translation>بعيدًا عن كل جدار تُزال السرعة الصغيرة (%who)</translation>
+        <translation>بعيدًا عن كل جدار تُمحى سرعة %who إن كانت صغيرة</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>من ⁦%1 m/s⁩ في البداية تصير السرعة ⁦%2 m/s⁩ بعد خطوة، بعيدًا عن كل جدار وكل دائرة أخرى؛ أما الأسرع فيمضي. انظر إلى الشروط التي قبل السطور التي تغيّر السرعة.</translation>
+        <translation>من ⁦%1 m/s⁩ في البداية تصير السرعة ⁦%2 m/s⁩ بعد خطوة، بعيدًا عن كل جدار وكل دائرة أخرى؛ أما الأسرع فيمضي. انظر إلى الشروط التي قبل الأسطر التي تغيّر السرعة.</translation>
     </message>
     <message>
         <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
@@ -3116,7 +3116,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
-        <translation>مدة الخطوة هي معامل `on_update`؛ أما `time` فالزمن منذ البداية، و`step` تعدّ الخطوات.</translation>
+        <translation>مدة الخطوة هي معامل ⁦`on_update`⁩؛ أما ⁦`time`⁩ فالزمن منذ البداية، و⁦`step`⁩ يعدّ الخطوات.</translation>
     </message>
     <message>
         <source>Between hits the velocity of %who changes</source>
@@ -3124,7 +3124,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
-        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩ مع أنها لا تلمس شيئًا؛ والجاذبية تعطيها ⁦%4 m/s⁩ في الخطوة. انظر ماذا يفعل `on_update` بالسرعة غير الجاذبية والتصادمات.</translation>
+        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩ مع أنها لا تلمس شيئًا؛ والجاذبية تعطيها ⁦%4 m/s⁩ في الخطوة. انظر ماذا تفعل ⁦`on_update`⁩ بالسرعة غير الجاذبية والتصادمات.</translation>
     </message>
     <message>
         <source>The velocity does not move %who</source>
@@ -3132,7 +3132,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
-        <translation>في كل خطوة يُضاف v Δt إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
+        <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
     </message>
     <message>
         <source>The walls do not give %who e times the speed back</source>
@@ -3148,15 +3148,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
-        <translation>دائرتان متساويتا نصف القطر والكثافة تستجيبان كأن الدائرة 2 أثقل من الدائرة 1 بمقدار ⁨%1⁩ مرة، ومع ⁦r₁ = %2⁩ و⁦r₂ = %3 m⁩ كأنها أثقل بمقدار ⁨%4⁩ مرة. قارن بين سطري الكتلتين.</translation>
+        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩، ومع ⁦r₁ = %2⁩ و⁦r₂ = %3 m⁩ مضروبةً في ⁨%4⁩. قارن بين سطري الكتلتين.</translation>
     </message>
     <message>
         <source>The hits hardly depend on the radii</source>
-        <translation>التصادمات لا تكاد تتوقف على أنصاف الأقطار</translation>
+        <translation>التصادمات لا تكاد تتوقف على نصفي القطرين</translation>
     </message>
     <message>
         <source>e acts on more than the rebound</source>
-        <translation>e يؤثر في أكثر من الارتداد</translation>
+        <translation>المعامل e يؤثر في أكثر من الارتداد</translation>
     </message>
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
@@ -3469,7 +3469,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1 stands in what several handed in: %2.</source>
-        <translation>⁨%1⁩ وارد فيما سلّمه عدة: ⁨%2⁩.</translation>
+        <translation>⁨%1⁩ وارد فيما سلّمه عدة طلاب: ⁨%2⁩.</translation>
     </message>
     <message>
         <source>Numbers that are not clear</source>
@@ -4008,11 +4008,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>%1: too large to be unpacked</source>
-        <translation>%1: أكبر من أن يُفك ضغطه</translation>
+        <translation>⁨%1⁩: أكبر من أن يُفك ضغطه</translation>
     </message>
     <message>
         <source>%1: left out %2</source>
-        <translation>%1: لم يؤخذ %2</translation>
+        <translation>⁨%1⁩: لم يؤخذ ⁨%2⁩</translation>
     </message>
     <message>
         <source>names that are in it more than once</source>
@@ -4024,7 +4024,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>cannot be unpacked: %1</source>
-        <translation>يتعذر فك ضغطه: %1</translation>
+        <translation>يتعذر فك ضغطه: ⁨%1⁩</translation>
     </message>
 </context>
 <context>
@@ -4200,7 +4200,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>this unpacks to more than %1 times its size, as no honest file does</source>
-        <translation>يُفكّ ضغط هذا إلى أكثر من ⁨%1⁩ مرة من حجمه، وهو ما لا يفعله ملف سليم</translation>
+        <translation>يُفكّ ضغط هذا إلى أكثر من ⁨%1⁩ ضعف حجمه، وهو ما لا يفعله ملف سليم</translation>
     </message>
     <message>
         <source>all of it is too large; at most %1 are right</source>
@@ -4404,7 +4404,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>of what the step has not: %1</source>
-        <translation>لما ليس في الخطوة: %1</translation>
+        <translation>لما ليس في المرحلة: ⁨%1⁩</translation>
     </message>
     <message>
         <source>not in this language yet: the starter&apos;s comments</source>
@@ -4412,7 +4412,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>its code is not that of starter.lua; a starter in another language differs in comments alone</source>
-        <translation>شيفرته ليست شيفرة starter.lua؛ لا يختلف برنامج البداية بلغة أخرى إلا في التعليقات</translation>
+        <translation>شيفرته ليست شيفرة ⁦starter.lua⁩؛ لا يختلف برنامج البداية بلغة أخرى إلا في التعليقات</translation>
     </message>
     <message>
         <source>there is no picture %1 in the step&apos;s folder</source>
@@ -4475,7 +4475,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>✓ passes</source>
-        <translation>✓ يجتاز</translation>
+        <translation>✓ تُجتاز</translation>
     </message>
     <message>
         <source>does not pass yet</source>
@@ -4621,7 +4621,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>fails what is turned, too fast, adrift by</source>
-        <translation>يُخفق ما يدور، أو يزيد سرعة، أو يحيد بمقدار</translation>
+        <translation>يرفض ما دار، أو زادت سرعته، أو حاد بمقدار</translation>
     </message>
     <message>
         <source>with %1 seeds</source>
@@ -4638,7 +4638,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>%1: %2 of %3 values, %4 to %5</source>
         <comment>of a range</comment>
-        <translation>⁨%1⁩: ⁨%2⁩ من ⁨%3⁩ قيم، من ⁨%4⁩ إلى ⁨%5⁩</translation>
+        <translation>⁨%1⁩: القيم ⁨%2⁩ من ⁨%3⁩، من ⁨%4⁩ إلى ⁨%5⁩</translation>
     </message>
     <message>
         <source>the question %1 asks for %2, and its tolerance is 0: nobody answers it rightly</source>
@@ -4852,7 +4852,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The vector turned left by 90°: (-y, x)</source>
-        <translation>المتجه مدارًا نحو اليسار ⁦90°⁩: ⁦(-y, x)⁩</translation>
+        <translation>المتجه مُدارًا نحو اليسار ⁦90°⁩: ⁦(-y, x)⁩</translation>
     </message>
     <message>
         <source>The part to the right; to change it, build a new vector</source>
@@ -5242,7 +5242,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Save scene &amp;as…</source>
-        <translation>حفظ المشهد باسم (&amp;A)…</translation>
+        <translation>حفظ المشهد باسم (&amp;V)…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -5254,7 +5254,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Add circle</source>
-        <translation>إضافة دائرة (&amp;A)</translation>
+        <translation>إضافة دائرة (&amp;N)</translation>
     </message>
     <message>
         <source>Reset to the &amp;step&apos;s scene</source>
@@ -5358,7 +5358,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>&amp;Follow the centre of mass</source>
-        <translation>متابعة مركز الكتلة (&amp;F)</translation>
+        <translation>متابعة مركز الكتلة (&amp;L)</translation>
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
@@ -5374,7 +5374,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Zoom to the h&amp;it</source>
-        <translation>تكبير التصادم (&amp;I)</translation>
+        <translation>تكبير التصادم (&amp;M)</translation>
     </message>
     <message>
         <source>Show the &amp;whole square</source>
@@ -5410,7 +5410,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Scene in a &amp;window of its own</source>
-        <translation>المشهد في نافذة مستقلة (&amp;W)</translation>
+        <translation>المشهد في نافذة مستقلة (&amp;D)</translation>
     </message>
     <message>
         <source>Hits to scree&amp;n readers</source>
@@ -5430,7 +5430,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Into the &amp;program</source>
-        <translation>إلى داخل البرنامج (&amp;P)</translation>
+        <translation>إلى داخل البرنامج (&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Panes</source>
@@ -5901,7 +5901,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the number is right; its unit is missing</source>
-        <translation>العدد صحيح؛ وتنقص وحدته</translation>
+        <translation>العدد صواب؛ وتنقص وحدته</translation>
     </message>
     <message>
         <source>%1 is not right, and its unit is missing</source>
@@ -5909,7 +5909,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the number is right, but not its unit: what is asked for is not measured in %1</source>
-        <translation>العدد صحيح، لا وحدته: المطلوب لا يُقاس بوحدة ⁨%1⁩</translation>
+        <translation>العدد صواب، لا وحدته: المطلوب لا يُقاس بوحدة ⁨%1⁩</translation>
     </message>
     <message>
         <source>%1 is not right: what is asked for is not measured in %2</source>
@@ -5917,7 +5917,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the number is right, but not in %1</source>
-        <translation>العدد صحيح، لكن ليس بوحدة ⁨%1⁩</translation>
+        <translation>العدد صواب، لكن ليس بوحدة ⁨%1⁩</translation>
     </message>
     <message>
         <source>%1 is not right</source>
@@ -5985,11 +5985,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the right number is missing</source>
-        <translation>ينقص العدد الصحيح</translation>
+        <translation>ينقص العدد المطلوب</translation>
     </message>
     <message>
         <source>Tolerance: a number from 0 is right</source>
-        <translation>التفاوت: الصحيح عدد من 0 فأكثر</translation>
+        <translation>التفاوت المسموح: الصواب عدد ابتداء من 0</translation>
     </message>
 </context>
 <context>
@@ -6574,7 +6574,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>how far off is still right, a number from 0 or an expression</source>
-        <translation>مقدار الانحراف الذي يبقى صحيحًا، عدد من 0 فأكثر أو تعبير</translation>
+        <translation>مقدار الانحراف الذي يبقى صحيحًا، عدد من 0 فأكثر أو عبارة</translation>
     </message>
     <message>
         <source>a short name of letters, digits, dots, dashes and underscores</source>
@@ -6745,7 +6745,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
-        <translation>معامل خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (ليس للعدد تمثيل صحيح)</translation>
+        <translation>معامل خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (لا يمكن تمثيل العدد عددًا صحيحًا)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
@@ -6753,7 +6753,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>number has no integer representation</source>
-        <translation>ليس للعدد تمثيل صحيح</translation>
+        <translation>لا يمكن تمثيل العدد عددًا صحيحًا</translation>
     </message>
     <message>
         <source>the first value of &apos;for&apos; must be a number</source>
@@ -6890,7 +6890,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Lua has no ? : to choose; write: if … then … else … end, or: condition and a or b</source>
-        <translation>ليس في Lua الرمزان ? : للاختيار؛ اكتب: ⁦if … then … else … end⁩، أو: ⁦condition and a or b⁩</translation>
+        <translation>ليس في Lua الرمزان ⁦? :⁩ للاختيار؛ اكتب: ⁦if … then … else … end⁩، أو: ⁦condition and a or b⁩</translation>
     </message>
     <message>
         <source>Lua has no %2=; write %1 = %1 %2 %3</source>
@@ -7234,11 +7234,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>`%1` is not known yet: a local can be used only after the statement that makes it</source>
-        <translation>`%1` غير معروف بعد: لا يُستعمل المتغير المحلي إلا بعد التعليمة التي تنشئه</translation>
+        <translation>⁦`%1`⁩ غير معروف بعد: لا يُستعمل المتغير المحلي إلا بعد التعليمة التي تنشئه</translation>
     </message>
     <message>
         <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
-        <translation>`%1` غير معروف هنا؛ مدة الخطوة هي معامل on_update، وتُعطى للدوال الأخرى وسيطًا</translation>
+        <translation>⁦`%1`⁩ غير معروف هنا؛ مدة الخطوة هي معامل on_update، وتُعطى للدوال الأخرى وسيطًا</translation>
     </message>
 </context>
 <context>
@@ -7423,7 +7423,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Search (Return: next place in the text)</source>
-        <translation>بحث (Return: الموضع التالي في النص)</translation>
+        <translation>بحث (Enter: الموضع التالي في النص)</translation>
     </message>
     <message>
         <source>Search the API reference</source>
@@ -7779,7 +7779,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>F&amp;ind and replace in the lab…</source>
-        <translation>البحث والاستبدال في المختبر… (&amp;I)</translation>
+        <translation>البحث والاستبدال في المختبر (&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;Values of lab and step</source>
@@ -7792,21 +7792,21 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message numerus="yes">
         <source>Exported without %n file(s) that are yours: %1</source>
         <translation>
-            <numerusform>صُدّر دون ترك أي ملف: %1</numerusform>
-            <numerusform>صُدّر دون ملف واحد يخصّك: %1</numerusform>
-            <numerusform>صُدّر دون ملفين يخصّانك: %1</numerusform>
-            <numerusform>صُدّر دون %n ملفات تخصّك: %1</numerusform>
-            <numerusform>صُدّر دون %n ملفًا يخصّك: %1</numerusform>
-            <numerusform>صُدّر دون %n ملف يخصّك: %1</numerusform>
+            <numerusform>صُدّر دون ترك أي ملف: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون ملف واحد يخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون ملفين يخصّانك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملفات تخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملفًا يخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملف يخصّك: ⁨%1⁩</numerusform>
         </translation>
     </message>
     <message>
         <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>في %1 يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
+        <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
     </message>
     <message>
         <source>Export &amp;for students…</source>
-        <translation>التصدير للطلاب (&amp;F)…</translation>
+        <translation>التصدير للطلاب (&amp;D)…</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>
@@ -8244,7 +8244,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>S. Euler</source>
         <comment>short for Symplectic Euler</comment>
-        <translation>أويلر تم.‏</translation>
+        <translation>تماثلية</translation>
     </message>
     <message>
         <source>Verlet</source>
@@ -8676,7 +8676,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Total of e&amp;ach</source>
-        <translation>كلية كل دائرة (&amp;A)</translation>
+        <translation>الكلية، كل دائرة (&amp;A)</translation>
     </message>
     <message>
         <source>Kinetic, &amp;each circle</source>
@@ -9310,7 +9310,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.</source>
-        <translation>التصادم ⁨%1⁩: الدائرة ⁨%2⁩ على ⁨%3⁩، متلامستان من ⁦%4 s⁩ إلى ⁦%5 s⁩.</translation>
+        <translation>التصادم ⁨%1⁩: الدائرة ⁨%2⁩ على ⁨%3⁩، في تلامس من ⁦%4 s⁩ إلى ⁦%5 s⁩.</translation>
     </message>
     <message>
         <source>Hit %1: circles %2 and %3, in contact from %4 s to %5 s.</source>
@@ -10542,7 +10542,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>The starter for students who read %1: the same code, with comments in that language. Without it they get starter.lua.</source>
-        <translation>برنامج البداية لمن يقرأ %1: الشيفرة نفسها بتعليقات بهذه اللغة. ومن دونه يحصلون على starter.lua.</translation>
+        <translation>برنامج البداية لمن يقرأ ⁨%1⁩: الشيفرة نفسها بتعليقات بهذه اللغة. ومن دونه يحصلون على ⁦starter.lua⁩.</translation>
     </message>
 </context>
 <context>
@@ -10680,7 +10680,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>; a hit with %1</source>
-        <translation>؛ تصادم مع %1</translation>
+        <translation>؛ تصادم مع ⁨%1⁩</translation>
     </message>
 </context>
 <context>
@@ -10815,7 +10815,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Fails by “%1”; students read: “%2”, of: %3 (%4)</source>
-        <translation>يفشل في «⁨%1⁩»؛ ويقرأ الطلاب «⁨%2⁩»، في: ⁨%3⁩ (⁨%4⁩)</translation>
+        <translation>يخفق في «⁨%1⁩»؛ ويقرأ الطلاب «⁨%2⁩»، في: ⁨%3⁩ (⁨%4⁩)</translation>
     </message>
 </context>
 <context>
@@ -11000,7 +11000,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Right number</source>
-        <translation>العدد الصحيح</translation>
+        <translation>العدد المطلوب</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -11149,7 +11149,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Press Check (Ctrl+Return) when you are done.</source>
-        <translation>اضغط «تحقّق» ⁦(Ctrl+Return)⁩ حين تنتهي.</translation>
+        <translation>اضغط «تحقّق» ⁦(Ctrl+Enter)⁩ حين تنتهي.</translation>
     </message>
     <message>
         <source>Changed since this check</source>
@@ -11233,15 +11233,15 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Back to the scene that passed ▸</source>
-        <translation>عُد إلى المشهد الذي اجتاز ◂</translation>
+        <translation>العودة إلى المشهد الذي اجتاز ◂</translation>
     </message>
     <message>
         <source>Back to the scene that passed</source>
-        <translation>عُد إلى المشهد الذي اجتاز</translation>
+        <translation>العودة إلى المشهد الذي اجتاز</translation>
     </message>
     <message>
         <source>Sets the values with which you passed this step; Undo takes that back</source>
-        <translation>يضبط القيم التي اجتزت بها هذه الخطوة؛ والتراجع يلغي ذلك</translation>
+        <translation>يضبط القيم التي اجتزت بها هذه المرحلة؛ والتراجع يلغي ذلك</translation>
     </message>
 </context>
 <context>
@@ -11451,7 +11451,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>The file of this scene, in which numbers may be expressions</source>
-        <translation>ملف هذا المشهد، ويجوز أن تكون الأعداد فيه تعابير</translation>
+        <translation>ملف هذا المشهد، ويجوز أن تكون الأعداد فيه عبارات</translation>
     </message>
     <message>
         <source>Add a circle: + Add circle</source>
@@ -11466,7 +11466,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Numbers may be expressions, in quotes: &quot;1 + 0.42*cos(pi/6)&quot;, &quot;20 cm&quot;, or with the lab&apos;s values, &quot;-e*v&quot;. What cannot be read stays here and is not in the lab yet.</source>
-        <translation>يجوز أن تكون الأعداد تعابير بين علامتي اقتباس: ⁦&quot;1 + 0.42*cos(pi/6)&quot;⁩ أو ⁦&quot;20 cm&quot;⁩، أو بقيم المختبر ⁦&quot;-e*v&quot;⁩. وما لا يمكن قراءته يبقى هنا ولا يدخل المختبر بعد.</translation>
+        <translation>يجوز أن تكون الأعداد عبارات بين علامتي اقتباس: ⁦&quot;1 + 0.42*cos(pi/6)&quot;⁩ أو ⁦&quot;20 cm&quot;⁩، أو بقيم المختبر ⁦&quot;-e*v&quot;⁩. وما لا يمكن قراءته يبقى هنا ولا يدخل المختبر بعد.</translation>
     </message>
     <message>
         <source>The scene as text</source>
@@ -11497,7 +11497,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>ghost: %1 · %2 m apart</source>
-        <translation>الطيف: ⁨%1⁩ · الفرق ⁦%2 m⁩</translation>
+        <translation>الشبح: ⁨%1⁩ · الفرق ⁦%2 m⁩</translation>
     </message>
     <message>
         <source>No exact motion beside more than %1 circles</source>
@@ -12597,7 +12597,7 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
     <message>
         <source>Back to the scene that passed</source>
-        <translation>عُد إلى المشهد الذي اجتاز</translation>
+        <translation>العودة إلى المشهد الذي اجتاز</translation>
     </message>
 </context>
 <context>
