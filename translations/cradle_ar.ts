@@ -748,7 +748,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
-        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبة في الخطوة الزمنية ⁦%4 m⁩</translation>
+        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩</translation>
     </message>
     <message>
         <source>. This is what %1 does</source>
@@ -908,7 +908,7 @@
     </message>
     <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
-        <translation>الاصطدامات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
+        <translation>التصادمات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
     </message>
     <message>
         <source>The circles did not meet, so there is no hit to judge</source>
@@ -3136,11 +3136,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The walls do not give %who e times the speed back</source>
-        <translation>لا تعيد الجدران إلى %who السرعة مضروبة في e</translation>
+        <translation>لا تعيد الجدران إلى %who السرعة مضروبةً في e</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>مع ⁦e = %1⁩ تعود السرعة مضروبة في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبة في ⁨%4⁩. انظر إلى العامل أمام المركّبة التي تعكسها.</translation>
+        <translation>مع ⁦e = %1⁩ تعود السرعة مضروبةً في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبةً في ⁨%4⁩. انظر إلى العامل أمام المركّبة التي تعكسها.</translation>
     </message>
     <message>
         <source>At the walls the radius of another circle stands for that of %who</source>
@@ -3160,7 +3160,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
-        <translation>تفترق الدائرتان بسرعة التقائهما مضروبة في e كما ينبغي؛ لكن ما لهما معًا، أي كمية حركتهما، يتغير أيضًا.</translation>
+        <translation>تفترق الدائرتان بسرعة التقائهما مضروبةً في e كما ينبغي؛ لكن ما لهما معًا، أي كمية حركتهما، يتغير أيضًا.</translation>
     </message>
 </context>
 <context>
