@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
+#include "views/theme.h"
 
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -45,10 +46,12 @@ void rewrite(QPlainTextEdit *text, const QString &before, const QString &after)
 
 void TestAuthorSceneText::expressionStaysAndMovesTheCircle()
 {
+    applyTheme(ThemeChoice::Light);
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     auto *text = openText(author, folder);
     QVERIFY(text->isVisible());
+    QVERIFY2(QFontInfo(text->font()).fixedPitch(), qPrintable(text->font().family()));
     QCOMPARE(author.focus(), text);
     rewrite(text, QStringLiteral("[0, 1.2]"),
             QStringLiteral("[\"20 cm\", \"1 + 0.42*cos(pi/3)\"]"));

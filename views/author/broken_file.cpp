@@ -26,9 +26,9 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     m_reason->setWordWrap(true);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setKind(m_reason, "warning");
+    m_text->setFont(codeFont()); // first: a style sheet remembers what it was before
     setKind(m_text, "field");
     m_text->setObjectName(QStringLiteral("brokenText"));
-    m_text->setFont(codeFont());
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setUndoRedoEnabled(false); // undo is the lab's
     m_text->setTabChangesFocus(true);

@@ -29,9 +29,9 @@ SceneText::SceneText(AuthorDocument &document, QWidget *parent)
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_reason->setObjectName(QStringLiteral("sceneTextReason"));
     setKind(m_reason, "warning");
+    m_text->setFont(codeFont()); // first: a style sheet remembers what it was before
     setKind(m_text, "field");
     m_text->setObjectName(QStringLiteral("sceneText"));
-    m_text->setFont(codeFont());
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setLayoutDirection(Qt::LeftToRight);
     m_text->setUndoRedoEnabled(false); // undo is the lab's
