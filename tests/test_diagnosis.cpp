@@ -180,7 +180,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });
-    row("L42T16", "normal parts times e", "e does not act on the rebound as it should",
+    row("L42T16", "normal parts times e", "e acts on more than the rebound",
         [](OtherForm &f) {
             f.answer.replace(lab("(1 + restitution)"), lab("2"));
             edit(f.answer, "* n end",
