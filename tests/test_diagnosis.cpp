@@ -180,13 +180,12 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });
-    row("L42T16", "normal parts times e", "e acts on more than the rebound",
-        [](OtherForm &f) {
-            f.answer.replace(lab("(1 + restitution)"), lab("2"));
-            edit(f.answer, "* n end",
-                 "* n for _, c in ipairs({p, q}) do "
-                 "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
-        });
+    row("L42T16", "normal parts times e", "e acts on more than the rebound", [](OtherForm &f) {
+        f.answer.replace(lab("(1 + restitution)"), lab("2"));
+        edit(f.answer, "* n end",
+             "* n for _, c in ipairs({p, q}) do "
+             "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
+    });
     row("L42T17", "elastic walls, clamped", "The walls give both circles all of the speed back",
         [](OtherForm &f) { edit(f.walls, "local e = restitution", "local e = 1"); });
     row("L42T17", "elastic walls, Euler and mirrored",
