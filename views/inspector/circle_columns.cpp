@@ -11,7 +11,8 @@ QVariant CircleTableModel::headerData(int section, Qt::Orientation orientation, 
     if (orientation == Qt::Vertical)
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     if (role == unitRole)
-        return unitOf(section);
+        // One unit for density everywhere; where it has no room, the tool tip names it.
+        return m_isBrief && section == Density ? QString() : unitOf(section);
     if (role == Qt::TextAlignmentRole)
         return QVariant(isNumber(section) || section == Mass ? Qt::AlignRight | Qt::AlignVCenter
                                                              : Qt::AlignLeft | Qt::AlignVCenter);
@@ -73,7 +74,7 @@ QString CircleTableModel::unitOf(int column) const
     case VelocityY:
         return QStringLiteral("m/s");
     case Density:
-        return m_isBrief ? QStringLiteral("g/cm³") : QStringLiteral("1000 kg/m³"); // the same
+        return QStringLiteral("1000 kg/m³");
     case Mass:
         return QStringLiteral("kg");
     default:
