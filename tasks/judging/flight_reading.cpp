@@ -262,7 +262,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
     const Steps second = run(Scene::Second);
     const Steps shifted = run(Scene::Shifted);
     const Steps quick = run(Scene::Fast);
-    const Steps late = fly(program, flightPreset(ground, gravity, h, Scene::Late), lateSteps);
+    const Steps late = fly(program, flightPreset(ground, gravity, h, Scene::First), lateSteps);
     if (!rest.made || !first.made || !second.made || !shifted.made) {
         // A program may stop where a circle rests, and tell enough where it moves.
         for (std::size_t i = 0; i < flights.size(); ++i) {

@@ -43,7 +43,7 @@ struct Flight {
     bool isTimeless = true; ///< the same start gives the same step at any time of a run
     Vec2 lateWay{};         ///< of a step late in a run that starts as seen[0] did, m
     Vec2 lateVelocity{};    ///< after the first of such steps, m/s
-    /// A flight whose first step changes its velocity otherwise than later ones do; 0 of none.
+    /// A flight whose first step changes its velocity otherwise than later ones do.
     struct Leap {
         Vec2 from{};         ///< velocity, m/s
         Vec2 to{};           ///< m/s

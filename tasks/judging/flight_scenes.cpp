@@ -30,10 +30,8 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
     preset.timestep = h;
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
-        if (scene == Scene::First || scene == Scene::Late)
-            c.velocity = velocityOf(0, i);
-        else if (scene == Scene::Second)
-            c.velocity = velocityOf(1, i);
+        if (scene == Scene::First || scene == Scene::Second)
+            c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
         else if (scene == Scene::Fast)
             c.velocity = fast * velocityOf(0, i);
         else if (scene == Scene::Alone && i == mover)
