@@ -190,7 +190,7 @@ void addEndless(const Task &task, VerifiedTask &verified)
             QString::number(question.number, 'g', writable).toDouble() == question.number;
         if (question.kind == Question::Kind::Number && question.tolerance == 0.0 && !isWritten)
             verified.warnings.push_back(
-                {.kind = Kind::TextUnfinished,
+                {.kind = Kind::QuestionEndless,
                  .task = task.id,
                  .message = VerifyText::tr("the question %1 asks for %2, and its tolerance is 0: "
                                            "nobody answers it rightly")

@@ -35,6 +35,7 @@ struct LabFinding {
         ToleranceTooTight,      ///< the solution itself nearly uses up that of \c check
         CheckIsDuplicate,       ///< \c check asks for the same as one before it
         CheckNeverAlone,        ///< no mistake is seen by \c check alone
+        QuestionEndless,        ///< it asks for a number that nobody can write down
         TextUnfinished          ///< a half translation, or a text left from the template
     };
 

@@ -129,8 +129,8 @@ public:
             const bool ofAnswer =
                 it.key() == QLatin1String("right") || it.key() == QLatin1String("tolerance");
             if (ofAnswer && it.value().isString() && !m_values.isEmpty())
-                it.value() = numberOfAnswer(it.value().toString(), below,
-                                            json.value(QStringLiteral("unit")).toString());
+                it.value() = number(withoutMarks(it.value().toString()), it.value().toString(),
+                                    below, json.value(QStringLiteral("unit")).toString());
             else if (it.key() != QLatin1String("values"))
                 it.value() = numbers ? all(it.value(), below, false) : textBelow(it.value(), below);
         }
@@ -146,13 +146,6 @@ private:
         return names.contains(key);
     }
 
-    /// Of a question, with marks or without: "3/{{k}}" is "3/k".
-    QJsonValue numberOfAnswer(const QString &written, const QString &place, const QString &unit)
-    {
-        const QString plain = QString(written).replace(mark(), QStringLiteral("(\\1)"));
-        return number(plain, written, place, unit);
-    }
-
     QJsonValue fail(Error error, const QString &place, const QString &value)
     {
         error.pointer = place;
@@ -166,6 +159,11 @@ private:
 };
 
 } // namespace
+
+QString withoutMarks(const QString &expression)
+{
+    return QString(expression).replace(mark(), QStringLiteral("(\\1)"));
+}
 
 Result<QString> withNumbers(const QString &text, const Values &values, bool lenient)
 {

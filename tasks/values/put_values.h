@@ -15,6 +15,9 @@ namespace cradle {
 [[nodiscard]] Result<QString> withNumbers(const QString &text, const Values &values,
                                           bool lenient = false);
 
+/// An expression in which values stand between marks, without those: "3/{{k}}" is "3/(k)".
+[[nodiscard]] QString withoutMarks(const QString &expression);
+
 /// A scene whose numbers may be expressions, as "1 + 0.42*cos(pi/6)".
 [[nodiscard]] Result<QJsonObject> sceneWithNumbers(const QJsonObject &scene, const Values &values);
 

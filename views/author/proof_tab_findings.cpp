@@ -124,7 +124,9 @@ void ProofTab::addFinding(const LabFinding &finding, bool wrong)
         QPushButton *button = addRow(text, wrong, tr("Open the check"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit checkRequested(finding.check); });
-    } else if (finding.kind == LabFinding::Kind::TextUnfinished) {
+    } else if (finding.kind == LabFinding::Kind::TextUnfinished
+               || finding.kind == LabFinding::Kind::QuestionEndless
+               || finding.kind == LabFinding::Kind::ValueFails) {
         addRow(text, wrong, {});
     } else {
         QPushButton *button = addRow(text, wrong, tr("Open the programs"));

@@ -5,6 +5,7 @@
 #include "model/files/expression.h"
 #include "model/files/unit.h"
 #include "tasks/authoring/free_name.h"
+#include "tasks/values/put_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/question_bounds.h"
 
@@ -86,10 +87,7 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
 {
     static const QRegularExpression idForm(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     Question &question = current();
-    // Marks round a value are taken, too: {{k}} is k.
-    static const QRegularExpression mark(QStringLiteral("\\{\\{([^{}]+)\\}\\}"));
-    const QString expression = QString(text).replace(mark, QStringLiteral("(\\1)"));
-    const Result<double> number = evaluated(expression, m_values, question.unit);
+    const Result<double> number = evaluated(withoutMarks(text), m_values, question.unit);
     bool isPlain = false;
     (void)text.toDouble(&isPlain);
     switch (line) {
