@@ -261,8 +261,15 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
     const Steps first = run(Scene::First);
     const Steps second = run(Scene::Second);
     const Steps shifted = run(Scene::Shifted);
-    const Steps quick = run(Scene::Fast);
-    const Steps late = fly(program, flightPreset(ground, gravity, h, Scene::First), lateSteps);
+    // What hangs on the moment or on the speed shows with any timestep: the further ones, of which
+    // only the factors are compared, need not show it again.
+    const bool isFurther =
+        !ground.timesteps.empty() && h != ground.timesteps.front()
+        && std::find(ground.timesteps.begin(), ground.timesteps.end(), h) != ground.timesteps.end();
+    const Steps quick = isFurther ? Steps() : run(Scene::Fast);
+    const Steps late =
+        isFurther ? Steps()
+                  : fly(program, flightPreset(ground, gravity, h, Scene::First), lateSteps);
     if (!rest.made || !first.made || !second.made || !shifted.made) {
         // A program may stop where a circle rests, and tell enough where it moves.
         for (std::size_t i = 0; i < flights.size(); ++i) {
@@ -287,7 +294,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
                 flights[i].leap = leapOf(flights[i], quick, h, i, true);
         }
         if (flights[i].resets || flights[i].resetsX || flights[i].resetsY)
-            flights[i].onlySlow = keepsSpeed(flights[i], rest, quick, i);
+            flights[i].onlySlow =
+                keepsSpeed(flights[i], rest, isFurther ? run(Scene::Fast) : quick, i);
         if (!flights[i].isKnown || flights[i].way == Vec2{})
             flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
     }
