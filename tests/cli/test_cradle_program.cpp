@@ -24,6 +24,7 @@ private slots:
     void explainsItselfWithoutADisplay();
     void drawsAPictureWithoutADisplay_data();
     void drawsAPictureWithoutADisplay();
+    void drawsAWindowWithoutOpenGl();
     void pictureShowsTheMoment();
     void pictureShowsAFile();
     void pictureShowsAnArchive();
@@ -146,6 +147,28 @@ void TestCradleProgram::drawsAPictureWithoutADisplay()
     QFETCH(QString, options);
     QFETCH(QSize, size);
     QCOMPARE(sizeOf(picture(options)), size);
+}
+
+/// On a display with GLX whose drivers this machine lacks, which Qt ends a program for.
+void TestCradleProgram::drawsAWindowWithoutOpenGl()
+{
+    QVERIFY(QDir(m_home->path()).mkdir(text("drivers")));
+    for (const char *name : {"drivers/libGLX_mesa.so.0", "drivers/libGLX_indirect.so.0"})
+        QVERIFY(!written(*m_home, name, "no library").isEmpty());
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(text("QT_QPA_PLATFORM"), text("xcb"));
+    environment.remove(text("QT_XCB_GL_INTEGRATION"));
+    const QStringList arguments{text("env"),
+                                text("LD_LIBRARY_PATH=") + path("drivers"),
+                                cradle::desktopProgram(),
+                                text("--screenshot"),
+                                path("picture.png"),
+                                text("--size"),
+                                text("1280x800")};
+    const Outcome outcome =
+        run(cradle::sourcePath("tests/tools/with-display"), arguments, m_home->path(), environment);
+    VERIFY_CODE(outcome, 0);
+    QCOMPARE(sizeOf(contentOf(path("picture.png"))), QSize(1280, 800));
 }
 
 void TestCradleProgram::pictureShowsTheMoment()

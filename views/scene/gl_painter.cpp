@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/gl_painter.h"
 
+#include "views/scene/glx_check.h"
 #include "views/scene/stroke_geometry.h"
 
 #include <QCoreApplication>
@@ -61,15 +62,17 @@ void append(std::vector<float> &to, const QLineF &line)
 GlSupport probe()
 {
     GlSupport support;
+    support.reason = GlText::tr("No OpenGL context can be made here");
+    if (lacksGlxVisual())
+        return support;
     QOffscreenSurface surface;
     surface.setFormat(wantedFormat());
     surface.create();
     QOpenGLContext context;
     context.setFormat(wantedFormat());
-    if (!context.create() || !context.makeCurrent(&surface)) {
-        support.reason = GlText::tr("No OpenGL context can be made here");
+    if (!context.create() || !context.makeCurrent(&surface))
         return support;
-    }
+    support.reason.clear();
     support.renderer = QString::fromUtf8(
         reinterpret_cast<const char *>(context.functions()->glGetString(GL_RENDERER)));
     const QString name = support.renderer.toLower();
