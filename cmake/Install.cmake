@@ -13,7 +13,7 @@ if(UNIX AND NOT APPLE)
     install(FILES "${resources}/desktop/cradle.desktop"
             DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
     install(FILES "${resources}/desktop/cradle.metainfo.xml"
-            DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+            DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" RENAME org.cradle_lab.cradle.metainfo.xml)
     install(FILES "${resources}/desktop/cradle.xml"
             DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages")
     install(FILES "${resources}/desktop/cradle.svg"
