@@ -67,8 +67,8 @@ int main(int argc, char **argv)
     while (!window.windowHandle() || !window.windowHandle()->isExposed())
         QApplication::processEvents();
     QApplication::processEvents();
-    out << "first frame after " << sinceStart.elapsed() << " ms, " << residentMb() << " MB"
-        << Qt::endl;
+    out << "first frame after " << sinceStart.elapsed() << " ms, " << 1000.0 * cpuSeconds()
+        << " ms of CPU, " << residentMb() << " MB" << Qt::endl;
 
     Preset preset = bench.document().preset();
     preset.gravity = {0.0, -9.81};
