@@ -12,8 +12,8 @@ build_packages=(
 run_packages=(libgl1-mesa-dri qt6-qpa-plugins fonts-inter fonts-jetbrains-mono bubblewrap)
 test_packages=(clang libclang-rt-14-dev clang-format clang-tidy xvfb libxml2-utils perl python3
     poppler-utils qpdf unzip)
-package_packages=(appstream debootstrap desktop-file-utils dpkg-dev lintian patchelf qt6-translations-l10n
-    xz-utils) # for tools/package and tests/tools/try-packages
+package_packages=(appstream debootstrap desktop-file-utils dpkg-dev fonts-dejavu-core lintian patchelf
+    qt6-translations-l10n xz-utils) # for tools/package and tests/tools/try-packages
 bench_packages=(libbenchmark-dev libbox2d-dev libchipmunk-dev python3) # for the preset bench
 
 # need_packages NAME...: installs those that are missing; present ones cost no time.

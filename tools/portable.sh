@@ -106,9 +106,11 @@ make_portable() {
     } | sort -u -t/ -k4 | awk -F/ '!seen[$NF]++')
     cp "$translations"/qtbase_*.qm "$folder/translations/"
     cp /usr/share/fonts/opentype/inter/Inter-{Regular,Italic,Medium,SemiBold,Bold,BoldItalic}.otf \
-        /usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-{Regular,Italic,Bold}.ttf "$folder/fonts/"
+        /usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-{Regular,Italic,Bold}.ttf \
+        /usr/share/fonts/truetype/dejavu/DejaVuSans{,-Bold}.ttf "$folder/fonts/" # the last for Arabic
     bundle_licence fonts/Inter /usr/share/fonts/opentype/inter/Inter-Regular.otf "$folder"
     bundle_licence fonts/JetBrainsMono /usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf "$folder"
+    bundle_licence fonts/DejaVuSans /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder"
     # Where their texts only point to the common ones.
     cp -L /usr/share/common-licenses/{Apache-2.0,Artistic,BSD,GFDL-1.3,GPL-1,GPL-2,GPL-3,LGPL-2,LGPL-2.1,LGPL-3,MPL-1.1,MPL-2.0} \
         "$folder/licenses/"
