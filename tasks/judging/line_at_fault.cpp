@@ -21,6 +21,16 @@ namespace {
 constexpr int mostMeasured = 7;
 constexpr std::size_t mostDoubtful = 3;
 constexpr int mostOfALine = 3;
+
+/// Whether the line gives numbers as the start of what a stage sets itself: gravity = vec(0, -9.8).
+bool isPinnedStart(const QString &row)
+{
+    static const QRegularExpression start(QStringLiteral(
+        "^\\s*((gravity|restitution|[\\w\\[\\]]+\\.(radius|density|position|velocity))\\s*,?\\s*)+"
+        "=[-\\d.,\\s()/*]*(vec\\s*\\([-\\d.,\\s()/*]*)*(--.*)?$"));
+    return row.contains(start);
+}
+
 /// The lines that only the moment needs, then others that run at it, then those that work out what
 /// circles keep, such as masses; of the first those that a teacher would look at before others.
 std::vector<int> suspects(const FaultQuery &query)
@@ -61,7 +71,8 @@ std::vector<int> suspects(const FaultQuery &query)
     static const QRegularExpression quantities(
         QStringLiteral("radius|density|mass|restitution|gravity|square"));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        if (rows[line - 1].contains(quantities) && !dead.contains(line))
+        if (rows[line - 1].contains(quantities) && !dead.contains(line)
+            && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }
     return lines;
@@ -118,7 +129,7 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     std::vector<Repair> doubtful;
     std::map<int, int> tries;
     int measured = 0;
-    for (const Repair &repair : repairsOf(query.program, suspects(query))) {
+    for (const Repair &repair : repairsOf(query.program, query.reference, suspects(query))) {
         if (measured >= mostMeasured)
             break;
         const Sight sight = look.of(repair.source);

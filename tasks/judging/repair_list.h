@@ -12,8 +12,10 @@ namespace cradle {
 class RepairList
 {
 public:
-    explicit RepairList(const ProgramLines &program)
+    /// \param rebounds  whether e is of the step: else it is 1, and that is tried as such
+    RepairList(const ProgramLines &program, bool rebounds)
         : m_program(program)
+        , m_rebounds(rebounds)
     {
     }
 
@@ -41,6 +43,7 @@ private:
     void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
 
     const ProgramLines &m_program;
+    bool m_rebounds;
     std::vector<Repair> m_repairs{};
     std::vector<Repair> m_twins{}; ///< in several lines alike
     QSet<QString> m_known{};

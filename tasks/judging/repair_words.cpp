@@ -46,6 +46,15 @@ void changeNumber(RepairList &repairs, std::size_t i)
                         QStringLiteral("gravity.y"));
 }
 
+/// What has no sign: a circle or all of them, not what they have.
+bool isWholeCircle(const RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &name = repairs.tokens()[i];
+    return !repairs.is(i + 1, ".") && !repairs.is(i + 1, "[")
+           && (name.text == QLatin1String("circles")
+               || repairs.program().bodiesNear(name.line).contains(name.text));
+}
+
 void changeSign(RepairList &repairs, std::size_t i)
 {
     static const QList<std::pair<const char *, const char *>> pairs{
@@ -59,10 +68,11 @@ void changeSign(RepairList &repairs, std::size_t i)
     }
     if (sign.is("-") && !binary)
         repairs.replace(sign, {});
-    // A minus in front of what is given to a velocity or a function.
+    // A minus in front of what is given to a velocity or a function, but not of a circle.
     const bool begins = repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",");
     if (begins && i + 1 < repairs.tokens().size()
-        && repairs.tokens()[i + 1].kind == ProgramToken::Kind::Name)
+        && repairs.tokens()[i + 1].kind == ProgramToken::Kind::Name
+        && !isWholeCircle(repairs, i + 1))
         repairs.insertAfter(sign, QStringLiteral(" -"));
 }
 

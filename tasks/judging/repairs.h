@@ -18,8 +18,10 @@ struct Repair {
 /// Programs that differ from \p source in one token, one factor, one term, one part of a condition
 /// or one statement: what students forget, exchange or get the wrong way round, undone. Such as
 /// cannot be read are among them.
+/// \param reference  who names no restitution there and here has none to put in
 /// \param lines  in which something may be changed, in that order; no more than some hundred
 ///               repairs are made
-[[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const std::vector<int> &lines);
+[[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const QString &reference,
+                                            const std::vector<int> &lines);
 
 } // namespace cradle
