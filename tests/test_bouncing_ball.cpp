@@ -3,6 +3,7 @@
 #include "tests/lab_test.h"
 
 #include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/verified_text.h"
 
 #include <QFile>
 #include <QRegularExpression>

@@ -5,6 +5,7 @@
 
 #include "tasks/judging/checker.h"
 #include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/verified_text.h"
 #include "tasks/reading/lab_reader.h"
 
 #include <QDir>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/proof/tolerance_margin.h"
+#include "tasks/proof/verified_text.h"
 
 #include <QJsonArray>
 #include <QTest>

@@ -7,6 +7,7 @@
 #include "tasks/authoring/mutations.h"
 #include "tasks/lab_files/step_alone.h"
 #include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/verified_text.h"
 #include "tasks/reading/lab_archive.h"
 
 #include <QCoreApplication>

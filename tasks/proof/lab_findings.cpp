@@ -38,12 +38,6 @@ QString stopText(const CheckOutcome &stopped)
     return VerifyText::tr("is not judged by the check %1: %2").arg(stopped.id, stopped.message);
 }
 
-bool isStoppedBy(const CheckReport &report, const QString &check)
-{
-    return std::any_of(report.checks.begin(), report.checks.end(),
-                       [&](const CheckOutcome &c) { return c.id == check && c.checkStopped; });
-}
-
 const CheckOutcome *firstFailure(const CheckReport &report)
 {
     const auto found = std::find_if(report.checks.begin(), report.checks.end(),
@@ -198,17 +192,6 @@ void addEndless(const Task &task, VerifiedTask &verified)
     }
 }
 
-/// "x . x": which checks failed.
-QString rowOf(const VerifiedTask &task, const CheckReport &report)
-{
-    QStringList marks;
-    for (const QString &check : task.checks)
-        marks.append(isStoppedBy(report, check)  ? QStringLiteral("!")
-                     : isFailedBy(report, check) ? QStringLiteral("x")
-                                                 : QStringLiteral("."));
-    return marks.join(QStringLiteral("  "));
-}
-
 } // namespace
 
 void findProblems(const Lab &lab, const Task &task, const std::vector<Error> &gaps,
@@ -296,66 +279,6 @@ LabFinding tooTight(const Task &task, const CheckSpec &check, const TightToleran
                                "(%4): other right programs may fail; at least %5 is right")
                     .arg(check.id, figure(tight.allowed), figure(tight.needed), tight.variant,
                          figure(toleranceMargin * tight.needed))};
-}
-
-void dropNeeded(VerifiedTask &verified, const QStringList &alone)
-{
-    std::erase_if(verified.warnings, [&](const LabFinding &warning) {
-        return warning.kind == Kind::CheckNeverAlone && alone.contains(warning.check);
-    });
-}
-
-QString programPath(const VerifiedProgram &program)
-{
-    switch (program.role) {
-    case Role::Starter:
-    case Role::Solution:
-        return program.name;
-    case Role::Remark:
-        return QStringLiteral("remarks/") + program.name;
-    case Role::Mistake:
-        break;
-    }
-    return QStringLiteral("mistakes/") + program.name;
-}
-
-/// How wrong is just wrong enough for the check at \p index.
-QString wrongEnough(const VerifiedTask &task, qsizetype index)
-{
-    const auto at = static_cast<std::size_t>(index);
-    const bool measured = at < task.sensitivity.size() && task.sensitivity[at];
-    return measured ? describe(*task.sensitivity[at]) : QString();
-}
-
-QString describeVerified(const VerifiedTask &task)
-{
-    QString text = QStringLiteral("%1  %2\n").arg(task.id, task.title);
-    text += QStringLiteral("  %1 %2\n")
-                .arg(QString(), 59)
-                .arg(VerifyText::tr("fails what is turned, too fast, adrift by"));
-    for (qsizetype i = 0; i < task.checks.size(); ++i)
-        text += QStringLiteral("  %1 %2  %3\n")
-                    .arg(i + 1, 36)
-                    .arg(task.checks[i], -22)
-                    .arg(wrongEnough(task, i));
-    for (const VerifiedProgram &program : task.programs) {
-        const CheckReport &report = program.reports.front();
-        QString note;
-        if (program.role == Role::Mistake)
-            note = report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("-");
-        else if (program.role == Role::Solution)
-            note = VerifyText::tr("with %1 seeds").arg(program.reports.size());
-        else if (program.role == Role::Remark)
-            note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
-        text += QStringLiteral("  %1 %2   %3\n")
-                    .arg(programPath(program), -36)
-                    .arg(rowOf(task, report), note);
-    }
-    for (const LabFinding &finding : task.findings)
-        text += QStringLiteral("  ! %1\n").arg(finding.message);
-    for (const LabFinding &warning : task.warnings)
-        text += QStringLiteral("  ? %1\n").arg(warning.message);
-    return text;
 }
 
 } // namespace cradle

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/proof/lab_verifier.h"
+#include "tasks/lab/lab.h"
 #include "tasks/proof/tolerance_margin.h"
+#include "tasks/proof/verified_task.h"
 
 namespace cradle {
 

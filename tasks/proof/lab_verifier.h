@@ -2,62 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/judgement.h"
-#include "tasks/proof/sensitivity.h"
+#include "tasks/proof/verified_task.h"
 
 namespace cradle {
-
-/// What became of one program that a step of a lab knows.
-struct VerifiedProgram {
-    enum class Role { Starter, Solution, Mistake, Remark };
-
-    Role role = Role::Mistake;
-    QString name;
-    std::vector<CheckReport> reports{}; ///< one for each seed
-};
-
-/// Something about a lab that is not as it should be.
-struct LabFinding {
-    enum class Kind {
-        NoSolution,             ///< the step has no solution.lua
-        ProgramErrs,            ///< a program does not load or stops with an error
-        StarterPasses,          ///< it should fail by a check
-        SolutionFails,          ///< by \c check with \c seed
-        MistakePasses,          ///< it should fail by a check
-        MistakeNotRecognised,   ///< it fails, and nothing is said of it
-        MistakeTakenForAnother, ///< it gets the diagnosis of another
-        MistakeDiffersInMore,   ///< it has another value than the solution beside its mistake
-        RemarkFails,            ///< work that gets a remark should pass
-        RemarkNotRecognised,    ///< it passes, and nothing is said of it
-        CheckNeverFails,        ///< no mistake fails \c check
-        CheckStops,             ///< \c check itself stops with an error on \c program
-        ValueFails,             ///< what some student draws is no number somewhere
-        ToleranceTooTight,      ///< the solution itself nearly uses up that of \c check
-        CheckIsDuplicate,       ///< \c check asks for the same as one before it
-        CheckNeverAlone,        ///< no mistake is seen by \c check alone
-        QuestionEndless,        ///< it asks for a number that nobody can write down
-        TextUnfinished          ///< a half translation, or a text left from the template
-    };
-
-    Kind kind = Kind::ProgramErrs;
-    QString task;      ///< id of the step
-    QString program{}; ///< "starter", "mistakes/NAME": its file in the step's folder without the
-                       ///< ending; "solution-preset" is a scene; empty if it is about none
-    QString check{};   ///< id of the check; empty if it is about none
-    qint64 seed = 1;   ///< with which it shows
-    QString message{}; ///< what is wrong and what would be right
-};
-
-/// A step of a lab with what its programs showed of it.
-struct VerifiedTask {
-    QString id;
-    QString title;
-    QStringList checks{}; ///< ids
-    std::vector<VerifiedProgram> programs{};
-    std::vector<LabFinding> findings{};
-    std::vector<std::optional<Sensitivity>> sensitivity{}; ///< of each check
-    std::vector<LabFinding> warnings{}; ///< what may well be so, and yet deserves a look
-};
 
 /// Judges the lab itself: every starter fails by a check, not by an error; every solution passes
 /// with all seeds; every mistake fails and is diagnosed as itself, and has the values of the
@@ -66,30 +13,15 @@ struct VerifiedTask {
 /// each check. Warns of checks that add nothing: duplicates, and those without which every mistake
 /// would still fail, with what they repeat. Where a step has a solution-preset.json, the laws of
 /// that scene pass, too. Where values are drawn for each student, those of studentsTried() are
-/// tried. Uses all processors. \param only   the id of one step; empty for all \param hooks  called
-/// from other threads, never two at once \return nothing if it was cancelled \param seeds  with how
-/// many each solution must pass, at least 1
+/// tried. Uses all processors.
+/// \param only   the id of one step; empty for all
+/// \param hooks  called from other threads, never two at once
+/// \param seeds  with how many each solution must pass, at least 1
+/// \return nothing if it was cancelled
 [[nodiscard]] std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only = {},
                                                   const JudgeHooks &hooks = {}, int seeds = 5);
 
 /// The numbers of the students whose values verifyLab() tries: at least ten, and more, up to 24,
 /// where those do not draw every value. Empty if the lab draws none.
 [[nodiscard]] QStringList studentsTried(const Lab &lab);
-/// What of each range that is, a line each: "k: 9 of 9 values, 0.4 to 1.2".
-[[nodiscard]] QString describeTried(const Lab &lab);
-
-/// "mistakes/NAME", "starter": the file of a program in its step without the ending.
-[[nodiscard]] QString programPath(const VerifiedProgram &program);
-
-/// Takes back the warnings of checks that something fails alone: some mutations of the solution,
-/// see mutations.h. \param alone  the ids of such checks
-void dropNeeded(VerifiedTask &verified, const QStringList &alone);
-
-/// How wrong is just wrong enough for the check at \p index, see describe(); empty if that was not
-/// measured.
-[[nodiscard]] QString wrongEnough(const VerifiedTask &task, qsizetype index);
-
-/// The matrix of mistakes and checks of a step, and its problems, for a terminal.
-[[nodiscard]] QString describeVerified(const VerifiedTask &task);
-
 } // namespace cradle

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/proof_matrix.h"
 
+#include "tasks/proof/verified_text.h"
 #include "views/theme.h"
 
 #include <QEvent>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/verified_task.h"
 
 #include <QTableWidget>
 
