@@ -5,6 +5,7 @@
 #include "app/language.h"
 #include "app/workbench.h"
 #include "model/files/file_io.h"
+#include "tasks/lab_report/report_html.h"
 #include "views/report_printer.h"
 #include "views/theme.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab_report/report_html.h"
+#include "tasks/lab_report/report_page.h"
 
 namespace cradle {
 

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/lab_report/report_html.h"
 
-#include "model/files/file_io.h"
-#include "model/files/json_schema.h"
+#include "tasks/lab_report/change_table.h"
 #include "tasks/lab_report/markdown_html.h"
 #include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QLocale>
-#include <QRegularExpression>
 
 namespace cradle {
 
@@ -19,9 +16,6 @@ namespace {
 struct PageText {
     Q_DECLARE_TR_FUNCTIONS(LabReport)
 };
-
-constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a page or a drawing
-constexpr std::size_t mostChangedLines = 1500; ///< of a step's program; the whole lab has 300
 
 // Tables and plain colours only: Qt's text documents print the same page.
 const QString style = QStringLiteral(
@@ -250,49 +244,7 @@ private:
             addText("p", PageText::tr("Nothing: it is the program of the step before."));
             return;
         }
-        QString rows;
-        bool first = true;
-        std::size_t left = mostChangedLines;
-        for (const DiffHunk &hunk : step.change) {
-            if (hunk.lines.size() > left) {
-                rows += QStringLiteral("<tr><td></td><td></td><td>%1</td></tr>\n")
-                            .arg(PageText::tr("… and more, which no page holds.").toHtmlEscaped());
-                break;
-            }
-            left -= hunk.lines.size();
-            if (!std::exchange(first, false))
-                rows += QStringLiteral("<tr><td class=\"number\">⋮</td><td></td><td></td></tr>\n");
-            for (const DiffLine &line : hunk.lines)
-                rows += rowOf(line);
-        }
-        add(QStringLiteral("<table class=\"code\" cellspacing=\"0\" cellpadding=\"1\" "
-                           "width=\"100%\">\n%1</table>")
-                .arg(rows));
-    }
-
-    static QString rowOf(const DiffLine &line)
-    {
-        const bool added = line.kind == DiffLine::Kind::Added;
-        const bool removed = line.kind == DiffLine::Kind::Removed;
-        QString text = line.text.toHtmlEscaped();
-        // Indentation must stay, also where white-space is not heeded.
-        static const QRegularExpression indent(QStringLiteral("^\\s+"));
-        if (const auto match = indent.match(text); match.hasMatch()) {
-            const QString spaces =
-                QString(match.captured().replace(QLatin1Char('\t'), QLatin1String("    ")).size(),
-                        QChar::Nbsp);
-            text = spaces + text.mid(match.capturedLength());
-        }
-        return QStringLiteral("<tr class=\"%1\"><td class=\"number\" width=\"28\">%2</td>"
-                              "<td width=\"12\">%3</td><td>%4</td></tr>\n")
-            .arg(added     ? QStringLiteral("added")
-                 : removed ? QStringLiteral("removed")
-                           : QStringLiteral("same"),
-                 line.after > 0 ? QString::number(line.after) : QString(),
-                 added     ? QStringLiteral("+")
-                 : removed ? QStringLiteral("−")
-                           : QString(),
-                 text);
+        add(changeTable(step.change));
     }
 
     void writeEnd()
@@ -320,31 +272,6 @@ private:
 };
 
 } // namespace
-
-std::optional<Error> savePage(const LabReportPage &page, const QString &folder)
-{
-    for (std::size_t i = 0; i < page.drawings.size(); ++i) {
-        if (auto error =
-                writeFile(QStringLiteral("%1/%2.svg").arg(folder).arg(i), page.drawings[i]))
-            return error;
-    }
-    return writeFile(folder + QStringLiteral("/page.html"), page.html.toUtf8());
-}
-
-Result<LabReportPage> readPage(const QString &folder)
-{
-    const auto html = readFile(folder + QStringLiteral("/page.html"), mostBytes);
-    if (!html)
-        return html.error();
-    LabReportPage page{.html = QString::fromUtf8(*html)};
-    for (int i = 0; QFile::exists(QStringLiteral("%1/%2.svg").arg(folder).arg(i)); ++i) {
-        const auto svg = readFile(QStringLiteral("%1/%2.svg").arg(folder).arg(i), mostBytes);
-        if (!svg)
-            return svg.error();
-        page.drawings.push_back(*svg);
-    }
-    return page;
-}
 
 QString titleOf(const LabReport &report)
 {

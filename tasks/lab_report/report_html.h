@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/lab_report/lab_report.h"
+#include "tasks/lab_report/report_page.h"
 
 namespace cradle {
 
@@ -12,16 +13,7 @@ enum class Drawings {
     Numbered ///< <img src="drawing:N">, N from 0, for who draws them: see LabReportPage::drawings
 };
 
-/// A report as a page, in the language in force, in light colours.
-struct LabReportPage {
-    QString html{};
-    std::vector<QByteArray> drawings{}; ///< SVG, by number
-};
-
-/// Keeps a page as page.html, and its drawings as N.svg, for who prints it; and reads it back.
-std::optional<Error> savePage(const LabReportPage &page, const QString &folder);
-Result<LabReportPage> readPage(const QString &folder);
-
+/// The report in the language in force, in light colours.
 [[nodiscard]] LabReportPage labReportPage(const LabReport &report, Drawings drawings,
                                           const QString &language);
 
