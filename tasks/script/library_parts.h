@@ -16,6 +16,9 @@ void explainMembers(lua_State *L, const char *library);
 /// each behind the function that is given, as its upvalue, or as it is where none is.
 void keepOnly(lua_State *L, const char *library, std::initializer_list<luaL_Reg> functions);
 
+void addBase(lua_State *L);        ///< ipairs, pcall, tonumber and the other globals
+void addTextMethods(lua_State *L); ///< what texts can do without `string`: ("x"):upper(), "1" + 1
+
 void pushTexts(lua_State *L);  ///< `string`, and the methods of texts
 void pushTables(lua_State *L); ///< `table`
 
