@@ -4,6 +4,8 @@
 
 #include "tasks/lab/check_report.h"
 
+#include <QTest>
+
 /// Reports of each sort, of a step with two checks.
 namespace cradle::reports {
 
@@ -112,6 +114,19 @@ inline CheckReport odd()
     report.checks[1].message = word;
     report.checks[0].title = word;
     return report;
+}
+
+/// A row for each sort, with what is hard to write.
+inline void addReports()
+{
+    QTest::addColumn<CheckReport>("report");
+    QTest::newRow("passed") << passed();
+    QTest::newRow("passed with a remark") << remarked();
+    QTest::newRow("failed") << failed();
+    QTest::newRow("diagnosed") << diagnosed();
+    QTest::newRow("does not load") << unloadable();
+    QTest::newRow("stopped") << stopped();
+    QTest::newRow("odd letters") << odd();
 }
 
 } // namespace cradle::reports

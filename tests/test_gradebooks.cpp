@@ -3,21 +3,18 @@
 #include "class_of_three.h"
 #include "tasks/grading/csv_text.h"
 #include "tasks/grading/gradebooks.h"
-#include "tasks/grading/grader_files.h"
 #include "tasks/grading/roster.h"
-#include "test_paths.h"
+#include "tool_run.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace cradle;
 using namespace cradle::classes;
 
-/// What other programs read of a class; each is read back by a program of its kind.
+/// The tables that other programs read of a class; each is read back by a program of its kind.
 class TestGradebooks : public QObject
 {
     Q_OBJECT
@@ -39,13 +36,6 @@ private slots:
     void plainTableIsARoster();
     void canvasHasItsTwoHeadLines();
     void numbersGoWhereTheyWereGivenOut();
-    void gradescopeAddsUp();
-    void stepIsWorthWhatTheLabSays();
-    void gitHubAddsUp();
-    void whatHasNoVerdictIsNoFile();
-    void junitIsValid();
-    void proveReadsTap();
-    void exercismShowsWhatIsAsked();
 
 private:
     [[nodiscard]] QJsonArray tableOf(
@@ -56,51 +46,26 @@ private:
     ClassFacts m_facts = facts();
 };
 
-namespace {
-
-struct Ended {
-    int code = -1;
-    QByteArray out{};
-};
-
-Ended run(const QString &program, const QStringList &arguments)
-{
-    QProcess process;
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(program, arguments);
-    const bool ended = process.waitForFinished(60'000);
-    return {ended && process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAll()};
-}
-
-QJsonObject parsed(const QByteArray &text)
-{
-    return QJsonDocument::fromJson(text).object();
-}
-
-} // namespace
-
 void TestGradebooks::init()
 {
     const std::vector<StudentResult> students{ada(m_lab), bob(m_lab), mallory(m_lab)};
     QVERIFY(keep(m_folder.path(), students, m_lab));
     Gradebooks books(m_lab, m_facts);
-    for (const StudentResult &student : students) {
+    for (const StudentResult &student : students)
         books.add(student);
-        QVERIFY(!writeGraderFiles(m_folder.path(), student, m_lab, m_facts));
-    }
     QVERIFY(!books.write(m_folder.path()));
 }
 
 QJsonArray TestGradebooks::tableOf(const char *name, const QString &encoding) const
 {
-    const Ended ended = run(QStringLiteral("python3"),
-                            {QStringLiteral("-c"),
-                             QStringLiteral("import csv, json, sys\n"
-                                            "rows = list(csv.reader(open(sys.argv[1], newline='', "
-                                            "encoding=sys.argv[2]), strict=True))\n"
-                                            "print(json.dumps(rows))"),
-                             m_folder.filePath(QString::fromLatin1(name)), encoding});
+    const ToolRun ended =
+        runTool(QStringLiteral("python3"),
+                {QStringLiteral("-c"),
+                 QStringLiteral("import csv, json, sys\n"
+                                "rows = list(csv.reader(open(sys.argv[1], newline='', "
+                                "encoding=sys.argv[2]), strict=True))\n"
+                                "print(json.dumps(rows))"),
+                 m_folder.filePath(QString::fromLatin1(name)), encoding});
     return ended.code == 0 ? QJsonDocument::fromJson(ended.out).array() : QJsonArray();
 }
 
@@ -326,109 +291,6 @@ void TestGradebooks::numbersGoWhereTheyWereGivenOut()
     QCOMPARE(moodle[2].toArray()[0].toString(), QStringLiteral("Participant 99"));
     QCOMPARE(moodle[2].toArray()[2].toString(), QString());
     QCOMPARE(moodle[1].toArray()[2].toString(), QStringLiteral("0042"));
-}
-
-void TestGradebooks::gradescopeAddsUp()
-{
-    const QJsonObject json = parsed(gradescopeFile(mallory(m_lab), m_lab, m_facts));
-    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), 1.0);
-    double score = 0.0;
-    double most = 0.0;
-    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
-        score += test.toObject().value(QStringLiteral("score")).toDouble();
-        most += test.toObject().value(QStringLiteral("max_score")).toDouble();
-        QVERIFY(test.toObject().value(QStringLiteral("name")).toString().startsWith(u'S'));
-    }
-    QCOMPARE(score, 1.0);
-    QCOMPARE(most, 5.5);
-    QVERIFY(!json.contains(QStringLiteral("execution_time")));
-}
-
-void TestGradebooks::stepIsWorthWhatTheLabSays()
-{
-    Lab lab = smallLab();
-    lab.tasks[0].points = 30.0; // its checks are worth 1 and 2
-    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 10.0);
-    QCOMPARE(pointsOf(mallory(lab), lab).most, 32.5);
-    const QJsonObject json = parsed(gradescopeFile(mallory(lab), lab, {}));
-    QCOMPARE(json.value(QStringLiteral("score")).toDouble(), 10.0);
-    double score = 0.0;
-    double most = 0.0;
-    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
-        score += test.toObject().value(QStringLiteral("score")).toDouble();
-        most += test.toObject().value(QStringLiteral("max_score")).toDouble();
-    }
-    QCOMPARE(score, 10.0);
-    QCOMPARE(most, 32.5);
-    lab.tasks[0].points = 0.0;
-    QCOMPARE(*pointsOf(mallory(lab), lab).earned, 0.0);
-}
-
-void TestGradebooks::gitHubAddsUp()
-{
-    const QJsonObject json = parsed(gitHubFile(ada(m_lab), m_lab));
-    QCOMPARE(json.value(QStringLiteral("version")), QJsonValue(1));
-    QCOMPARE(json.value(QStringLiteral("status")), QJsonValue(QStringLiteral("pass")));
-    QCOMPARE(json.value(QStringLiteral("max_score")), QJsonValue(5.5));
-    double score = 0.0;
-    for (const QJsonValue &test : json.value(QStringLiteral("tests")).toArray()) {
-        score += test.toObject().value(QStringLiteral("score")).toDouble();
-        QVERIFY(!test.toObject().value(QStringLiteral("test_code")).toString().isEmpty());
-    }
-    QCOMPARE(score, 5.5);
-    QCOMPARE(parsed(gitHubFile(mallory(m_lab), m_lab)).value(QStringLiteral("status")),
-             QJsonValue(QStringLiteral("fail")));
-}
-
-void TestGradebooks::whatHasNoVerdictIsNoFile()
-{
-    QVERIFY(gradescopeFile(bob(m_lab), m_lab, m_facts).isEmpty());
-    QVERIFY(gitHubFile(bob(m_lab), m_lab).isEmpty());
-    QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("gradescope/bob.json"))));
-    // One of an earlier grading would still say what is no longer so.
-    QVERIFY(!writeFile(m_folder.filePath(QStringLiteral("gradescope/bob.json")), "{}"));
-    QVERIFY(!writeGraderFiles(m_folder.path(), bob(m_lab), m_lab, m_facts));
-    QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("gradescope/bob.json"))));
-}
-
-void TestGradebooks::junitIsValid()
-{
-    for (const char *id : {"ada", "bob", "mallory"}) {
-        const Ended ended =
-            run(QStringLiteral("xmllint"),
-                {QStringLiteral("--noout"), QStringLiteral("--nonet"), QStringLiteral("--schema"),
-                 fixturePath("junit-10.xsd"),
-                 m_folder.filePath(QStringLiteral("junit/%1.xml").arg(QLatin1String(id)))});
-        QVERIFY2(ended.code == 0, ended.out);
-    }
-    QVERIFY(junitFile(bob(m_lab), m_lab).contains("<skipped message=\"the machine &amp; all"));
-}
-
-void TestGradebooks::proveReadsTap()
-{
-    const auto prove = [&](const char *id) {
-        return run(QStringLiteral("prove"),
-                   {QStringLiteral("-e"), QStringLiteral("cat"),
-                    m_folder.filePath(QStringLiteral("tap/%1.tap").arg(QLatin1String(id)))});
-    };
-    Ended ended = prove("ada");
-    QVERIFY2(ended.code == 0 && ended.out.contains("Tests=4"), ended.out);
-    ended = prove("bob"); // skipped is not failed
-    QVERIFY2(ended.code == 0 && ended.out.contains("Tests=3"), ended.out);
-    ended = prove("mallory");
-    QVERIFY2(ended.code == 1 && ended.out.contains("Failed tests:  2-3"), ended.out);
-}
-
-void TestGradebooks::exercismShowsWhatIsAsked()
-{
-    const QJsonObject json = parsed(exercismFile(mallory(m_lab).steps[0], m_lab.tasks[0]));
-    QCOMPARE(json.value(QStringLiteral("version")), QJsonValue(3));
-    const QJsonArray tests = json.value(QStringLiteral("tests")).toArray();
-    QCOMPARE(tests.size(), 2);
-    QCOMPARE(parsed(tests[1].toObject().value(QStringLiteral("test_code")).toString().toUtf8())
-                 .value(QStringLiteral("kind")),
-             QJsonValue(QStringLiteral("integrates")));
-    QVERIFY(exercismFile(mallory(m_lab).steps[1], m_lab.tasks[1]).isEmpty());
 }
 
 QTEST_APPLESS_MAIN(TestGradebooks)

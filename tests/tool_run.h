@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QProcess>
+
+namespace cradle {
+
+/// What a program said, standard output and error together, and its exit status; -1 if it did not
+/// end by itself within a minute.
+struct ToolRun {
+    int code = -1;
+    QByteArray out{};
+};
+
+inline ToolRun runTool(const QString &program, const QStringList &arguments)
+{
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(program, arguments);
+    const bool ended = process.waitForFinished(60'000);
+    return {ended && process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAll()};
+}
+
+} // namespace cradle
