@@ -36,6 +36,12 @@ inline QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// The template's lab, with one step.
+inline LabFiles small()
+{
+    return newLab(text("small"), text("Small"), text("en"));
+}
+
 /// The files in which two labs differ.
 inline QStringList differences(const LabFiles &a, const LabFiles &b)
 {

@@ -37,11 +37,6 @@ private slots:
 
 namespace {
 
-LabFiles small()
-{
-    return newLab(text("small"), text("Small"), text("en"));
-}
-
 qint64 modified(const QString &path)
 {
     return QFileInfo(path).lastModified().toMSecsSinceEpoch();

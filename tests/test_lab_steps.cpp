@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/authoring_labs.h"
+#include "lab_problems.h"
 
-#include "tasks/proof/lab_verifier.h"
 #include "tasks/reading/lab_reader.h"
 
 using namespace cradle;
@@ -25,19 +24,10 @@ private slots:
     void wrongStepsAreRefused_data();
     void wrongStepsAreRefused();
     void freeNameIsFree();
-    void mistakesAreAddedRenamedAndRemoved();
-    void remarksAreListedInTheTask();
-    void textOfAMistakeIsTranslated();
-    void wrongProgramsAreRefused();
     void labIsNamed();
 };
 
 namespace {
-
-LabFiles small()
-{
-    return newLab(text("small"), text("Small"), text("en"));
-}
 
 LabFiles threeSteps()
 {
@@ -47,27 +37,6 @@ LabFiles threeSteps()
         lab = more ? *more : LabFiles{};
     }
     return lab;
-}
-
-QStringList words(const char *list)
-{
-    return text(list).split(QLatin1Char(' '));
-}
-
-/// What the reader and the verifier say of a lab.
-QStringList problemsOf(const LabFiles &files, const QString &language)
-{
-    const Result<Lab> lab = readLab(files, text("lab"), language);
-    if (!lab)
-        return {lab.error().toString()};
-    QStringList problems;
-    for (const Error &finding : lab->findings)
-        problems.append(finding.toString());
-    for (const VerifiedTask &task : verifyLab(*lab)) {
-        for (const LabFinding &finding : task.findings)
-            problems.append(finding.message);
-    }
-    return problems;
 }
 
 } // namespace
@@ -219,69 +188,6 @@ void TestLabSteps::freeNameIsFree()
     QCOMPARE(freeStepName(lab, text("S1")), text("S1-2"));
     TAKE(lab, withStepAdded(lab, text("S1-2"), text("More")));
     QCOMPARE(freeStepName(lab, text("S1")), text("S1-3"));
-}
-
-void TestLabSteps::mistakesAreAddedRenamedAndRemoved()
-{
-    const LabFiles lab = small();
-    const QString source = text("-- It stands still\n\nfunction on_update(dt)\nend\n");
-    LabFiles more;
-    TAKE(more, withKnownAdded(lab, text("S1"), KnownKind::Mistake, text("still"), source));
-    QCOMPARE(knownNames(more, text("S1"), KnownKind::Mistake), words("still upward"));
-    QCOMPARE(problemsOf(more, text("en")), QStringList());
-    TAKE(more,
-         withKnownRenamed(more, text("S1"), KnownKind::Mistake, text("still"), text("asleep")));
-    QCOMPARE(knownNames(more, text("S1"), KnownKind::Mistake), words("asleep upward"));
-    QCOMPARE(textOf(more, text("S1/mistakes/asleep.lua")), source);
-    TAKE(more, withKnownRemoved(more, text("S1"), KnownKind::Mistake, text("asleep")));
-    QCOMPARE(differences(lab, more), QStringList());
-}
-
-void TestLabSteps::remarksAreListedInTheTask()
-{
-    const LabFiles lab = small();
-    const QString source = text("-- A word\n\nfunction on_update(dt)\nend\n");
-    LabFiles more;
-    TAKE(more, withKnownAdded(lab, text("S1"), KnownKind::Remark, text("word"), source));
-    QCOMPARE(knownNames(more, text("S1"), KnownKind::Remark), words("word"));
-    const Lab read = *readLab(more, text("lab"));
-    QVERIFY(read.findings.empty());
-    QCOMPARE(read.tasks[0].remarks.at(0).script.message, text("A word"));
-    TAKE(more, withKnownRenamed(more, text("S1"), KnownKind::Remark, text("word"), text("words")));
-    QCOMPARE(taskForm(more, text("S1"))->remarks.at(0).id, text("words"));
-    TAKE(more, withKnownRemoved(more, text("S1"), KnownKind::Remark, text("words")));
-    QCOMPARE(differences(lab, more), QStringList());
-}
-
-void TestLabSteps::textOfAMistakeIsTranslated()
-{
-    LabFiles lab;
-    TAKE(lab, withKnownText(small(), text("S1"), KnownKind::Mistake, text("upward"), text("de"),
-                            text("Nach oben\n\nVorzeichen.")));
-    QCOMPARE(knownText(lab, text("S1"), KnownKind::Mistake, text("upward"), text("de")),
-             text("Nach oben\n\nVorzeichen."));
-    QCOMPARE(readLab(lab, text("lab"), text("de"))->tasks[0].mistakes[0].message,
-             text("Nach oben\n\nVorzeichen."));
-    TAKE(lab, withKnownRenamed(lab, text("S1"), KnownKind::Mistake, text("upward"), text("up")));
-    QCOMPARE(knownText(lab, text("S1"), KnownKind::Mistake, text("up"), text("de")),
-             text("Nach oben\n\nVorzeichen."));
-    QVERIFY(knownText(lab, text("S1"), KnownKind::Mistake, text("upward"), text("de")).isEmpty());
-    TAKE(lab,
-         withKnownText(lab, text("S1"), KnownKind::Mistake, text("up"), text("de"), QString()));
-    QCOMPARE(lab.contents[text("S1/task.de.json")], QByteArray("{}\n"));
-}
-
-void TestLabSteps::wrongProgramsAreRefused()
-{
-    const LabFiles lab = small();
-    const auto added = [&](const char *name) {
-        return withKnownAdded(lab, text("S1"), KnownKind::Mistake, text(name), text("-- A\n"));
-    };
-    for (const char *name : {"upward", "UPWARD", "", "../x", "a/b", "a b", ".x"})
-        QVERIFY2(!added(name), name);
-    QVERIFY(!withKnownRemoved(lab, text("S1"), KnownKind::Mistake, text("none")));
-    QVERIFY(!withKnownRenamed(lab, text("S1"), KnownKind::Mistake, text("none"), text("some")));
-    QVERIFY(withKnownRenamed(lab, text("S1"), KnownKind::Mistake, text("upward"), text("Upward")));
 }
 
 void TestLabSteps::labIsNamed()
