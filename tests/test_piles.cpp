@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/contacts/contact_solver.h"
 #include "model/continuous/pile_contacts.h"
-#include "model/world/measurements.h"
 #include "model/world/random.h"
 #include "tests/scenes.h"
 
-#include <algorithm>
 #include <numeric>
 
 using namespace cradle;
 using namespace cradle::scenes;
 
-/// Large piles: their pushes, their steps, and their sleep.
+/// The pushes in a large pile, solved.
 class TestPiles : public QObject
 {
     Q_OBJECT
@@ -21,62 +19,9 @@ private slots:
     void aColumnWeighsOnTheFloor();
     void aGuessIsOnlyABegin();
     void unfinishedPushesGiveNoEnergy();
-    void momentumFollowsGravityAlone();
-    void hitsFollowNewtonsLaw();
-    void aHeapNeitherOverlapsNorGainsEnergy_data();
-    void aHeapNeitherOverlapsNorGainsEnergy();
-    void aHeapFallsAsleep();
-    void aSleepingHeapWakesWhenItIsHit();
 };
 
 namespace {
-
-/// \p count circles of radius \p radius in rows on the floor, \p apart (m) from each other.
-Preset rows(int count, int columns, double radius, double apart)
-{
-    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous});
-    preset.gravity = {0, -g};
-    preset.restitution = 0.5;
-    const double pitch = 2.0 * radius + apart;
-    for (int i = 0; i < count; ++i) {
-        // Every second row half a place aside: they lie in the gaps.
-        const int row = i / columns;
-        const double x = -halfWidth + radius + pitch * (i % columns) + (row % 2) * 0.5 * pitch;
-        const double y = -halfWidth + radius + row * (std::sqrt(0.75) * pitch + apart);
-        preset.circles.push_back(circle({x, y}, {}, radius));
-    }
-    return preset;
-}
-
-double energyOf(const Run &run)
-{
-    return measure(run.world.circles, {0, -g}, halfWidth).total();
-}
-
-double deepestOverlap(const std::vector<Circle> &circles)
-{
-    double deepest = 0.0;
-    for (std::size_t i = 0; i < circles.size(); ++i) {
-        const Circle &a = circles[i];
-        const double out = std::max(std::abs(a.position.x), std::abs(a.position.y)) + a.radius;
-        deepest = std::max(deepest, (out - halfWidth) / a.radius);
-        for (std::size_t j = 0; j < i; ++j) {
-            const double sum = a.radius + circles[j].radius;
-            if (std::abs(circles[j].position.x - a.position.x) < sum)
-                deepest = std::max(deepest, (sum - length(circles[j].position - a.position))
-                                                / std::min(a.radius, circles[j].radius));
-        }
-    }
-    return deepest;
-}
-
-double fastestOf(const Run &run)
-{
-    double fastest = 0.0;
-    for (const Circle &c : run.world.circles)
-        fastest = std::max(fastest, length(c.velocity));
-    return fastest;
-}
 
 /// Contacts of random bodies that close at random speeds.
 std::vector<PileContact> randomContacts(Random &random, std::size_t count, PileBodies &bodies)
@@ -212,134 +157,6 @@ void TestPiles::unfinishedPushesGiveNoEnergy()
                 0.5 * lengthSquared(bodies.velocities[i] - before[i]) / bodies.inverseMasses[i];
         COMPARE_NEAR(kineticEnergyOf(bodies) - energy, -change, 1e-12 * energy);
     }
-}
-
-/// Without walls the pile's own pushes cancel: P = P₀ + M g t.
-void TestPiles::momentumFollowsGravityAlone()
-{
-    Preset preset = rows(150, 15, 0.15, 0.01);
-    preset.laws.walls = WallLaw::None;
-    Random random(4);
-    double mass = 0.0;
-    for (PresetCircle &c : preset.circles) {
-        // They fly together from all sides.
-        c.body.velocity = {-0.8 * c.body.position.x, -0.8 * c.body.position.y};
-        c.body.radius *= random.between(0.8, 1.0);
-        mass += cradle::mass(c.body);
-    }
-    Run run(preset);
-    const Vec2 start = measure(run.world.circles, preset.gravity, halfWidth).momentum;
-    for (int step = 1; step <= 120; ++step) {
-        run.steps(1);
-        const Vec2 momentum = measure(run.world.circles, preset.gravity, halfWidth).momentum;
-        const Vec2 expected = start + (mass * step * dt) * preset.gravity;
-        COMPARE_NEAR(length(momentum - expected), 0.0, 1e-11 * mass * (1.0 + step * dt * g));
-    }
-    QVERIFY(run.hits.size() > 100);
-}
-
-/// A row lies on the floor, and all of them are dropped at once: they rebound at e times the speed
-/// at which they meet it.
-void TestPiles::hitsFollowNewtonsLaw()
-{
-    Preset preset = rows(100, 100, 0.039, 0.001);
-    constexpr double fall = 2.0;
-    for (PresetCircle &c : preset.circles) {
-        c.body.position.y += 0.01;
-        c.body.velocity = {0, -fall};
-    }
-    Run run(preset);
-    run.steps(1);
-    QCOMPARE(run.hits.size(), std::size_t{100});
-    for (const Hit &hit : run.hits) {
-        const double before = -hit.beforeA.y;
-        const double after = hit.afterA.y;
-        COMPARE_NEAR(after, 0.5 * before, 0.01);
-        COMPARE_NEAR(before, fall, 2.0 * g * dt);
-        COMPARE_NEAR(hit.time, 0.01 / fall, 1e-3);
-    }
-}
-
-void TestPiles::aHeapNeitherOverlapsNorGainsEnergy_data()
-{
-    QTest::addColumn<double>("restitution");
-    QTest::addColumn<double>("spread"); // of the radii
-    QTest::addColumn<int>("columns");
-    QTest::addColumn<int>("steps");
-    QTest::addColumn<double>("most"); // overlap, in radii
-    QTest::addRow("e = 0.5") << 0.5 << 0.0 << 19 << 180 << 1e-4;
-    QTest::addRow("e = 0") << 0.0 << 0.0 << 19 << 180 << 1e-4;
-    QTest::addRow("e = 0.9, unequal") << 0.9 << 0.5 << 19 << 180 << 1e-4;
-    QTest::addRow("thousands") << 0.5 << 0.0 << 60 << 60 << 2e-3;
-}
-
-void TestPiles::aHeapNeitherOverlapsNorGainsEnergy()
-{
-    QFETCH(double, restitution);
-    QFETCH(double, spread);
-    QFETCH(int, columns);
-    QFETCH(int, steps);
-    QFETCH(double, most);
-    const double pitch = 0.4 * 19 / columns;
-    Preset preset = rows(columns == 19 ? 190 : 50 * columns, columns, 0.375 * pitch, 0.25 * pitch);
-    preset.restitution = restitution;
-    Random random(5);
-    for (PresetCircle &c : preset.circles) {
-        c.body.velocity.x = random.between(-1.0, 1.0);
-        c.body.velocity.y = random.between(-1.0, 1.0);
-        c.body.radius *= 1.0 - spread * random.between(0.0, 1.0);
-    }
-    Run run(preset);
-    const double start = energyOf(run);
-    double least = start;
-    for (int step = 0; step < steps; ++step) {
-        run.steps(1);
-        const double overlap = deepestOverlap(run.world.circles);
-        QVERIFY2(overlap <= most, QByteArray::number(overlap).constData());
-        const double gain = (energyOf(run) - least) / start;
-        QVERIFY2(gain <= 1e-9, QByteArray::number(gain).constData());
-        least = std::min(least, energyOf(run));
-    }
-}
-
-void TestPiles::aHeapFallsAsleep()
-{
-    Run run(rows(150, 15, 0.15, 0.02));
-    run.steps(360);
-    QCOMPARE(fastestOf(run), 0.0);
-    const std::vector<Circle> asleep = run.world.circles;
-    run.steps(60);
-    QVERIFY(run.world.circles == asleep);
-}
-
-/// A circle thrown up keeps to its parabola while a heap below falls asleep; it wakes the heap when
-/// it comes down on it, and not before.
-void TestPiles::aSleepingHeapWakesWhenItIsHit()
-{
-    Preset preset = rows(100, 100, 0.039, 0.001);
-    constexpr double up = 7.0;
-    preset.circles.push_back(circle({0.1, 0.5}, {0.3, up}, 0.2));
-    Run run(preset);
-    bool slept = false;
-    bool woke = false;
-    for (int step = 1; step <= 130 && !woke; ++step) {
-        const std::vector<Circle> before = run.world.circles;
-        run.steps(1);
-        const Circle &ball = run.world.circles.back();
-        const double t = step * dt;
-        const bool flies = std::abs(ball.velocity.x - 0.3) < 1e-12;
-        if (flies) {
-            COMPARE_NEAR(ball.position.x, 0.1 + 0.3 * t, 1e-9);
-            COMPARE_NEAR(ball.position.y, 0.5 + up * t - 0.5 * g * t * t, 1e-9);
-        }
-        const bool stays = std::equal(before.begin(), before.end() - 1, run.world.circles.begin());
-        if (slept)
-            QCOMPARE(stays, flies);
-        woke = slept && !stays;
-        slept = slept || stays;
-    }
-    QVERIFY(slept);
-    QVERIFY(woke);
 }
 
 QTEST_APPLESS_MAIN(TestPiles)
