@@ -7240,6 +7240,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
         <translation>⁦`%1`⁩ غير معروف هنا؛ مدة الخطوة هي معامل on_update، وتُعطى للدوال الأخرى وسيطًا</translation>
     </message>
+    <message>
+        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
+        <translation>⁦`%1`⁩ ليس من لغة Lua في المختبر؛ انظر صفحة المرجع ⁦(F1)⁩ لما هو منها</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7292,45 +7296,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>التلامس ⁨%1⁩، أمام جدار</translation>
-    </message>
-</context>
-<context>
-    <name>VersionsPane</name>
-    <message>
-        <source>Written</source>
-        <translation>كُتب</translation>
-    </message>
-    <message>
-        <source>Before it was replaced</source>
-        <translation>قبل استبداله</translation>
-    </message>
-    <message>
-        <source>By another program</source>
-        <translation>بواسطة برنامج آخر</translation>
-    </message>
-    <message>
-        <source>From another window</source>
-        <translation>من نافذة أخرى</translation>
-    </message>
-    <message>
-        <source>✓ passed</source>
-        <translation>✓ اجتاز</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>لم يجتز</translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation>السطر ⁨%1⁩: ⁨%2⁩</translation>
-    </message>
-    <message>
-        <source>without: %1</source>
-        <translation>من دون: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>the same program</source>
-        <translation>البرنامج نفسه</translation>
     </message>
 </context>
 <context>
@@ -7394,13 +7359,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>this file is no note; it is kept as %1</source>
         <translation>هذا الملف ليس ملاحظة؛ يُحفظ باسم ⁨%1⁩</translation>
-    </message>
-</context>
-<context>
-    <name>WorldText</name>
-    <message>
-        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
-        <translation>⁦`%1`⁩ ليس من لغة Lua في المختبر؛ انظر صفحة المرجع ⁦(F1)⁩ لما هو منها</translation>
     </message>
 </context>
 <context>
@@ -10162,6 +10120,17 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::OtherMistakesMenu</name>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>خطأ من مرحلة أخرى (&amp;S)</translation>
+    </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>لا خطأ في مرحلة أخرى ينطبق على هذا الحل وليس في المرحلة بعد</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ParameterForm</name>
     <message>
         <source>left out</source>
@@ -10620,16 +10589,8 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>تعقيب على عمل يجتاز (&amp;R)</translation>
     </message>
     <message>
-        <source>No mistake of another step applies to this solution that the step does not have</source>
-        <translation>لا خطأ في مرحلة أخرى ينطبق على هذا الحل وليس في المرحلة بعد</translation>
-    </message>
-    <message>
         <source>Take over a mistake</source>
         <translation>أخذ خطأ</translation>
-    </message>
-    <message>
-        <source>A mistake of another &amp;step</source>
-        <translation>خطأ من مرحلة أخرى (&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -12483,10 +12444,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>التصادمات</translation>
     </message>
     <message>
-        <source>No hit so far.</source>
-        <translation>لا تصادم حتى الآن.</translation>
-    </message>
-    <message>
         <source>number</source>
         <translation>رقم</translation>
     </message>
@@ -12499,20 +12456,8 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>القيم والتصادمات</translation>
     </message>
     <message>
-        <source>Values of the circles at the moment shown</source>
-        <translation>قيم الدوائر عند اللحظة المعروضة</translation>
-    </message>
-    <message>
         <source>Hits; Enter shows the moment</source>
         <translation>التصادمات؛ Enter يعرض اللحظة</translation>
-    </message>
-    <message>
-        <source>Last hit</source>
-        <translation>آخر تصادم</translation>
-    </message>
-    <message>
-        <source>Distance from the exact motion</source>
-        <translation>البعد عن الحركة الدقيقة</translation>
     </message>
     <message>
         <source>No hits yet: press Run or Next hit</source>
@@ -12528,10 +12473,61 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
-    <name>cradle::VersionsPane</name>
+    <name>cradle::ValuesTab</name>
     <message>
-        <source>Versions</source>
-        <translation>النسخ</translation>
+        <source>No hit so far.</source>
+        <translation>لا تصادم حتى الآن.</translation>
+    </message>
+    <message>
+        <source>Values of the circles at the moment shown</source>
+        <translation>قيم الدوائر عند اللحظة المعروضة</translation>
+    </message>
+    <message>
+        <source>Last hit</source>
+        <translation>آخر تصادم</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>البعد عن الحركة الدقيقة</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsList</name>
+    <message>
+        <source>Written</source>
+        <translation>كُتب</translation>
+    </message>
+    <message>
+        <source>Before it was replaced</source>
+        <translation>قبل استبداله</translation>
+    </message>
+    <message>
+        <source>By another program</source>
+        <translation>بواسطة برنامج آخر</translation>
+    </message>
+    <message>
+        <source>From another window</source>
+        <translation>من نافذة أخرى</translation>
+    </message>
+    <message>
+        <source>✓ passed</source>
+        <translation>✓ اجتاز</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>لم يجتز</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>السطر ⁨%1⁩: ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>without: %1</source>
+        <translation>من دون: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>the same program</source>
+        <translation>البرنامج نفسه</translation>
     </message>
     <message>
         <source>When</source>
@@ -12548,6 +12544,13 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Versions of this step&apos;s program</source>
         <translation>نسخ برنامج هذه المرحلة</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsPane</name>
+    <message>
+        <source>Versions</source>
+        <translation>النسخ</translation>
     </message>
     <message>
         <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>

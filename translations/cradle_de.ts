@@ -7200,6 +7200,10 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
         <translation>`%1` ist hier nicht bekannt; wie lange ein Zeitschritt dauert, ist der Parameter von on_update, den andere Funktionen als Argument bekommen</translation>
     </message>
+    <message>
+        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
+        <translation>`%1` gehört nicht zum Lua des Labs; was dazugehört, steht in der API-Referenz (F1)</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7252,45 +7256,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>Stoß %1, vor einer Wand</translation>
-    </message>
-</context>
-<context>
-    <name>VersionsPane</name>
-    <message>
-        <source>Written</source>
-        <translation>Geschrieben</translation>
-    </message>
-    <message>
-        <source>Before it was replaced</source>
-        <translation>Bevor sie ersetzt wurde</translation>
-    </message>
-    <message>
-        <source>By another program</source>
-        <translation>Von einem anderen Programm</translation>
-    </message>
-    <message>
-        <source>From another window</source>
-        <translation>Aus einem anderen Fenster</translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-    <message>
-        <source>without: %1</source>
-        <translation>ohne: %1</translation>
-    </message>
-    <message>
-        <source>the same program</source>
-        <translation>dasselbe Programm</translation>
-    </message>
-    <message>
-        <source>✓ passed</source>
-        <translation>✓ bestanden</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>nicht bestanden</translation>
     </message>
 </context>
 <context>
@@ -7354,13 +7319,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>this file is no note; it is kept as %1</source>
         <translation>diese Datei ist keine Notiz; sie ist als %1 aufgehoben</translation>
-    </message>
-</context>
-<context>
-    <name>WorldText</name>
-    <message>
-        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
-        <translation>`%1` gehört nicht zum Lua des Labs; was dazugehört, steht in der API-Referenz (F1)</translation>
     </message>
 </context>
 <context>
@@ -10086,6 +10044,17 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::OtherMistakesMenu</name>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>Ein Fehler eines anderen &amp;Schritts</translation>
+    </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>Kein Fehler eines anderen Schritts passt zu dieser Lösung, den der Schritt nicht schon hat</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ParameterForm</name>
     <message>
         <source>left out</source>
@@ -10540,16 +10509,8 @@ Ihre Nummer:</translation>
         <translation>F2</translation>
     </message>
     <message>
-        <source>No mistake of another step applies to this solution that the step does not have</source>
-        <translation>Kein Fehler eines anderen Schritts passt zu dieser Lösung, den der Schritt nicht schon hat</translation>
-    </message>
-    <message>
         <source>Take over a mistake</source>
         <translation>Einen Fehler übernehmen</translation>
-    </message>
-    <message>
-        <source>A mistake of another &amp;step</source>
-        <translation>Ein Fehler eines anderen &amp;Schritts</translation>
     </message>
 </context>
 <context>
@@ -12374,10 +12335,6 @@ Ihre Nummer:</translation>
         <translation>Stöße</translation>
     </message>
     <message>
-        <source>No hit so far.</source>
-        <translation>Noch kein Stoß.</translation>
-    </message>
-    <message>
         <source>number</source>
         <translation>Nummer</translation>
     </message>
@@ -12390,16 +12347,8 @@ Ihre Nummer:</translation>
         <translation>Werte und Stöße</translation>
     </message>
     <message>
-        <source>Values of the circles at the moment shown</source>
-        <translation>Werte der Kreise im gezeigten Moment</translation>
-    </message>
-    <message>
         <source>Hits; Enter shows the moment</source>
         <translation>Stöße; Eingabe zeigt den Moment</translation>
-    </message>
-    <message>
-        <source>Last hit</source>
-        <translation>Letzter Stoß</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -12419,19 +12368,66 @@ Ihre Nummer:</translation>
         <translation>%1 •</translation>
     </message>
     <message>
-        <source>Distance from the exact motion</source>
-        <translation>Abstand von der exakten Bewegung</translation>
-    </message>
-    <message>
         <source>Hits %1</source>
         <translation>Stöße %1</translation>
     </message>
 </context>
 <context>
-    <name>cradle::VersionsPane</name>
+    <name>cradle::ValuesTab</name>
     <message>
-        <source>Versions</source>
-        <translation>Fassungen</translation>
+        <source>No hit so far.</source>
+        <translation>Noch kein Stoß.</translation>
+    </message>
+    <message>
+        <source>Values of the circles at the moment shown</source>
+        <translation>Werte der Kreise im gezeigten Moment</translation>
+    </message>
+    <message>
+        <source>Last hit</source>
+        <translation>Letzter Stoß</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Abstand von der exakten Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsList</name>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Before it was replaced</source>
+        <translation>Bevor sie ersetzt wurde</translation>
+    </message>
+    <message>
+        <source>By another program</source>
+        <translation>Von einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>From another window</source>
+        <translation>Aus einem anderen Fenster</translation>
+    </message>
+    <message>
+        <source>✓ passed</source>
+        <translation>✓ bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>without: %1</source>
+        <translation>ohne: %1</translation>
+    </message>
+    <message>
+        <source>the same program</source>
+        <translation>dasselbe Programm</translation>
     </message>
     <message>
         <source>When</source>
@@ -12439,7 +12435,7 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>Version</source>
-        <translation>Fassung</translation>
+        <translation>Version</translation>
     </message>
     <message>
         <source>First difference</source>
@@ -12448,6 +12444,13 @@ Ihre Nummer:</translation>
     <message>
         <source>Versions of this step&apos;s program</source>
         <translation>Fassungen des Programms dieses Schritts</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsPane</name>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
     </message>
     <message>
         <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>

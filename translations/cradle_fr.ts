@@ -7200,6 +7200,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>`%1` is not known here; how long a step lasts is the parameter of on_update, which other functions get as an argument</source>
         <translation>`%1` n&apos;est pas connu ici&#xa0;; la durée d&apos;un pas est le paramètre de on_update, que les autres fonctions reçoivent en argument</translation>
     </message>
+    <message>
+        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
+        <translation>`%1` ne fait pas partie du Lua du TP&#xa0;; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>
@@ -7252,45 +7256,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>contact %1, devant une paroi</translation>
-    </message>
-</context>
-<context>
-    <name>VersionsPane</name>
-    <message>
-        <source>Written</source>
-        <translation>Écrite</translation>
-    </message>
-    <message>
-        <source>Before it was replaced</source>
-        <translation>Avant son remplacement</translation>
-    </message>
-    <message>
-        <source>By another program</source>
-        <translation>Par un autre programme</translation>
-    </message>
-    <message>
-        <source>From another window</source>
-        <translation>D&apos;une autre fenêtre</translation>
-    </message>
-    <message>
-        <source>✓ passed</source>
-        <translation>✓ réussie</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>non réussie</translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation>ligne %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>without: %1</source>
-        <translation>sans&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>the same program</source>
-        <translation>le même programme</translation>
     </message>
 </context>
 <context>
@@ -7354,13 +7319,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>this file is no note; it is kept as %1</source>
         <translation>ce fichier n&apos;est pas une remarque&#xa0;; il est gardé sous %1</translation>
-    </message>
-</context>
-<context>
-    <name>WorldText</name>
-    <message>
-        <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
-        <translation>`%1` ne fait pas partie du Lua du TP&#xa0;; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
     </message>
 </context>
 <context>
@@ -10086,6 +10044,17 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::OtherMistakesMenu</name>
+    <message>
+        <source>A mistake of another &amp;step</source>
+        <translation>Une erreur d&apos;une autre &amp;étape</translation>
+    </message>
+    <message>
+        <source>No mistake of another step applies to this solution that the step does not have</source>
+        <translation>Cette étape a déjà toutes les erreurs d&apos;autres étapes qui s&apos;appliquent à ce corrigé</translation>
+    </message>
+</context>
+<context>
     <name>cradle::ParameterForm</name>
     <message>
         <source>left out</source>
@@ -10540,16 +10509,8 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Une &amp;appréciation sur un travail qui réussit</translation>
     </message>
     <message>
-        <source>No mistake of another step applies to this solution that the step does not have</source>
-        <translation>Cette étape a déjà toutes les erreurs d&apos;autres étapes qui s&apos;appliquent à ce corrigé</translation>
-    </message>
-    <message>
         <source>Take over a mistake</source>
         <translation>Reprendre une erreur</translation>
-    </message>
-    <message>
-        <source>A mistake of another &amp;step</source>
-        <translation>Une erreur d&apos;une autre &amp;étape</translation>
     </message>
 </context>
 <context>
@@ -12383,10 +12344,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Chocs</translation>
     </message>
     <message>
-        <source>No hit so far.</source>
-        <translation>Pas de choc jusqu&apos;ici.</translation>
-    </message>
-    <message>
         <source>number</source>
         <translation>numéro</translation>
     </message>
@@ -12399,20 +12356,8 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Valeurs et chocs</translation>
     </message>
     <message>
-        <source>Values of the circles at the moment shown</source>
-        <translation>Valeurs des cercles à l&apos;instant affiché</translation>
-    </message>
-    <message>
         <source>Hits; Enter shows the moment</source>
         <translation>Chocs&#xa0;; Entrée montre l&apos;instant</translation>
-    </message>
-    <message>
-        <source>Last hit</source>
-        <translation>Dernier choc</translation>
-    </message>
-    <message>
-        <source>Distance from the exact motion</source>
-        <translation>Distance au mouvement exact</translation>
     </message>
     <message>
         <source>No hits yet: press Run or Next hit</source>
@@ -12428,10 +12373,61 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
-    <name>cradle::VersionsPane</name>
+    <name>cradle::ValuesTab</name>
     <message>
-        <source>Versions</source>
-        <translation>Versions</translation>
+        <source>No hit so far.</source>
+        <translation>Pas de choc jusqu&apos;ici.</translation>
+    </message>
+    <message>
+        <source>Values of the circles at the moment shown</source>
+        <translation>Valeurs des cercles à l&apos;instant affiché</translation>
+    </message>
+    <message>
+        <source>Last hit</source>
+        <translation>Dernier choc</translation>
+    </message>
+    <message>
+        <source>Distance from the exact motion</source>
+        <translation>Distance au mouvement exact</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsList</name>
+    <message>
+        <source>Written</source>
+        <translation>Écrite</translation>
+    </message>
+    <message>
+        <source>Before it was replaced</source>
+        <translation>Avant son remplacement</translation>
+    </message>
+    <message>
+        <source>By another program</source>
+        <translation>Par un autre programme</translation>
+    </message>
+    <message>
+        <source>From another window</source>
+        <translation>D&apos;une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>✓ passed</source>
+        <translation>✓ réussie</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>non réussie</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>without: %1</source>
+        <translation>sans&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the same program</source>
+        <translation>le même programme</translation>
     </message>
     <message>
         <source>When</source>
@@ -12448,6 +12444,13 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Versions of this step&apos;s program</source>
         <translation>Versions du programme de cette étape</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::VersionsPane</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
     </message>
     <message>
         <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>

@@ -20,8 +20,7 @@ namespace cradle {
 
 class FrameThrottle;
 class HitsModel;
-class SentenceLabel;
-class ValuesModel;
+class ValuesTab;
 
 /// Tables of the moment shown: the numbers of every circle, and the hits so far.
 class ValuesPane final : public QWidget
@@ -50,7 +49,6 @@ signals:
     void seekRequested(qint64 index); ///< a hit was chosen: the frame where it shows
 
 protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
@@ -64,25 +62,18 @@ private:
     void showTab(int index);
     void showTitle(const Tab &tab);
     void refresh();
-    void refreshValues();
     void refreshHits();
     void fitColumns(); ///< of both tables
-    void fitValues();
-    void fitHeights();
-    void fitSentences();
     void retranslate();
     void seekHit(const QModelIndex &index);
     [[nodiscard]] QTableView *shownTable() const;
 
     const Simulation &m_simulation;
-    ValuesModel *m_valuesModel;
     HitsModel *m_hitsModel;
     QTabWidget *m_tabs;
-    QTableView *m_values;
+    ValuesTab *m_values;
     QTableView *m_hits;
-    SentenceLabel *m_sentence;
-    SentenceLabel *m_exact; ///< below it
-    QLabel *m_noHits;       ///< in place of an empty list
+    QLabel *m_noHits; ///< in place of an empty list
     QAction *m_copyAction;
     QAction *m_copyAllAction;
     FrameThrottle *m_throttle;

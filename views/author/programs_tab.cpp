@@ -3,6 +3,7 @@
 #include "views/author/programs_tab.h"
 
 #include "tasks/authoring/free_name.h"
+#include "views/author/other_mistakes_menu.h"
 #include "views/author/program_files.h"
 #include "views/author/program_page.h"
 #include "views/author/rows_list.h"
@@ -48,9 +49,7 @@ void ProgramsTab::makeLayout()
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_addMenu = new QMenu(m_add);
-    m_otherMenu = new QMenu(m_addMenu);
-    m_otherMenu->setObjectName(QStringLiteral("otherMistakes"));
-    m_otherMenu->setToolTipsVisible(true);
+    m_otherMenu = new OtherMistakesMenu(m_document, m_addMenu);
     m_add->setMenu(m_addMenu);
     m_add->setPopupMode(QToolButton::InstantPopup);
     m_rename = makeIconButton(QStringLiteral("edit"), this);
@@ -83,7 +82,8 @@ void ProgramsTab::wire()
     });
     connect(m_list, &QListWidget::itemChanged, this, &ProgramsTab::takeName);
     connect(m_rename, &QToolButton::clicked, this, &ProgramsTab::renameProgram);
-    connect(m_addMenu, &QMenu::aboutToShow, this, &ProgramsTab::fillOthers);
+    connect(m_addMenu, &QMenu::aboutToShow, m_otherMenu, &OtherMistakesMenu::fill);
+    connect(m_otherMenu, &OtherMistakesMenu::chosen, this, &ProgramsTab::takeOver);
     connect(m_remove, &QToolButton::clicked, this, &ProgramsTab::removeProgram);
 }
 
@@ -185,36 +185,6 @@ void ProgramsTab::addKnown(KnownKind kind)
         renameProgram();
 }
 
-/// What other steps know and students may do here, too; reading all of it takes a moment.
-void ProgramsTab::fillOthers()
-{
-    m_otherMenu->clear();
-    const LabFiles &files = m_document.files();
-    const auto plain = [](QString text) {
-        return text.replace(QLatin1Char('&'), QLatin1String("&&"));
-    };
-    const QStringList steps = stepsOf(files);
-    QMap<QString, QMenu *> menus;
-    for (const OtherMistake &mistake : mistakesOfOtherSteps(files, m_document.step())) {
-        QMenu *&menu = menus[mistake.step];
-        if (!menu) {
-            const auto form = taskForm(files, mistake.step, m_document.language());
-            menu = m_otherMenu->addMenu(QStringLiteral("%1 · %2")
-                                            .arg(steps.indexOf(mistake.step) + 1)
-                                            .arg(plain(form ? form->title : mistake.step)));
-            menu->setToolTipsVisible(true);
-        }
-        QAction *action =
-            menu->addAction(plain(mistake.headline), this, [this, mistake] { takeOver(mistake); });
-        action->setToolTip(mistake.name);
-    }
-    m_otherMenu->menuAction()->setEnabled(!m_otherMenu->isEmpty());
-    m_otherMenu->menuAction()->setToolTip(
-        m_otherMenu->isEmpty() ? tr("No mistake of another step applies to this solution that the "
-                                    "step does not have")
-                               : QString());
-}
-
 void ProgramsTab::takeOver(const OtherMistake &mistake)
 {
     const QString before =
@@ -294,7 +264,7 @@ void ProgramsTab::retranslate()
     m_addMenu->clear();
     m_addMenu->addAction(tr("A &mistake that students make"), this, &ProgramsTab::addMistake);
     m_addMenu->addAction(tr("A &remark on work that passes"), this, &ProgramsTab::addRemark);
-    m_otherMenu->setTitle(tr("A mistake of another &step"));
+    m_otherMenu->retranslate();
     m_addMenu->setToolTipsVisible(true);
     m_addMenu->addMenu(m_otherMenu);
 }

@@ -18,6 +18,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class CodeEditor;
+class OtherMistakesMenu;
 class ProgramPage;
 
 /// The programs of a step: what a student starts from, the reference, known mistakes, and work
@@ -52,7 +53,6 @@ private:
     void fillList();
     void showProgram();
     void addKnown(KnownKind kind);
-    void fillOthers();
     void takeOver(const OtherMistake &mistake);
     void takeName(QListWidgetItem *item);
     void renameTo(const QString &file, const QString &name);
@@ -63,7 +63,7 @@ private:
     QListWidget *m_list = nullptr;
     QToolButton *m_add = nullptr;
     QMenu *m_addMenu = nullptr;
-    QMenu *m_otherMenu = nullptr; ///< mistakes of other steps that may be made here
+    OtherMistakesMenu *m_otherMenu = nullptr;
     QToolButton *m_rename = nullptr;
     QToolButton *m_remove = nullptr;
     ProgramPage *m_page = nullptr;

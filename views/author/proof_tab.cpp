@@ -3,7 +3,7 @@
 #include "views/author/proof_tab.h"
 
 #include "views/author/proof_matrix.h"
-#include "views/author/rows_list.h"
+#include "views/author/proof_rows.h"
 #include "views/theme.h"
 
 #include <QEvent>
@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 
 #include <algorithm>
@@ -66,18 +65,10 @@ void ProofTab::makeLayout()
     m_empty->setContentsMargins(40, 40, 40, 40);
     setKind(m_empty, "muted");
     m_matrix = new ProofMatrix(this);
-    m_rowsHolder = new QWidget(this);
-    m_rows = new QVBoxLayout(m_rowsHolder);
-    m_rows->setContentsMargins(12, 8, 12, 8);
-    m_rows->setSpacing(6);
-    m_rows->addStretch(1);
-    m_rowsScroll = new QScrollArea(this);
-    m_rowsScroll->setObjectName(QStringLiteral("proofRows"));
-    m_rowsScroll->setWidgetResizable(true);
-    m_rowsScroll->setWidget(m_rowsHolder);
+    m_rows = new ProofRows(this);
     auto *splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(m_matrix);
-    splitter->addWidget(m_rowsScroll);
+    splitter->addWidget(m_rows);
     splitter->setChildrenCollapsible(false);
     splitter->setSizes({320, 220});
     auto *column = new QVBoxLayout(this);
@@ -272,51 +263,14 @@ QString ProofTab::summaryOf(const VerifiedTask &verified) const
 
 void ProofTab::showRows()
 {
-    while (m_rows->count() > 1) {
-        QLayoutItem *item = m_rows->takeAt(0);
-        if (QWidget *widget = item->widget()) {
-            widget->hide();
-            widget->deleteLater(); // its button may be at work
-        }
-        delete item;
-    }
+    m_rows->clear();
     if (m_suggestedLast)
         showSuggestions();
     showFindings();
     if (!m_suggestedLast)
         showSuggestions();
     showWarnings();
-    m_rowsScroll->setVisible(m_rows->count() > 1);
-}
-
-void ProofTab::addHeading(const QString &text)
-{
-    QLabel *heading = makeHeading(m_rowsHolder);
-    heading->setText(text);
-    m_rows->insertWidget(m_rows->count() - 1, heading);
-}
-
-QPushButton *ProofTab::addRow(const QString &text, bool warning, const QString &action)
-{
-    auto *row = new QWidget(m_rowsHolder);
-    auto *line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(8);
-    auto *label = new QLabel(text, row);
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    if (warning)
-        setKind(label, "warning");
-    line->addWidget(label, 1);
-    QPushButton *button = nullptr;
-    if (!action.isEmpty()) {
-        button = new QPushButton(action, row);
-        setKind(button, "small");
-        line->addWidget(button, 0, Qt::AlignTop);
-    }
-    m_rows->insertWidget(m_rows->count() - 1, row);
-    return button;
+    m_rows->setVisible(!m_rows->isEmpty());
 }
 
 } // namespace cradle

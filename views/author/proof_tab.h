@@ -12,13 +12,12 @@ QT_BEGIN_NAMESPACE
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QScrollArea;
-class QVBoxLayout;
 QT_END_NAMESPACE
 
 namespace cradle {
 
 class ProofMatrix;
+class ProofRows;
 
 /// The proof that the checks of a step work: every program judged, the matrix of programs and
 /// checks, what is not as it should be with a way to see it, and mistakes that the step does not
@@ -63,13 +62,11 @@ private:
     void showRows();
     void addFinding(const LabFinding &finding, bool wrong);
     void addSuggestion(const Suggestion &suggestion);
-    void addHeading(const QString &text);
     void showFindings();
     void showWarnings();
     [[nodiscard]] QString summaryOf(const VerifiedTask &verified) const;
     [[nodiscard]] int missingChecks() const; ///< suggestions that pass every check
     void showSuggestions();
-    QPushButton *addRow(const QString &text, bool warning, const QString &action);
     void showRun(const LabFinding &finding);
     [[nodiscard]] const CheckOutcome *outcomeOf(const LabFinding &finding) const;
     void adopt(const Suggestion &suggestion); ///< as a mistake of the step
@@ -96,9 +93,7 @@ private:
     QWidget *m_focusBefore = nullptr; ///< the button that began what runs
     ProofMatrix *m_matrix = nullptr;
     QLabel *m_empty = nullptr;
-    QScrollArea *m_rowsScroll = nullptr; ///< hidden while there is no row
-    QWidget *m_rowsHolder = nullptr;
-    QVBoxLayout *m_rows = nullptr;
+    ProofRows *m_rows = nullptr; ///< hidden while there is none
 };
 
 } // namespace cradle

@@ -4,10 +4,10 @@
 
 #include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/proof_rows.h"
 
 #include <QEvent>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -75,7 +75,7 @@ void ProofTab::showFindings()
     const VerifiedTask *verified = result();
     if (!verified || verified->findings.empty())
         return;
-    addHeading(tr("Findings"));
+    m_rows->addHeading(tr("Findings"));
     for (const LabFinding &finding : verified->findings)
         addFinding(finding, true);
 }
@@ -86,7 +86,7 @@ void ProofTab::showWarnings()
     const VerifiedTask *verified = result();
     if (!verified || verified->warnings.empty())
         return;
-    addHeading(tr("Worth a look"));
+    m_rows->addHeading(tr("Worth a look"));
     for (const LabFinding &warning : verified->warnings)
         addFinding(warning, false);
 }
@@ -95,14 +95,14 @@ void ProofTab::showSuggestions()
 {
     if (m_suggestedFor != taskId() || m_suggestedFor.isEmpty())
         return;
-    addHeading(m_suggestedFiles == m_document.files()
-                   ? tr("Mistakes that this step does not know")
-                   : tr("Mistakes that this step did not know before the last edits"));
+    m_rows->addHeading(m_suggestedFiles == m_document.files()
+                           ? tr("Mistakes that this step does not know")
+                           : tr("Mistakes that this step did not know before the last edits"));
     for (const Suggestion &suggestion : m_suggestions.list)
         addSuggestion(suggestion);
     if (m_suggestions.list.empty() && !m_job.isRunning() && m_suggestedFiles == m_document.files())
-        addRow(tr("None was found: each change of the solution is caught and explained."), false,
-               {});
+        m_rows->addRow(tr("None was found: each change of the solution is caught and explained."),
+                       false, {});
 }
 
 /// \param wrong  else it is only worth a look
@@ -112,24 +112,24 @@ void ProofTab::addFinding(const LabFinding &finding, bool wrong)
     if (!finding.program.isEmpty() && !text.startsWith(finding.program))
         text = QStringLiteral("%1: %2").arg(finding.program, text);
     if (outcomeOf(finding)) {
-        QPushButton *button = addRow(text, wrong, tr("Show the run"));
+        QPushButton *button = m_rows->addRow(text, wrong, tr("Show the run"));
         connect(button, &QPushButton::clicked, this, [this, finding] { showRun(finding); });
     } else if (!finding.program.isEmpty()) {
         const bool scene = finding.program == QLatin1String("solution-preset");
         QPushButton *button =
-            addRow(text, wrong, scene ? tr("Open the scene") : tr("Open the program"));
+            m_rows->addRow(text, wrong, scene ? tr("Open the scene") : tr("Open the program"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit programRequested(finding.program); });
     } else if (!finding.check.isEmpty()) {
-        QPushButton *button = addRow(text, wrong, tr("Open the check"));
+        QPushButton *button = m_rows->addRow(text, wrong, tr("Open the check"));
         connect(button, &QPushButton::clicked, this,
                 [this, finding] { emit checkRequested(finding.check); });
     } else if (finding.kind == LabFinding::Kind::TextUnfinished
                || finding.kind == LabFinding::Kind::QuestionEndless
                || finding.kind == LabFinding::Kind::ValueFails) {
-        addRow(text, wrong, {});
+        m_rows->addRow(text, wrong, {});
     } else {
-        QPushButton *button = addRow(text, wrong, tr("Open the programs"));
+        QPushButton *button = m_rows->addRow(text, wrong, tr("Open the programs"));
         connect(button, &QPushButton::clicked, this,
                 [this] { emit programRequested(QStringLiteral("solution")); });
     }
@@ -165,7 +165,7 @@ void ProofTab::addSuggestion(const Suggestion &suggestion)
                   .arg(suggestion.check, plain(suggestion.finding), headline, where)
             : tr("Fails by “%1” without a word on why: %2 (%3)")
                   .arg(suggestion.check, headline, where);
-    QPushButton *button = addRow(text, passes, tr("Add as a mistake"));
+    QPushButton *button = m_rows->addRow(text, passes, tr("Add as a mistake"));
     button->setEnabled(!m_document.isReadOnly());
     connect(button, &QPushButton::clicked, this, [this, suggestion, button] {
         button->setEnabled(false);

@@ -6,15 +6,11 @@
 #include "views/code/code_editor.h"
 #include "views/theme.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,56 +19,8 @@ namespace cradle {
 
 namespace {
 
-enum Column { When, What, Change };
 constexpr int leastPart = 120;    ///< px: a small window has no room for what it would like
 constexpr int widthOfThree = 900; ///< px, in which the list and two programs lie side by side
-
-struct PaneText {
-    Q_DECLARE_TR_FUNCTIONS(VersionsPane)
-};
-
-QString whatOf(const VersionNote &note)
-{
-    switch (note.reason) {
-    case VersionReason::Typed:
-        return PaneText::tr("Written");
-    case VersionReason::Before:
-        return PaneText::tr("Before it was replaced");
-    case VersionReason::Outside:
-        return PaneText::tr("By another program");
-    case VersionReason::Unsaved:
-        return PaneText::tr("From another window");
-    case VersionReason::Checked:
-        break;
-    }
-    return note.passed == true ? PaneText::tr("✓ passed") : PaneText::tr("not passed");
-}
-
-/// Of today only the time: the column is narrow.
-QString whenText(const QDateTime &when)
-{
-    const QDateTime local = when.toLocalTime();
-    const QLocale locale;
-    return local.date() == QDate::currentDate()
-               ? locale.toString(local.time(), QLocale::ShortFormat)
-               : locale.toString(local, QLocale::ShortFormat);
-}
-
-/// The first line that is new against the version before, or else the first that is gone.
-QString changeOf(const QString &before, const QString &after)
-{
-    const std::vector<DiffLine> diff = lineDiff(before, after);
-    for (const auto kind : {DiffLine::Kind::Added, DiffLine::Kind::Removed}) {
-        for (const DiffLine &line : diff) {
-            if (line.kind != kind || line.text.trimmed().isEmpty())
-                continue;
-            return kind == DiffLine::Kind::Added
-                       ? PaneText::tr("line %1: %2").arg(line.after).arg(line.text.trimmed())
-                       : PaneText::tr("without: %1").arg(line.text.trimmed());
-        }
-    }
-    return diff.empty() ? QString() : PaneText::tr("the same program");
-}
 
 QWidget *titled(QLabel *title, QWidget *content)
 {
@@ -94,7 +42,7 @@ QWidget *titled(QLabel *title, QWidget *content)
 VersionsPane::VersionsPane(QWidget *parent)
     : QWidget(parent)
     , m_parts(new QSplitter(Qt::Horizontal, this))
-    , m_list(new QTreeWidget)
+    , m_list(new VersionsList)
     , m_empty(new QLabel(this))
     , m_thenTitle(new QLabel)
     , m_nowTitle(new QLabel)
@@ -103,11 +51,6 @@ VersionsPane::VersionsPane(QWidget *parent)
     , m_goBack(new QPushButton)
     , m_toPassed(new QPushButton)
 {
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setAllColumnsShowFocus(true);
-    m_list->setColumnCount(3);
-    m_list->header()->setStretchLastSection(true);
     m_empty->setWordWrap(true);
     m_empty->setMargin(12);
     m_then->setReadOnly(true);
@@ -138,7 +81,6 @@ VersionsPane::VersionsPane(QWidget *parent)
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(m_parts);
     setFocusProxy(m_list);
-    m_list->viewport()->installEventFilter(this);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &VersionsPane::showChosen);
     connect(m_goBack, &QPushButton::clicked, this, [this] {
         if (const ShownVersion *version = chosen())
@@ -155,7 +97,9 @@ void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
 {
     const QString before = chosen() ? chosen()->version.id : QString();
     m_versions = versions;
-    fill();
+    m_list->fill(m_versions);
+    m_empty->setVisible(m_versions.empty());
+    m_list->setVisible(!m_versions.empty());
     for (std::size_t i = 0; i < m_versions.size(); ++i) {
         if (m_versions[i].version.id == before)
             m_list->setCurrentItem(m_list->topLevelItem(static_cast<int>(i)));
@@ -163,36 +107,6 @@ void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
     if (!chosen() && !m_versions.empty())
         m_list->setCurrentItem(m_list->topLevelItem(0));
     showChosen();
-}
-
-void VersionsPane::fill()
-{
-    m_list->clear();
-    for (std::size_t i = 0; i < m_versions.size(); ++i) {
-        const auto &[version, text] = m_versions[i];
-        const QString before = i + 1 < m_versions.size() ? m_versions[i + 1].text : QString();
-        auto *row = new QTreeWidgetItem(m_list);
-        row->setText(When, whenText(version.when));
-        row->setText(What, whatOf(version.note));
-        row->setText(Change, changeOf(before, text));
-        row->setToolTip(Change, row->text(Change));
-    }
-    fitColumns();
-    m_empty->setVisible(m_versions.empty());
-    m_list->setVisible(!m_versions.empty());
-}
-
-/// The last column takes what is left, or else the list scrolls.
-void VersionsPane::fitColumns()
-{
-    m_list->resizeColumnToContents(When);
-    m_list->resizeColumnToContents(What);
-    QHeaderView &header = *m_list->header();
-    const int needed = header.sectionSizeHint(Change);
-    const int left = m_list->viewport()->width() - header.sectionPosition(Change);
-    header.setStretchLastSection(left >= needed);
-    if (left < needed)
-        header.resizeSection(Change, needed);
 }
 
 void VersionsPane::setPresent(const QString &text, bool mayChange)
@@ -264,13 +178,6 @@ void VersionsPane::resizeEvent(QResizeEvent *event)
     m_parts->setSizes(stacks ? QList{height() / 4, 3 * height() / 4} : QList{420, 720});
 }
 
-bool VersionsPane::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::Resize)
-        fitColumns();
-    return QWidget::eventFilter(watched, event);
-}
-
 void VersionsPane::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
@@ -278,15 +185,12 @@ void VersionsPane::changeEvent(QEvent *event)
         retranslate();
         setVersions(m_versions);
     }
-    if (event->type() == QEvent::FontChange) // the list has it a little later
-        QMetaObject::invokeMethod(this, &VersionsPane::fitColumns, Qt::QueuedConnection);
 }
 
 void VersionsPane::retranslate()
 {
     setWindowTitle(tr("Versions"));
-    m_list->setHeaderLabels({tr("When"), tr("Version"), tr("First difference")});
-    m_list->setAccessibleName(tr("Versions of this step's program"));
+    m_list->retranslate();
     m_empty->setText(tr("Every Check keeps a version of your program here, and so do ten minutes "
                         "of writing."));
     m_thenTitle->setText(tr("The version"));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/workspace/version.h"
+#include "views/code/versions_list.h"
 
 #include <QWidget>
 
@@ -13,18 +13,11 @@ class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QSplitter;
-class QTreeWidget;
 QT_END_NAMESPACE
 
 namespace cradle {
 
 class CodeEditor;
-
-/// A version with its program.
-struct ShownVersion {
-    Version version;
-    QString text;
-};
 
 /// The versions of the open step's program: when, what was found, what changed; the program of the
 /// chosen one beside the present one, with the lines that differ marked.
@@ -47,12 +40,9 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void fill();
-    void fitColumns();
     void showChosen();
     void showButtons();
     void retranslate();
@@ -60,7 +50,7 @@ private:
 
     QSplitter *m_parts;
     QBoxLayout *m_choice = nullptr; ///< the list and the buttons
-    QTreeWidget *m_list;
+    VersionsList *m_list;
     QLabel *m_empty;
     QLabel *m_thenTitle;
     QLabel *m_nowTitle;
