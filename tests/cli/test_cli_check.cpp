@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/files/file_io.h"
-#include "tests/cli/program_run.h"
+#include "tests/cli/check_run.h"
 #include "tests/test_paths.h"
 
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -28,38 +27,12 @@ private slots:
     void languageIsTakenUp();
     void namesNeedNotBeText_data();
     void namesNeedNotBeText();
-    void wrongUsageIsSaid_data();
-    void wrongUsageIsSaid();
-    void unreadableInputNamesItsPlace_data();
-    void unreadableInputNamesItsPlace();
-    void programExplainsItself_data();
-    void programExplainsItself();
 
 private:
-    static QString lab(const char *file);
     static QJsonObject json(const QStringList &arguments, int code);
 
     QTemporaryDir m_folder;
 };
-
-namespace {
-
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-QStringList words(const char *line)
-{
-    return text(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-} // namespace
-
-QString TestCliCheck::lab(const char *file)
-{
-    return cradle::sourcePath("tasks/lab-4.2/") + QLatin1String(file);
-}
 
 QJsonObject TestCliCheck::json(const QStringList &arguments, int code)
 {
@@ -264,98 +237,6 @@ void TestCliCheck::namesNeedNotBeText()
     VERIFY_CODE(outcome, code);
     QCOMPARE(outcome.out.isEmpty(), code != 0);
     QCOMPARE(outcome.error.contains(text("there is nothing of that name")), code != 0);
-}
-
-void TestCliCheck::wrongUsageIsSaid_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QString>("word");
-    const QString good = lab("L42T1/preset.json");
-    const auto row = [](const char *name, const QStringList &arguments, const char *word) {
-        QTest::newRow(name) << arguments << text(word);
-    };
-    row("nothing", {}, "Usage");
-    row("unknown subcommand", words("judge L42T1"), "unknown subcommand judge");
-    row("no step", words("check"), "an argument is missing");
-    row("no preset", words("check L42T1"), "--preset");
-    row("preset without a value", words("check L42T1 --preset"), "preset");
-    row("unknown step", words("check L42T99 --preset") + QStringList{good}, "L42T17");
-    row("two steps", words("check L42T1 L42T2 --preset") + QStringList{good}, "L42T2");
-    row("unknown option", words("check L42T1 --color --preset") + QStringList{good}, "color");
-    row("unknown format", words("check L42T1 --format xml --preset") + QStringList{good},
-        "text, json, junit, tap, gradescope, exercism, github");
-    row("unknown language", words("check L42T1 --language xx --preset") + QStringList{good},
-        "en, ar, de, fr");
-    row("seed is a word", words("check L42T1 --seed one --preset") + QStringList{good}, "one");
-    row("seed is a half", words("check L42T1 --seed 1.5 --preset") + QStringList{good}, "1.5");
-    row("empty step", QStringList{text("check"), QString(), text("--preset"), good}, "no step");
-}
-
-void TestCliCheck::wrongUsageIsSaid()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(QString, word);
-    const Outcome outcome = runCli(arguments);
-    VERIFY_CODE(outcome, 2);
-    QVERIFY2(outcome.error.contains(word), outcome.toText().constData());
-    QVERIFY(outcome.out.isEmpty());
-}
-
-void TestCliCheck::unreadableInputNamesItsPlace_data()
-{
-    QTest::addColumn<QString>("preset");
-    QTest::addColumn<QString>("lab");
-    QTest::addColumn<QString>("start"); ///< of the message
-    const QString good = lab("L42T1/preset.json");
-    const QString bad = cradle::fixturePath("presets/bad/");
-    const QString labs = cradle::fixturePath("labs/");
-    const auto row = [](const char *name, const QString &preset, const QString &folder,
-                        const QString &start) { QTest::newRow(name) << preset << folder << start; };
-    row("missing preset", text("nowhere.json"), {}, text("nowhere.json: "));
-    row("folder as preset", labs, {}, labs + text(": "));
-    row("binary preset", bad + text("binary.json"), {}, bad + text("binary.json:1: "));
-    row("negative radius", bad + text("radius_negative.json"), {},
-        bad + text("radius_negative.json: /circles/1/radius: "));
-    row("endless preset", text("/dev/zero"), {}, text("/dev/zero: "));
-    row("missing lab", good, text("nowhere"), text("nowhere/lab.json: "));
-    row("step outside", good, labs + text("step_outside"),
-        labs + text("step_outside/lab.json: /steps/1: "));
-    row("broken syntax", good, labs + text("broken_syntax"),
-        labs + text("broken_syntax/lab.json:3: "));
-}
-
-void TestCliCheck::unreadableInputNamesItsPlace()
-{
-    QFETCH(QString, preset);
-    QFETCH(QString, lab);
-    QFETCH(QString, start);
-    QStringList arguments{text("check"), text("L42T1"), text("--preset"), preset};
-    if (!lab.isEmpty())
-        arguments += {text("--lab"), lab};
-    const Outcome outcome = runCli(arguments);
-    VERIFY_CODE(outcome, 2);
-    QVERIFY2(outcome.error.startsWith(start), outcome.toText().constData());
-    QVERIFY(outcome.out.isEmpty());
-}
-
-void TestCliCheck::programExplainsItself_data()
-{
-    QTest::addColumn<QString>("arguments");
-    QTest::addColumn<QString>("word");
-    QTest::newRow("help") << text("--help") << text("Exit status");
-    QTest::newRow("help of check") << text("check --help") << text("--exit-zero");
-    QTest::newRow("help of simulate") << text("simulate --help") << text("--every");
-    QTest::newRow("version") << text("--version") << text("cradle-cli ");
-}
-
-void TestCliCheck::programExplainsItself()
-{
-    QFETCH(QString, arguments);
-    QFETCH(QString, word);
-    const Outcome outcome = runCli(arguments.split(QLatin1Char(' ')));
-    VERIFY_CODE(outcome, 0);
-    QVERIFY2(outcome.out.contains(word), outcome.toText().constData());
-    QVERIFY(outcome.error.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestCliCheck)

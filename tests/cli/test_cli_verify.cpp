@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/program_run.h"
-#include "tests/test_paths.h"
+#include "tests/cli/verify_run.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <map>
@@ -19,70 +18,10 @@ private slots:
     void seedsAreAsManyAsAskedFor();
     void unsoundLabDoesNotPass_data();
     void unsoundLabDoesNotPass();
-    void fileThatCannotBeReadIsNamed_data();
-    void fileThatCannotBeReadIsNamed();
     void unfinishedTextsAreTold();
     void mistakesBecomeDifferences();
     void oneStepAlone();
-    void unreadableLabIsRefused_data();
-    void unreadableLabIsRefused();
-    void wrongUsageIsSaid_data();
-    void wrongUsageIsSaid();
 };
-
-namespace {
-
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-/// The files of a lab with their contents.
-using Files = std::map<QByteArray, QByteArray>;
-
-const QByteArray load = "function on_load()\n  circle1.velocity = vec(2, 0)\nend\n";
-const QByteArray drift = "function on_update(dt)\n"
-                         "  circle1.position = circle1.position + circle1.velocity * dt\n"
-                         "end\n";
-const QByteArray twice = "function on_update(dt)\n"
-                         "  circle1.position = circle1.position + 2 * circle1.velocity * dt\n"
-                         "end\n";
-const QByteArray upward = "function on_load()\n  circle1.velocity = vec(0, 2)\nend\n";
-
-Files soundLab()
-{
-    return {{"lab.json", R"({"format": 1, "id": "small", "title": "Small", "version": "1",
-                             "language": "en", "steps": ["S1"]})"},
-            {"S1/task.json", R"({"format": 1, "id": "S1", "title": "Drift", "commit": "Drifted",
-                "preset": "preset.json", "hints": ["A nudge.", "More.", "Nearly all."],
-                "checks": [{"id": "velocity", "kind": "start", "title": "It starts with (2, 0) m/s",
-                            "parameters": {"velocity": [2, 0]},
-                            "scene": {"kind": "own", "duration": 0.05}},
-                           {"id": "drifts", "kind": "integrates", "title": "It drifts",
-                            "scene": {"kind": "own", "duration": 1}}]})"},
-            {"S1/preset.json", R"({"format": 1, "circles": [{"position": [-2, 2]}]})"},
-            {"S1/instructions.md", "# Drift\n"},
-            {"S1/starter.lua", "function on_update(dt)\nend\n"},
-            {"S1/solution.lua", load + drift},
-            {"S1/mistakes/upward.lua", "-- It moves up\n\n" + upward + drift},
-            {"S1/mistakes/twice.lua", "-- It moves twice\n\n" + load + twice}};
-}
-
-void write(const QTemporaryDir &folder, const Files &files)
-{
-    for (const auto &[name, content] : files) {
-        const QString path = QString::fromUtf8(name);
-        QDir().mkpath(QFileInfo(folder.filePath(path)).path());
-        QVERIFY(!written(folder, name.constData(), content).isEmpty());
-    }
-}
-
-Outcome verify(const QStringList &arguments)
-{
-    return runCli(QStringList{text("verify")} + arguments);
-}
-
-} // namespace
 
 void TestCliVerify::soundLabPasses()
 {
@@ -176,46 +115,6 @@ void TestCliVerify::unsoundLabDoesNotPass()
     QVERIFY2(!outcome.out.contains(text(" 0 problems")), outcome.toText().constData());
 }
 
-void TestCliVerify::fileThatCannotBeReadIsNamed_data()
-{
-    QTest::addColumn<QByteArray>("file");
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<QString>("message"); ///< after the folder
-    QTest::newRow("mistake without a diagnosis")
-        << QByteArray("S1/mistakes/twice.lua") << load + twice
-        << text("/S1/mistakes/twice.lua:1: ");
-    QTest::newRow("step with an unknown key")
-        << QByteArray("S1/task.json") << QByteArray(R"({"format": 1, "points": 3})")
-        << text("/S1/task.json: ");
-    QByteArray script = soundLab()["S1/task.json"];
-    script.replace(R"("kind": "integrates", "title": "It drifts",)",
-                   R"("kind": "script", "title": "It drifts", "parameters": {"script": "d.lua"},)");
-    QTest::newRow("check in Lua that is not there")
-        << QByteArray("S1/task.json") << script << text("/S1/checks/d.lua: ");
-    QByteArray unknown = soundLab()["S1/task.json"];
-    unknown.replace("\"velocity\": [2, 0]", "\"speed\": 2");
-    QTest::newRow("unknown parameter") << QByteArray("S1/task.json") << unknown
-                                       << text("/S1/task.json: /checks/0/parameters/speed: start "
-                                               "has no parameter \"speed\"");
-    QTest::newRow("broken preset") << QByteArray("S1/preset.json") << QByteArray("{\n\"format\"")
-                                   << text("/S1/preset.json:2: ");
-}
-
-void TestCliVerify::fileThatCannotBeReadIsNamed()
-{
-    QFETCH(QByteArray, file);
-    QFETCH(QByteArray, content);
-    QFETCH(QString, message);
-    Files files = soundLab();
-    files[file] = content;
-    const QTemporaryDir folder;
-    write(folder, files);
-    const Outcome outcome = verify({folder.path()});
-    VERIFY_CODE(outcome, 1);
-    QVERIFY2(outcome.error.startsWith(folder.path() + message), outcome.toText().constData());
-    QVERIFY2(!outcome.out.contains(text(" 0 problems")), outcome.toText().constData());
-}
-
 /// A language that is begun in a step, what the step has no more, and what is still the template's,
 /// are told and fail nothing.
 void TestCliVerify::unfinishedTextsAreTold()
@@ -273,44 +172,6 @@ void TestCliVerify::oneStepAlone()
     VERIFY_CODE(first, 0);
     QVERIFY(!first.out.contains(text("S2")));
     VERIFY_CODE(verify({folder.path(), text("--task"), text("S2")}), 1);
-}
-
-void TestCliVerify::unreadableLabIsRefused_data()
-{
-    QTest::addColumn<QString>("folder");
-    const QString labs = cradle::fixturePath("labs/");
-    QTest::newRow("missing") << text("nowhere");
-    QTest::newRow("no lab.json") << labs + text("no_lab_json");
-    QTest::newRow("broken syntax") << labs + text("broken_syntax");
-    QTest::newRow("a file") << labs + text("good/lab.json");
-}
-
-void TestCliVerify::unreadableLabIsRefused()
-{
-    QFETCH(QString, folder);
-    const Outcome outcome = verify({folder});
-    VERIFY_CODE(outcome, 2);
-    QVERIFY2(outcome.error.startsWith(folder + text("/lab.json:")), outcome.toText().constData());
-    QVERIFY(outcome.out.isEmpty());
-}
-
-void TestCliVerify::wrongUsageIsSaid_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    const QString good = cradle::fixturePath("labs/good");
-    QTest::newRow("no lab") << QStringList{};
-    QTest::newRow("two labs") << QStringList{good, good};
-    QTest::newRow("unknown step") << QStringList{good, text("--task"), text("S9")};
-    QTest::newRow("unknown option") << QStringList{good, text("--quick")};
-}
-
-void TestCliVerify::wrongUsageIsSaid()
-{
-    QFETCH(QStringList, arguments);
-    const Outcome outcome = verify(arguments);
-    VERIFY_CODE(outcome, 2);
-    QVERIFY2(outcome.error.startsWith(text("cradle-cli: ")), outcome.toText().constData());
-    QVERIFY(outcome.out.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestCliVerify)
