@@ -2,22 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
-#include "tests/gui/open_window.h"
-#include "tests/test_paths.h"
+#include "tests/gui/window_test.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QMenu>
-#include <QMenuBar>
-#include <QTimer>
 
 using namespace cradle;
 using namespace cradle::windows;
 
-/// The window itself: keys, languages, colours, panes, files.
-class TestMainWindow final : public QObject
+/// The window itself: keys, languages, colours, panes.
+class TestMainWindow final : public WindowTest
 {
     Q_OBJECT
 private slots:
@@ -34,19 +28,7 @@ private slots:
     void panesAreUnlockedAndLocked();
     void layoutIsKept();
     void layoutIsReset();
-    void sceneFileIsOpened();
-    void brokenSceneFileGivesANotice_data();
-    void brokenSceneFileGivesANotice();
-    void brokenSettingsDoNoHarm();
     void everyShortcutIsUsedOnce();
-
-private:
-    void reopen();
-    void openFile(const QString &path);
-    QDockWidget *pane(const char *name) const;
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<OpenWindow> m_open;
 };
 
 void TestMainWindow::initTestCase()
@@ -58,46 +40,13 @@ void TestMainWindow::initTestCase()
 void TestMainWindow::init()
 {
     setLanguage(QStringLiteral("en"));
-    m_folder = std::make_unique<QTemporaryDir>();
-    reopen();
+    takeNewFolder();
 }
 
 void TestMainWindow::cleanup()
 {
     m_open.reset();
     applyTheme(ThemeChoice::Light);
-}
-
-void TestMainWindow::reopen()
-{
-    if (m_open)
-        m_open->window.close();
-    m_open.reset();
-    m_open = std::make_unique<OpenWindow>(*m_folder);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
-}
-
-/// Opens a file by the dialog of the menu.
-void TestMainWindow::openFile(const QString &path)
-{
-    bool accepted = false;
-    QTimer watch;
-    connect(&watch, &QTimer::timeout, this, [&] {
-        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
-        if (!dialog || accepted)
-            return;
-        accepted = true;
-        dialog->findChild<QLineEdit *>()->setText(path);
-        QMetaObject::invokeMethod(dialog, "accept");
-    });
-    watch.start(10);
-    m_open->window.openPresetFile();
-    QVERIFY(accepted);
-}
-
-QDockWidget *TestMainWindow::pane(const char *name) const
-{
-    return m_open->window.findChild<QDockWidget *>(QLatin1String(name));
 }
 
 void TestMainWindow::keysDriveTheSimulation()
@@ -233,53 +182,6 @@ void TestMainWindow::layoutIsReset()
     QVERIFY(pane("energy")->isVisible() && !pane("values")->isFloating());
     QCOMPARE(m_open->window.dockWidgetArea(pane("task")), Qt::LeftDockWidgetArea);
     QCOMPARE(m_open->window.dockWidgetArea(pane("inspector")), Qt::RightDockWidgetArea);
-}
-
-void TestMainWindow::sceneFileIsOpened()
-{
-    openFile(sourcePath("tasks/lab-4.2/L42T14/preset.json"));
-    QVERIFY(m_open->preset() == *readPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
-    // The lab is still there.
-    QVERIFY(m_open->bench.openTask(QStringLiteral("L42T2")));
-    QVERIFY(m_open->window.transportBar().checkAction()->isEnabled());
-}
-
-void TestMainWindow::brokenSceneFileGivesANotice_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const char *name : {"radius_negative.json", "binary.json", "overlapping.json"})
-        QTest::newRow(name) << QString::fromLatin1(name);
-}
-
-void TestMainWindow::brokenSceneFileGivesANotice()
-{
-    QFETCH(QString, name);
-    m_open->typeCell(0, CircleTableModel::VelocityX, QStringLiteral("2"));
-    const Preset before = m_open->preset();
-    openFile(fixturePath("presets/bad/") + name);
-    QVERIFY(m_open->window.notice().isVisible());
-    QVERIFY2(m_open->window.notice().text().contains(name),
-             qPrintable(m_open->window.notice().text()));
-    QVERIFY(m_open->preset() == before);
-    QCOMPARE(m_open->bench.current(), 0);
-    m_open->click(QStringLiteral("Got it"));
-    QVERIFY(m_open->window.notice().isHidden());
-}
-
-void TestMainWindow::brokenSettingsDoNoHarm()
-{
-    m_open.reset();
-    {
-        QSettings settings(m_folder->filePath(QStringLiteral("settings.ini")),
-                           QSettings::IniFormat);
-        settings.setValue(QStringLiteral("geometry"), QByteArray("nonsense"));
-        settings.setValue(QStringLiteral("layout/explore"), QByteArray(1000, '\xff'));
-        settings.setValue(QStringLiteral("renderer"), QStringLiteral("crayon"));
-    }
-    reopen();
-    QVERIFY(pane("task")->isVisible());
-    m_open->press(Qt::Key_Right);
-    QCOMPARE(m_open->simulation().current(), qint64{1});
 }
 
 /// Two actions with one key would make Qt do neither.

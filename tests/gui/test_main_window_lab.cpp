@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
-#include "tests/gui/open_window.h"
-
-#include <QThreadPool>
+#include "tests/gui/window_test.h"
 
 #include <cmath>
 
@@ -12,7 +10,7 @@ using namespace cradle;
 using namespace cradle::windows;
 
 /// A student's way through the lab, by the real window.
-class TestMainWindowLab final : public QObject
+class TestMainWindowLab final : public WindowTest
 {
     Q_OBJECT
 private slots:
@@ -25,23 +23,10 @@ private slots:
     void passOfWorkThatWasSeenCountsAtOnce();
     void seenRunOfOtherWorkDoesNotCount();
     void allStepsAreSolved();
-    void failedCheckShowsTheMomentAndTheWayBack();
-    void momentOfTheOwnSceneIsNoVisit();
-    void editAfterTheCheckMakesItStale();
-    void editDuringTheCheckMakesItStale();
-    void checkIsStopped();
-    void stepLeftDuringTheCheckKeepsItsVerdict();
-    void sceneOpenedDuringTheCheckEndsIt();
     void progressSurvivesClosingAndReopening();
     void progressSurvivesOpeningALab();
     void brokenProgressGivesANoticeAndIsKept();
     void stepsAreChosenFromTheListAndByKeys();
-
-private:
-    void reopen();
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<OpenWindow> m_open;
 };
 
 void TestMainWindowLab::initTestCase()
@@ -52,17 +37,7 @@ void TestMainWindowLab::initTestCase()
 
 void TestMainWindowLab::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
-    reopen();
-}
-
-void TestMainWindowLab::reopen()
-{
-    if (m_open)
-        m_open->window.close();
-    m_open.reset();
-    m_open = std::make_unique<OpenWindow>(*m_folder);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
+    takeNewFolder();
 }
 
 void TestMainWindowLab::firstStartShowsStepOnePaused()
@@ -170,110 +145,6 @@ void TestMainWindowLab::allStepsAreSolved()
     if (QAbstractButton *next = m_open->button(QStringLiteral("Next step")))
         next->click();
     QCOMPARE(m_open->bench.current(), 16);
-}
-
-void TestMainWindowLab::failedCheckShowsTheMomentAndTheWayBack()
-{
-    QVERIFY(m_open->bench.openTask(QStringLiteral("L42T12")));
-    Preset wrong = m_open->solution();
-    wrong.laws.circles = CircleLaw::SwapVelocities;
-    QVERIFY(m_open->bench.document().edit(QStringLiteral("wrong"), wrong));
-    m_open->check();
-    const CheckReport report = *m_open->bench.report();
-    const auto failed =
-        std::find_if(report.checks.begin(), report.checks.end(), [&](const CheckOutcome &check) {
-            return !check.passed && check.variant != QLatin1String("preset");
-        });
-    QVERIFY(failed != report.checks.end());
-    emit m_open->window.taskPane().showMoment(*failed);
-    QVERIFY(m_open->bench.document().isVisiting());
-    QVERIFY(m_open->preset() == *failed->scene);
-    QCOMPARE(m_open->simulation().recording().step(m_open->simulation().current()), failed->step);
-    QVERIFY(!m_open->simulation().isRunning());
-    QVERIFY(m_open->says(QStringLiteral("at the moment where it went wrong")));
-    m_open->simulation().stepForward();
-    QVERIFY(m_open->says(QStringLiteral("This is a scene of the check.")));
-    QVERIFY(!m_open->says(QStringLiteral("at the moment where it went wrong")));
-    m_open->simulation().stepBack();
-    QVERIFY(m_open->says(QStringLiteral("at the moment where it went wrong")));
-    // It is not the student's to edit, and is not what is checked.
-    QVERIFY(!m_open->bench.document().edit(QStringLiteral("no"), wrong));
-    m_open->click(QStringLiteral("Back to my scene"));
-    QVERIFY(!m_open->bench.document().isVisiting());
-    QVERIFY(m_open->preset() == wrong);
-    QVERIFY(m_open->window.notice().isHidden());
-}
-
-void TestMainWindowLab::momentOfTheOwnSceneIsNoVisit()
-{
-    QVERIFY(m_open->bench.openTask(QStringLiteral("L42T2")));
-    Preset open = m_open->solution();
-    open.laws.walls = WallLaw::None;
-    m_open->bench.document().edit(QStringLiteral("no walls"), open);
-    m_open->check();
-    m_open->click(QStringLiteral("Show the moment"));
-    QVERIFY(!m_open->bench.document().isVisiting());
-    QVERIFY(m_open->preset() == open);
-    QVERIFY(m_open->simulation().current() > 0);
-}
-
-void TestMainWindowLab::editAfterTheCheckMakesItStale()
-{
-    m_open->check();
-    QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
-    m_open->typeCell(0, CircleTableModel::VelocityX, QStringLiteral("1"));
-    QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
-    m_open->bench.document().undoStack().undo(); // back to what was checked
-    QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
-    m_open->bench.document().undoStack().redo();
-    QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
-    m_open->check();
-    QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
-}
-
-/// The verdict is on the scene as it was; the student must not take it for the one that is there.
-void TestMainWindowLab::editDuringTheCheckMakesItStale()
-{
-    Preset solved = m_open->solution();
-    m_open->bench.document().edit(QStringLiteral("solve"), solved);
-    m_open->click(QStringLiteral("Check"));
-    solved.circles[0].body.velocity = {-2.0, 0.0};
-    m_open->bench.document().edit(QStringLiteral("spoil"), solved);
-    QTRY_VERIFY(!m_open->window.transportBar().isChecking());
-    QVERIFY(!m_open->bench.report() || m_open->says(QStringLiteral("Changed since this check")));
-}
-
-void TestMainWindowLab::checkIsStopped()
-{
-    QVERIFY(m_open->bench.openTask(QStringLiteral("L42T17")));
-    m_open->click(QStringLiteral("Check"));
-    QVERIFY(m_open->window.transportBar().isChecking());
-    m_open->click(QStringLiteral("Stop"));
-    QVERIFY(!m_open->window.transportBar().isChecking());
-    QTRY_VERIFY(!m_open->bench.isChecking());
-    QCoreApplication::processEvents();
-    QVERIFY(!m_open->bench.report());
-    QVERIFY(m_open->says(QStringLiteral("Press Check")));
-}
-
-void TestMainWindowLab::stepLeftDuringTheCheckKeepsItsVerdict()
-{
-    m_open->click(QStringLiteral("Check"));
-    m_open->bench.openNextTask();
-    QVERIFY(!m_open->window.transportBar().isChecking());
-    QTRY_VERIFY(!m_open->bench.isChecking());
-    QCoreApplication::processEvents();
-    QVERIFY(!m_open->bench.report());
-    QVERIFY(!m_open->window.transportBar().isChecking());
-}
-
-void TestMainWindowLab::sceneOpenedDuringTheCheckEndsIt()
-{
-    m_open->click(QStringLiteral("Check"));
-    // The work is done, but no event has told so yet.
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(60'000));
-    QVERIFY(!m_open->bench.openPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
-    QTRY_VERIFY(!m_open->window.transportBar().isChecking());
 }
 
 void TestMainWindowLab::progressSurvivesClosingAndReopening()

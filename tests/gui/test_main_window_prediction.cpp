@@ -3,7 +3,7 @@
 #include "app/main_window.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "tests/gui/open_window.h"
+#include "tests/gui/window_test.h"
 #include "views/task_pane/prediction_card.h"
 
 #include <QRadioButton>
@@ -12,7 +12,7 @@ using namespace cradle;
 using namespace cradle::windows;
 
 /// A prediction in the whole application: asked, kept between starts, and compared.
-class TestMainWindowPrediction final : public QObject
+class TestMainWindowPrediction final : public WindowTest
 {
     Q_OBJECT
 private slots:
@@ -30,7 +30,6 @@ private slots:
     void sceneWithoutAStepAsksNothing();
 
 private:
-    void reopen();
     void open(const char *step) { QVERIFY(m_open->bench.openTask(QLatin1String(step))); }
     [[nodiscard]] PredictionCard *card()
     {
@@ -40,9 +39,6 @@ private:
     {
         return qobject_cast<QRadioButton *>(m_open->button(name));
     }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<OpenWindow> m_open;
 };
 
 void TestMainWindowPrediction::initTestCase()
@@ -53,17 +49,7 @@ void TestMainWindowPrediction::initTestCase()
 
 void TestMainWindowPrediction::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
-    reopen();
-}
-
-void TestMainWindowPrediction::reopen()
-{
-    if (m_open)
-        m_open->window.close();
-    m_open.reset();
-    m_open = std::make_unique<OpenWindow>(*m_folder);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
+    takeNewFolder();
 }
 
 void TestMainWindowPrediction::answerIsKeptBetweenStarts()
