@@ -7,6 +7,7 @@
 #include "app/notice_bar.h"
 #include "model/files/preset_json.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/gui/typed_cell.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/inspector.h"
 #include "views/inspector/number_field.h"
@@ -85,20 +86,7 @@ public:
     /// Types a number into the table of circles, as a student does.
     void typeCell(int row, int column, const QString &text)
     {
-        auto *table = window.inspector().findChild<QTableView *>();
-        table->setFocus();
-        table->setCurrentIndex(table->model()->index(row, column));
-        table->edit(table->currentIndex());
-        // The editor of the cell before may still wait for its end.
-        NumberField *field = nullptr;
-        for (auto *each : table->viewport()->findChildren<NumberField *>()) {
-            if (each->isVisible())
-                field = each;
-        }
-        QVERIFY(field);
-        field->selectAll();
-        QTest::keyClicks(field, text);
-        QTest::keyClick(field, Qt::Key_Return);
+        typeIntoCell(window.inspector().findChild<QTableView *>(), row, column, text);
     }
 
     [[nodiscard]] Preset solution()

@@ -7,12 +7,8 @@
 #include "tests/gui/open_window.h"
 #include "tests/test_paths.h"
 #include "views/author/lab_dialog.h"
-#include "views/task_pane/prediction_card.h"
 
 #include <QLabel>
-#include <QRadioButton>
-#include <QScrollArea>
-#include <QScrollBar>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -29,23 +25,8 @@ private slots:
     void labInAnotherLanguageOpensInIt();
     void stepThatIsWrittenOpensAsAStudentSeesIt();
     void everyLabHasAWindowOfItsOwn();
-    void predictionStandsWhereTheStudentFindsIt();
     void mistakeOfAnotherStepIsTakenOver();
 };
-
-namespace {
-
-std::optional<Prediction> prediction(OpenAuthor &author, const char *language = "en")
-{
-    return taskForm(author.files(), author.document().step(), QLatin1String(language))->prediction;
-}
-
-QRadioButton *mark(OpenAuthor &author, const char *name)
-{
-    return qobject_cast<QRadioButton *>(author.button(QLatin1String(name)));
-}
-
-} // namespace
 
 void TestAuthorLab::labHasTitlesVersionAndId()
 {
@@ -133,8 +114,10 @@ void TestAuthorLab::findingsLeadToTheirFields()
     QCOMPARE(author.window.tabs().currentIndex(), int{AuthorWindow::Text});
     QVERIFY(author.find<QLineEdit>("predictionAnswer1")->isVisible());
     // One click on the right answer, and the file is as it was.
-    QTest::mouseClick(mark(author, "Answer 2 comes true"), Qt::LeftButton);
-    QCOMPARE(prediction(author)->right, 1);
+    QTest::mouseClick(author.button(QStringLiteral("Answer 2 comes true")), Qt::LeftButton);
+    QCOMPARE(
+        taskForm(author.files(), author.document().step(), QStringLiteral("en"))->prediction->right,
+        1);
     author.document().readNow();
     QTRY_COMPARE(list->count(), 0);
 
@@ -228,43 +211,6 @@ void TestAuthorLab::everyLabHasAWindowOfItsOwn()
     QCOMPARE(student.window.author(), first.data());
     QVERIFY(student.window.close());
     QTRY_VERIFY(!first);
-}
-
-/// In the preview: between the introduction and the first section, and the author can try it.
-void TestAuthorLab::predictionStandsWhereTheStudentFindsIt()
-{
-    const QTemporaryDir folder;
-    OpenAuthor author(folder);
-    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/lab-4.2"));
-    QVERIFY(lab);
-    author.document().begin(*lab);
-    author.document().setStep(QStringLiteral("L42T12"));
-    author.window.showTab(AuthorWindow::Text);
-    InstructionsPane &student = author.window.textTab().student();
-    auto *card = student.findChild<PredictionCard *>();
-    QVERIFY(card);
-    QTRY_VERIFY(textShown(student).contains(QStringLiteral("Do\n")));
-    QVERIFY(card->isVisible());
-    const auto views = student.findChildren<MarkdownView *>();
-    const auto top = [&](const QWidget *widget) { return widget->mapTo(&student, QPoint()).y(); };
-    const auto first = std::find_if(views.begin(), views.end(), [](const MarkdownView *view) {
-        return view->toPlainText().contains(QStringLiteral("Do\n"));
-    });
-    QVERIFY(first != views.end());
-    QTRY_VERIFY(top(*first) > top(card));
-    auto *answer = card->findChild<QRadioButton *>();
-    QVERIFY(answer);
-    answer->click();
-    QVERIFY(answer->isChecked());
-    // What is written stays in sight: the preview does not jump while one types.
-    auto *bar = student.findChild<QScrollArea *>()->verticalScrollBar();
-    QTRY_VERIFY(bar->maximum() > 200);
-    bar->setValue(150);
-    auto *text = author.find<MarkdownEditor>("markdown");
-    text->moveCursor(QTextCursor::End);
-    QTest::keyClicks(text, QStringLiteral("More."));
-    QTRY_VERIFY(textShown(student).contains(QStringLiteral("More.")));
-    QTRY_COMPARE(bar->value(), 150);
 }
 
 /// From the menu of the plus: offered by step, taken over by one entry, and undone as one edit.

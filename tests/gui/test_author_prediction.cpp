@@ -4,20 +4,25 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tests/test_paths.h"
+#include "views/task_pane/prediction_card.h"
 
 #include <QLabel>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 
 using namespace cradle;
 using namespace cradle::windows;
 
-/// The prediction of a step as a form: what is typed there.
+/// The prediction of a step as a form: what is typed there, and where it stands for the student.
 class TestAuthorPrediction : public QObject
 {
     Q_OBJECT
 private slots:
     void predictionIsAskedTranslatedAndRemoved();
     void predictionWithoutItsTextsIsNotTaken();
+    void predictionStandsWhereTheStudentFindsIt();
 };
 
 namespace {
@@ -137,6 +142,43 @@ void TestAuthorPrediction::predictionWithoutItsTextsIsNotTaken()
     author.undo();
     QCOMPARE(answer->text(), old);
     QCOMPARE(author.files(), before);
+}
+
+/// In the preview: between the introduction and the first section, and the author can try it.
+void TestAuthorPrediction::predictionStandsWhereTheStudentFindsIt()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/lab-4.2"));
+    QVERIFY(lab);
+    author.document().begin(*lab);
+    author.document().setStep(QStringLiteral("L42T12"));
+    author.window.showTab(AuthorWindow::Text);
+    InstructionsPane &student = author.window.textTab().student();
+    auto *card = student.findChild<PredictionCard *>();
+    QVERIFY(card);
+    QTRY_VERIFY(textShown(student).contains(QStringLiteral("Do\n")));
+    QVERIFY(card->isVisible());
+    const auto views = student.findChildren<MarkdownView *>();
+    const auto top = [&](const QWidget *widget) { return widget->mapTo(&student, QPoint()).y(); };
+    const auto first = std::find_if(views.begin(), views.end(), [](const MarkdownView *view) {
+        return view->toPlainText().contains(QStringLiteral("Do\n"));
+    });
+    QVERIFY(first != views.end());
+    QTRY_VERIFY(top(*first) > top(card));
+    auto *answer = card->findChild<QRadioButton *>();
+    QVERIFY(answer);
+    answer->click();
+    QVERIFY(answer->isChecked());
+    // What is written stays in sight: the preview does not jump while one types.
+    auto *bar = student.findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 200);
+    bar->setValue(150);
+    auto *text = author.find<MarkdownEditor>("markdown");
+    text->moveCursor(QTextCursor::End);
+    QTest::keyClicks(text, QStringLiteral("More."));
+    QTRY_VERIFY(textShown(student).contains(QStringLiteral("More.")));
+    QTRY_COMPARE(bar->value(), 150);
 }
 
 QTEST_MAIN(TestAuthorPrediction)

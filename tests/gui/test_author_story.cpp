@@ -10,13 +10,12 @@
 #include "tasks/values/lab_values.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/story_programs.h"
+#include "tests/gui/student_of_story.h"
+#include "tests/gui/writing_test.h"
 #include "views/author/arrangement_dialog.h"
 #include "views/code/code_pane.h"
 
-#include <QDropEvent>
-#include <QInputDialog>
 #include <QMenu>
-#include <QMimeData>
 #include <QSpinBox>
 #include <QStandardPaths>
 
@@ -26,7 +25,7 @@ using namespace cradle::windows;
 /// An author writes a lab of three steps from nothing, and two students do it; everything by
 /// widgets, no file by hand. A rack of seven balls; drag with a = −k v, where every student has a k
 /// of his own, judged by e^(−kt); a spring, judged by its period and its momentum.
-class TestAuthorStory : public QObject
+class TestAuthorStory : public WritingTest
 {
     Q_OBJECT
 private slots:
@@ -42,32 +41,9 @@ private slots:
     void anotherFailsWithTrueFindings();
 
 private:
-    void retitle(const char *id, const char *title, const char *text);
-    void addStep(const char *title);
-    void makeOwn(const char *program, const char *text);
-    void addMistake(const char *name, const story::Mistake &mistake);
-    void removePrograms();
-    void addCircle();
-    void typeCell(int row, int column, const char *text);
-    void beginCheck(const char *id, const char *title, const char *kind, const char *circles);
-    void writeScript(const char *script);
-    void removeSceneThatPasses();
-    void openLab(OpenWindow &student, const char *number);
-    void handIn(OpenWindow &student, const char *step, const QString &program);
-
     QTemporaryDir m_folder;
-    std::unique_ptr<OpenAuthor> m_author;
     QString m_file;
 };
-
-namespace {
-
-QString utf8(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
-} // namespace
 
 void TestAuthorStory::initTestCase()
 {
@@ -81,115 +57,6 @@ void TestAuthorStory::cleanupTestCase()
 {
     m_author.reset();
     QDir(userLabsFolder()).removeRecursively();
-}
-
-/// Sets id, title, commit and instructions of the open step, and one hint less to think of.
-void TestAuthorStory::retitle(const char *id, const char *title, const char *text)
-{
-    m_author->window.showTab(AuthorWindow::Text);
-    m_author->fill("stepId", utf8(id));
-    QCOMPARE(m_author->document().step(), utf8(id));
-    m_author->fill("stepTitle", utf8(title));
-    m_author->fill("stepCommit", utf8(title));
-    auto *parts = m_author->find<QComboBox>("textPart");
-    parts->setCurrentIndex(0);
-    auto *editor = m_author->find<MarkdownEditor>("markdown");
-    editor->setFocus();
-    editor->selectAll();
-    editor->insertPlainText(utf8(text)); // as from the clipboard
-    QCOMPARE(textOf(m_author->files(), utf8(id) + QStringLiteral("/instructions.md")), utf8(text));
-}
-
-void TestAuthorStory::addStep(const char *title)
-{
-    m_author->choose(QStringLiteral("Add"));
-    m_author->typeInPlace(m_author->find<QListWidget>("authorSteps"), utf8(title));
-}
-
-/// Replaces the text of one of the step's own programs.
-void TestAuthorStory::makeOwn(const char *program, const char *text)
-{
-    m_author->window.showTab(AuthorWindow::Programs);
-    m_author->window.programsTab().openProgram(utf8(program));
-    retype(m_author->window.programsTab().editor(), utf8(text));
-    QCOMPARE(
-        textOf(m_author->files(), m_author->document().step() + QLatin1Char('/') + utf8(program)),
-        utf8(text));
-}
-
-/// The template's mistake is about gravity.
-void TestAuthorStory::removePrograms()
-{
-    m_author->window.showTab(AuthorWindow::Programs);
-    m_author->window.programsTab().openProgram(QStringLiteral("mistakes/upward.lua"));
-    m_author->click(QStringLiteral("Remove the program"));
-    QVERIFY(
-        knownNames(m_author->files(), m_author->document().step(), KnownKind::Mistake).isEmpty());
-}
-
-void TestAuthorStory::addMistake(const char *name, const story::Mistake &mistake)
-{
-    ProgramsTab &programs = m_author->window.programsTab();
-    programs.addMistake(); // an entry of the menu of the plus
-    auto *list = programs.findChild<QListWidget *>();
-    m_author->typeInPlace(list, utf8(name));
-    QCOMPARE(programs.program(), QStringLiteral("mistakes/%1.lua").arg(utf8(name)));
-    const QString solution =
-        textOf(m_author->files(), m_author->document().step() + QStringLiteral("/solution.lua"));
-    QVERIFY2(solution.count(utf8(mistake.right)) == 1, name);
-    retype(programs.editor(),
-           utf8(mistake.comment) + QLatin1Char('\n')
-               + QString(solution).replace(utf8(mistake.right), utf8(mistake.wrong)));
-}
-
-void TestAuthorStory::addCircle()
-{
-    m_author->click(QStringLiteral("Add circle"));
-}
-
-void TestAuthorStory::typeCell(int row, int column, const char *text)
-{
-    auto *table = m_author->window.sceneTab().findChild<QTableView *>();
-    table->setFocus();
-    table->setCurrentIndex(table->model()->index(row, column));
-    table->edit(table->currentIndex());
-    NumberField *field = nullptr;
-    for (auto *each : table->viewport()->findChildren<NumberField *>()) {
-        if (each->isVisible())
-            field = each;
-    }
-    QVERIFY(field);
-    field->selectAll();
-    QTest::keyClicks(field, utf8(text));
-    QTest::keyClick(field, Qt::Key_Return);
-}
-
-void TestAuthorStory::beginCheck(const char *id, const char *title, const char *kind,
-                                 const char *circles)
-{
-    m_author->window.showTab(AuthorWindow::Checks);
-    m_author->click(QStringLiteral("Add a check"));
-    m_author->fill("checkId", utf8(id));
-    m_author->fill("checkTitle", utf8(title));
-    m_author->pick("checkKind", utf8(kind));
-    m_author->fill("checkCircles", utf8(circles));
-}
-
-void TestAuthorStory::writeScript(const char *script)
-{
-    CodeEditor &editor = m_author->window.checksTab().scriptEditor();
-    QTRY_VERIFY(editor.isVisible());
-    retype(editor, utf8(script));
-    QCOMPARE(editor.errorLine(), 0);
-}
-
-/// No scene with laws alone passes the checks of this lab.
-void TestAuthorStory::removeSceneThatPasses()
-{
-    m_author->window.showTab(AuthorWindow::Scene);
-    m_author->window.sceneTab().openSolution();
-    m_author->click(QStringLiteral("Remove this scene"));
-    m_author->window.sceneTab().openStart();
 }
 
 void TestAuthorStory::rackIsWritten()
@@ -349,47 +216,11 @@ void TestAuthorStory::editionForStudentsHasNoSolutions()
     QVERIFY(!report.checks.front().message.isEmpty());
 }
 
-/// Drops the file onto the student's window and tells his number.
-void TestAuthorStory::openLab(OpenWindow &student, const char *number)
-{
-    QVERIFY(QTest::qWaitForWindowActive(&student.window));
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(m_file)});
-    const QPoint centre = student.window.rect().center();
-    QDragEnterEvent enter(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&student.window, &enter);
-    QDropEvent drop(centre, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&student.window, &drop);
-    QCOMPARE(student.bench.lab().title, QStringLiteral("Three laws"));
-    QTRY_VERIFY(student.window.findChild<QInputDialog *>());
-    auto *dialog = student.window.findChild<QInputDialog *>();
-    QTRY_VERIFY(dialog->findChild<QLineEdit *>() && dialog->findChild<QLineEdit *>()->isVisible());
-    QTest::keyClicks(dialog->findChild<QLineEdit *>(), QLatin1String(number));
-    QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Return);
-    QTRY_VERIFY(!student.bench.wantsNumber());
-    student.bench.setMode(Mode::Code);
-}
-
-/// Types a program and presses Check.
-void TestAuthorStory::handIn(OpenWindow &student, const char *step, const QString &program)
-{
-    const int row = student.bench.lab().indexOf(utf8(step));
-    QVERIFY(row >= 0);
-    const QListWidgetItem *item = student.steps()->item(row);
-    student.steps()->scrollToItem(item);
-    QTest::mouseClick(student.steps()->viewport(), Qt::LeftButton, {},
-                      student.steps()->visualItemRect(item).center());
-    QTRY_COMPARE(student.bench.task()->id, utf8(step));
-    retype(student.window.codePane().editor(), program);
-    QTRY_COMPARE(student.bench.code().text(), program);
-    student.check();
-}
-
 void TestAuthorStory::oneStudentPasses()
 {
     const QTemporaryDir folder;
     OpenWindow student(folder);
-    openLab(student, "4711");
+    dropLab(student, m_file, "4711");
     handIn(student, "RACK", utf8(story::rackSolution));
     QVERIFY2(student.bench.report()->passed, qPrintable(student.bench.code().text()));
     // The number is on the page that he reads.
@@ -409,7 +240,7 @@ void TestAuthorStory::anotherFailsWithTrueFindings()
 {
     const QTemporaryDir folder;
     OpenWindow student(folder);
-    openLab(student, "1234");
+    dropLab(student, m_file, "1234");
     // His own words, with the faults that the author knew, and one that nobody thought of.
     const auto said = [&student] {
         QStringList headlines;
