@@ -83,13 +83,6 @@ std::optional<ThemeChoice> themeFrom(const QString &name)
     return name == QLatin1String("system") ? std::optional(ThemeChoice::System) : std::nullopt;
 }
 
-std::optional<Mode> modeFrom(const QString &name)
-{
-    if (name == QLatin1String("explore"))
-        return Mode::Explore;
-    return name == QLatin1String("code") ? std::optional(Mode::Code) : std::nullopt;
-}
-
 bool needsNoDisplay(int argc, char **argv)
 {
     for (int i = 1; i < argc; ++i) {

@@ -39,7 +39,5 @@ struct CommandLine {
 
 /// "system", "light" or "dark"; nullopt for any other word.
 [[nodiscard]] std::optional<ThemeChoice> themeFrom(const QString &name);
-/// "explore" or "code"; nullopt for any other word.
-[[nodiscard]] std::optional<Mode> modeFrom(const QString &name);
 
 } // namespace cradle

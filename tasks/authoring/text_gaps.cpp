@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/lab_json.h"
+#include "tasks/lab/mode.h"
 #include "tasks/script/program_tokens.h"
 
 #include <QCoreApplication>
@@ -161,8 +162,7 @@ QStringList unknownParts(const QString &text)
 {
     static const QRegularExpression comment(QStringLiteral("^<!--\\s*(\\S+)\\s*-->\\s*$"),
                                             QRegularExpression::MultilineOption);
-    static const QStringList parts{QStringLiteral("explore"), QStringLiteral("code"),
-                                   QStringLiteral("all")};
+    const QStringList parts = partWords();
     QStringList unknown;
     for (auto it = comment.globalMatch(text); it.hasNext();) {
         const QString word = it.next().captured(1);

@@ -6,15 +6,40 @@
 
 namespace cradle {
 
+namespace {
+
+const QString both = QStringLiteral("all");
+
+} // namespace
+
+QString wordOf(Mode mode)
+{
+    return mode == Mode::Code ? QStringLiteral("code") : QStringLiteral("explore");
+}
+
+std::optional<Mode> modeFrom(const QString &word)
+{
+    for (const Mode mode : {Mode::Explore, Mode::Code})
+        if (word == wordOf(mode))
+            return mode;
+    return std::nullopt;
+}
+
+QStringList partWords()
+{
+    return {wordOf(Mode::Explore), wordOf(Mode::Code), both};
+}
+
 QString textFor(Mode mode, const QString &markdown)
 {
-    static const QRegularExpression mark(QStringLiteral("^<!--\\s*(explore|code|all)\\s*-->\\s*$"));
-    const QString own = mode == Mode::Code ? QStringLiteral("code") : QStringLiteral("explore");
+    static const QRegularExpression mark(
+        QStringLiteral("^<!--\\s*(%1)\\s*-->\\s*$").arg(partWords().join(QLatin1Char('|'))));
+    const QString own = wordOf(mode);
     QStringList kept;
     bool keeps = true;
     for (const QString &line : markdown.split(QLatin1Char('\n'))) {
         if (const auto match = mark.match(line); match.hasMatch())
-            keeps = match.captured(1) == own || match.captured(1) == QLatin1String("all");
+            keeps = match.captured(1) == own || match.captured(1) == both;
         else if (keeps)
             kept.append(line);
     }
