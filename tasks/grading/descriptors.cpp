@@ -16,6 +16,31 @@ namespace {
 
 constexpr std::size_t mostDescriptors = 2; ///< with one message
 
+/// A pair of connected sockets of this type; nullopt if there is none to be had.
+std::optional<std::pair<Descriptor, Descriptor>> socketsOf(int type)
+{
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return std::nullopt;
+    return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
+}
+
+/// Whether \p give, which may take a part of what it gets, took all.
+template <typename Give>
+bool giveAll(const QByteArray &bytes, const Give &give)
+{
+    for (qsizetype at = 0; at < bytes.size();) {
+        const ssize_t size =
+            give(bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
+        if (size < 0 && errno == EINTR)
+            continue;
+        if (size <= 0)
+            return false;
+        at += size;
+    }
+    return true;
+}
+
 } // namespace
 
 Descriptor::~Descriptor()
@@ -26,10 +51,7 @@ Descriptor::~Descriptor()
 
 std::optional<std::pair<Descriptor, Descriptor>> connectedPair()
 {
-    std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        return std::nullopt;
-    return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
+    return socketsOf(SOCK_SEQPACKET);
 }
 
 std::optional<std::pair<Descriptor, Descriptor>> openPipe()
@@ -42,10 +64,7 @@ std::optional<std::pair<Descriptor, Descriptor>> openPipe()
 
 std::optional<std::pair<Descriptor, Descriptor>> openStream()
 {
-    std::array<int, 2> ends{};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        return std::nullopt;
-    return std::pair(Descriptor(ends[0]), Descriptor(ends[1]));
+    return socketsOf(SOCK_STREAM);
 }
 
 std::optional<QByteArray> readAll(int descriptor, qint64 most)
@@ -66,30 +85,16 @@ std::optional<QByteArray> readAll(int descriptor, qint64 most)
 
 bool writeAll(int descriptor, const QByteArray &bytes)
 {
-    for (qsizetype at = 0; at < bytes.size();) {
-        const ssize_t size = ::write(descriptor, bytes.constData() + at,
-                                     static_cast<std::size_t>(bytes.size() - at));
-        if (size < 0 && errno == EINTR)
-            continue;
-        if (size <= 0)
-            return false;
-        at += size;
-    }
-    return true;
+    return giveAll(bytes, [descriptor](const char *from, std::size_t size) {
+        return ::write(descriptor, from, size);
+    });
 }
 
 bool sendAll(int stream, const QByteArray &bytes)
 {
-    for (qsizetype at = 0; at < bytes.size();) {
-        const ssize_t size = ::send(stream, bytes.constData() + at,
-                                    static_cast<std::size_t>(bytes.size() - at), MSG_NOSIGNAL);
-        if (size < 0 && errno == EINTR)
-            continue;
-        if (size <= 0)
-            return false;
-        at += size;
-    }
-    return true;
+    return giveAll(bytes, [stream](const char *from, std::size_t size) {
+        return ::send(stream, from, size, MSG_NOSIGNAL);
+    });
 }
 
 bool sendMessage(int socket, const ServerMessage &message, const std::vector<int> &descriptors)

@@ -155,22 +155,15 @@ QByteArray gitHubFile(const StudentResult &student, const Lab &lab)
 
 QByteArray junitFile(const StudentResult &student, const Lab &lab)
 {
-    QByteArray text;
-    QXmlStreamWriter xml(&text);
-    xml.setAutoFormatting(true);
-    xml.setAutoFormattingIndent(2);
-    xml.writeStartDocument();
-    xml.writeStartElement(QStringLiteral("testsuites"));
-    xml.writeAttribute(QStringLiteral("name"), lab.id);
-    for (const Task &task : lab.tasks) {
-        const StepResult &step = resultOf(student, task);
-        if (step.report)
-            writeJUnitSuite(xml, *step.report, programName(task));
-        else
-            writeEmptySuite(xml, step, task, lab.id);
-    }
-    xml.writeEndDocument();
-    return text;
+    return junitFileOf(lab.id, [&](QXmlStreamWriter &xml) {
+        for (const Task &task : lab.tasks) {
+            const StepResult &step = resultOf(student, task);
+            if (step.report)
+                writeJUnitSuite(xml, *step.report, programName(task));
+            else
+                writeEmptySuite(xml, step, task, lab.id);
+        }
+    });
 }
 
 QByteArray tapFile(const StudentResult &student, const Lab &lab)

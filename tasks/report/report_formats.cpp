@@ -148,15 +148,22 @@ void writeJUnitSuite(QXmlStreamWriter &xml, const CheckReport &report, const QSt
 
 QByteArray writeJUnit(const CheckReport &report, const QString &program)
 {
+    return junitFileOf(report.labId, [&](QXmlStreamWriter &xml) {
+        writeCounts(xml, report);
+        writeJUnitSuite(xml, report, program);
+    });
+}
+
+QByteArray junitFileOf(const QString &name, const std::function<void(QXmlStreamWriter &)> &write)
+{
     QByteArray text;
     QXmlStreamWriter xml(&text);
     xml.setAutoFormatting(true);
     xml.setAutoFormattingIndent(2);
     xml.writeStartDocument();
     xml.writeStartElement(QStringLiteral("testsuites"));
-    xml.writeAttribute(QStringLiteral("name"), report.labId);
-    writeCounts(xml, report);
-    writeJUnitSuite(xml, report, program);
+    xml.writeAttribute(QStringLiteral("name"), name);
+    write(xml);
     xml.writeEndDocument();
     return text;
 }

@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include <functional>
+
 class QXmlStreamWriter;
 
 namespace cradle {
@@ -44,6 +46,9 @@ enum class ReportFormat {
 
 /// The suite alone, to stand among others.
 void writeJUnitSuite(QXmlStreamWriter &xml, const CheckReport &report, const QString &program);
+/// A file of suites that is called \p name. \param write  writes what is in it
+[[nodiscard]] QByteArray junitFileOf(const QString &name,
+                                     const std::function<void(QXmlStreamWriter &)> &write);
 
 /// A test for each check. Whatever explains the verdict is in comments at the top, findings are
 /// in a YAML block and, since prove shows no YAML, in comments. Without "Bail out!", which would
