@@ -5,6 +5,7 @@
 #include "views/author/check_editor.h"
 #include "views/author/check_script.h"
 #include "views/author/check_trial.h"
+#include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/icons.h"
@@ -75,15 +76,7 @@ void ChecksTab::makeLayout()
     column->addWidget(m_splitter, 1);
     column->addWidget(m_trial);
 
-    auto *halves = new QSplitter(Qt::Horizontal, this);
-    halves->addWidget(side);
-    halves->addWidget(right);
-    halves->setChildrenCollapsible(false);
-    halves->setStretchFactor(1, 1);
-    halves->setSizes({listWidth, 760});
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(halves);
+    layOutSideBySide(this, {side, right}, {listWidth, 760})->setStretchFactor(1, 1);
 }
 
 void ChecksTab::wire()

@@ -7,7 +7,10 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
 #include <QStyle>
+#include <QVBoxLayout>
 #include <QVariant>
 
 namespace cradle {
@@ -20,6 +23,27 @@ QFormLayout *makeFormRows()
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     return form;
+}
+
+QSplitter *layOutSideBySide(QWidget *whole, const QList<QWidget *> &parts, const QList<int> &widths)
+{
+    auto *splitter = new QSplitter(Qt::Horizontal, whole);
+    for (QWidget *part : parts)
+        splitter->addWidget(part);
+    splitter->setChildrenCollapsible(false);
+    splitter->setSizes(widths);
+    auto *column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(splitter);
+    return splitter;
+}
+
+QScrollArea *scrolled(QWidget *widget)
+{
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(widget);
+    return scroll;
 }
 
 QLabel *makeMutedText(QWidget *parent)

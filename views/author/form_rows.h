@@ -4,12 +4,14 @@
 
 #include "tasks/checks/check_kinds.h"
 
-#include <QtGlobal>
+#include <QList>
 
 QT_BEGIN_NAMESPACE
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QScrollArea;
+class QSplitter;
 class QWidget;
 QT_END_NAMESPACE
 
@@ -19,6 +21,14 @@ namespace cradle {
 
 /// Captions at the left, fields that take the rest of the width.
 [[nodiscard]] QFormLayout *makeFormRows();
+
+/// Lays \p parts out side by side in all of \p whole; none can be folded away.
+/// \param widths  px, to begin with
+QSplitter *layOutSideBySide(QWidget *whole, const QList<QWidget *> &parts,
+                            const QList<int> &widths);
+
+/// \p widget where it scrolls.
+[[nodiscard]] QScrollArea *scrolled(QWidget *widget);
 
 /// A muted text of one or more lines.
 [[nodiscard]] QLabel *makeMutedText(QWidget *parent);

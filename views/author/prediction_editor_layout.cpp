@@ -13,8 +13,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -36,14 +34,6 @@ MarkdownEditor *makeText(const char *name, int height, QWidget *parent)
     return text;
 }
 
-QScrollArea *scrolled(QWidget *widget)
-{
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(widget);
-    return scroll;
-}
-
 } // namespace
 
 void PredictionEditor::makeLayout(FormulaRenderer *renderer)
@@ -54,15 +44,8 @@ void PredictionEditor::makeLayout(FormulaRenderer *renderer)
     both->addWidget(makeNothing(side));
     both->addWidget(makeForm(side));
     both->addStretch(1);
-    auto *halves = new QSplitter(Qt::Horizontal, this);
-    halves->addWidget(scrolled(side));
     m_cardsPane = scrolled(makeCards(renderer));
-    halves->addWidget(m_cardsPane);
-    halves->setChildrenCollapsible(false);
-    halves->setSizes({500, 500});
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(halves);
+    layOutSideBySide(this, {scrolled(side), m_cardsPane}, {500, 500});
 }
 
 QWidget *PredictionEditor::makeNothing(QWidget *parent)

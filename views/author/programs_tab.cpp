@@ -3,6 +3,7 @@
 #include "views/author/programs_tab.h"
 
 #include "tasks/authoring/free_name.h"
+#include "views/author/form_rows.h"
 #include "views/author/other_mistakes_menu.h"
 #include "views/author/program_files.h"
 #include "views/author/program_page.h"
@@ -16,7 +17,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
-#include <QSplitter>
 #include <QToolButton>
 
 #include <utility>
@@ -58,15 +58,7 @@ void ProgramsTab::makeLayout()
     setRowKeys(m_list, {.remove = m_remove, .rename = [this] { renameProgram(); }});
     m_page = new ProgramPage(m_document, this);
 
-    auto *halves = new QSplitter(Qt::Horizontal, this);
-    halves->addWidget(side);
-    halves->addWidget(m_page);
-    halves->setChildrenCollapsible(false);
-    halves->setStretchFactor(1, 1);
-    halves->setSizes({listWidth, 800});
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(halves);
+    layOutSideBySide(this, {side, m_page}, {listWidth, 800})->setStretchFactor(1, 1);
 }
 
 void ProgramsTab::wire()

@@ -15,8 +15,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -28,28 +26,13 @@ constexpr int textHeight = 84;     ///< px
 constexpr int answersHeight = 120; ///< px
 constexpr int listWidth = 200;     ///< px
 
-QScrollArea *scrolled(QWidget *widget)
-{
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(widget);
-    return scroll;
-}
-
 } // namespace
 
 QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
     : QWidget(parent)
 {
-    auto *parts = new QSplitter(Qt::Horizontal, this);
-    parts->addWidget(makeList());
-    parts->addWidget(scrolled(makeForm()));
-    parts->addWidget(scrolled(makeCard(renderer)));
-    parts->setChildrenCollapsible(false);
-    parts->setSizes({listWidth, 400, 400});
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(parts);
+    layOutSideBySide(this, {makeList(), scrolled(makeForm()), scrolled(makeCard(renderer))},
+                     {listWidth, 400, 400});
     retranslate();
     wire();
     showQuestions({}, {}, {});

@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -31,15 +30,7 @@ ValuesEditor::ValuesEditor(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
 {
-    auto *parts = new QSplitter(Qt::Horizontal, this);
-    parts->addWidget(makeList());
-    parts->addWidget(makeForm());
-    parts->addWidget(makeFacts());
-    parts->setChildrenCollapsible(false);
-    parts->setSizes({listWidth, 370, 370});
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(parts);
+    layOutSideBySide(this, {makeList(), makeForm(), makeFacts()}, {listWidth, 370, 370});
     setFocusProxy(m_list);
     retranslate();
     wire();

@@ -4,13 +4,13 @@
 
 #include "views/markdown_view.h"
 #include "views/task_pane/answer_row.h"
+#include "views/task_pane/card_label.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/message_text.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
 #include <QEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
@@ -31,25 +31,16 @@ MarkdownView *makeText(FormulaRenderer *renderer)
     return view;
 }
 
-QLabel *makeLabel(const char *kind)
-{
-    auto *label = new QLabel;
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    setKind(label, kind);
-    return label;
-}
-
 } // namespace
 
 PredictionCard::PredictionCard(FormulaRenderer *renderer, QWidget *parent)
     : QFrame(parent)
-    , m_title(makeLabel("cardTitle"))
+    , m_title(makeCardLabel("cardTitle"))
     , m_question(makeText(renderer))
     , m_answers(new QWidget)
-    , m_status(makeLabel("muted"))
+    , m_status(makeCardLabel("muted"))
     , m_reveal(new QPushButton)
-    , m_own(makeLabel("cardTitle"))
+    , m_own(makeCardLabel("cardTitle"))
     , m_outcome(makeText(renderer))
 {
     setKind(this, "card");

@@ -4,35 +4,22 @@
 
 #include "model/world/shortest_number.h"
 #include "views/markdown_view.h"
+#include "views/task_pane/card_label.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/message_text.h"
 #include "views/task_pane/question_field.h"
 #include "views/theme.h"
 
 #include <QEvent>
-#include <QLabel>
 #include <QVBoxLayout>
 
 namespace cradle {
 
-namespace {
-
-QLabel *makeLabel(const char *kind)
-{
-    auto *label = new QLabel;
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    setKind(label, kind);
-    return label;
-}
-
-} // namespace
-
 QuestionsCard::QuestionsCard(FormulaRenderer *renderer, QWidget *parent)
     : QFrame(parent)
     , m_renderer(renderer)
-    , m_title(makeLabel("cardTitle"))
-    , m_status(makeLabel("muted"))
+    , m_title(makeCardLabel("cardTitle"))
+    , m_status(makeCardLabel("muted"))
     , m_body(new QWidget)
 {
     setKind(this, "card");
@@ -83,7 +70,7 @@ void QuestionsCard::makeFields()
 
 void QuestionsCard::addQuestion(QVBoxLayout *column, const Question &question)
 {
-    auto *title = makeLabel("cardTitle");
+    auto *title = makeCardLabel("cardTitle");
     const QString points = shortestNumber(question.points);
     title->setText(withUnits(question.points == 1.0
                                  ? question.title
