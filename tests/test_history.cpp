@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/history.h"
 
-#include "git_home.h"
+#include "history_test.h"
 #include "model/files/file_io.h"
 
-#include <QDir>
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace cradle;
 
 /// The history of a student's work, as any git reads it.
-class TestHistory final : public QObject
+class TestHistory final : public HistoryTest
 {
     Q_OBJECT
 private slots:
-    void init();
+    void init() { writeProgram(); }
     void isARepositoryOfTheFolderAlone();
     void commitsTheWorkAndNothingElse();
     void aFileThatIsGoneIsGone();
@@ -26,61 +24,14 @@ private slots:
     void signsAsGitDoes();
     void signsWithAnyName_data();
     void signsWithAnyName();
-    void pushesToABareRepository();
-    void lastPushIsOfTheBranchThatIsOut();
-    void saysWhatKeepsItFromPushing();
-    void bundleCanBeCloned();
     void hostileMessagesAreText();
     void damagedRepositoryIsSaid();
-
-private:
-    [[nodiscard]] QString path(const char *name) const
-    {
-        return m_folder->filePath(QLatin1String(name));
-    }
-    [[nodiscard]] std::unique_ptr<History> opened() const
-    {
-        auto history = History::open(m_folder->filePath(QStringLiteral("w")));
-        return history ? std::move(*history) : nullptr;
-    }
-    QString git(const QString &arguments) const
-    {
-        return GitHome::git(path("w"), arguments.split(QLatin1Char(' ')));
-    }
-
-    GitHome m_home;
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
-
-namespace {
-
-const QString task = QStringLiteral("L42T5");
-const QString student = QStringLiteral("Ada Lovelace");
-
-VersionNote checked(bool passed)
-{
-    return {.reason = VersionReason::Checked,
-            .passed = passed,
-            .seed = 17,
-            .labHash = QString(64, QLatin1Char('a')),
-            .findings = passed ? QStringList() : QStringList{QStringLiteral("both-symplectic")}};
-}
-
-} // namespace
-
-void TestHistory::init()
-{
-    m_folder = std::make_unique<QTemporaryDir>();
-    QVERIFY(!makeFolder(path("w/steps")));
-    QVERIFY(!writeFile(path("w/steps/L42T5.lua"), "-- one\n"));
-    QVERIFY(!writeFile(path("w/lab.lua"), "-- one\n"));
-}
 
 void TestHistory::isARepositoryOfTheFolderAlone()
 {
     // Around it is another repository, as where a student keeps all of a course in one.
-    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q")}),
-             QString());
+    QCOMPARE(gitAround({QStringLiteral("init"), QStringLiteral("-q")}), QString());
     const auto history = opened();
     QVERIFY(history && history->isEmpty());
     QVERIFY(QFileInfo(path("w/.git")).isDir());
@@ -204,92 +155,6 @@ void TestHistory::signsWithAnyName()
     QCOMPARE(git(QStringLiteral("log --format=%an")), signs);
 }
 
-void TestHistory::pushesToABareRepository()
-{
-    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
-                                             QStringLiteral("--bare"), QStringLiteral("b.git")}),
-             QString());
-    const auto history = opened();
-    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
-    QVERIFY(!history->keep(task, "-- two\n", checked(false), student));
-    QVERIFY(history->remoteUrl().isEmpty());
-    QVERIFY(!history->setRemoteUrl(path("b.git")));
-    QCOMPARE(history->remoteUrl(), path("b.git"));
-    QVERIFY(!history->lastPush().isValid());
-    const auto error = history->push();
-    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
-    QVERIFY(history->lastPush().isValid());
-    const QString there = GitHome::git(
-        path("b.git"), {QStringLiteral("for-each-ref"), QStringLiteral("--format=%(refname)")});
-    QCOMPARE(there, QStringLiteral("refs/cradle/versions/L42T5\nrefs/heads/main"));
-    QVERIFY(!history->setRemoteUrl({}));
-    QVERIFY(history->remoteUrl().isEmpty());
-}
-
-void TestHistory::lastPushIsOfTheBranchThatIsOut()
-{
-    QCOMPARE(GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
-                                             QStringLiteral("--bare"), QStringLiteral("bare")}),
-             QString());
-    QCOMPARE(git(QStringLiteral("init -q -b trunk .")), QString());
-    const auto history = opened();
-    QVERIFY(history);
-    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
-    QVERIFY(!history->setRemoteUrl(path("bare")));
-    QVERIFY(!history->lastPush().isValid());
-    const auto error = history->push();
-    QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
-    QVERIFY(history->lastPush().isValid());
-}
-
-void TestHistory::saysWhatKeepsItFromPushing()
-{
-    const auto history = opened();
-    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
-    QVERIFY(history->push());
-    QVERIFY(!history->setRemoteUrl(path("nowhere.git")));
-    const auto error = history->push();
-    QVERIFY(error);
-    QCOMPARE(error->file, path("nowhere.git"));
-    QVERIFY2(error->message.contains(QLatin1String("there is no git repository at this address")),
-             qPrintable(error->message));
-    QVERIFY(!history->setRemoteUrl(QStringLiteral("my work")));
-    QVERIFY(history->push()->message.contains(QLatin1String("no address of a git repository")));
-    // Somebody else's work is there.
-    GitHome::git(m_folder->path(), {QStringLiteral("init"), QStringLiteral("-q"),
-                                    QStringLiteral("--bare"), QStringLiteral("b.git")});
-    QVERIFY(!makeFolder(path("other")));
-    auto other = History::open(path("other"));
-    QVERIFY(other && !writeFile(path("other/lab.lua"), "-- theirs\n"));
-    QVERIFY(!(*other)->commit(QStringLiteral("Theirs\n"), student));
-    QVERIFY(!(*other)->setRemoteUrl(path("b.git")) && !(*other)->push());
-    QVERIFY(!history->setRemoteUrl(path("b.git")));
-    const auto refused = history->push();
-    QVERIFY(refused);
-    QVERIFY2(refused->message.contains(QLatin1String("other work")), qPrintable(refused->message));
-}
-
-void TestHistory::bundleCanBeCloned()
-{
-    const auto history = opened();
-    QVERIFY(!history->commit(QStringLiteral("Begin\n"), student));
-    QVERIFY(!history->keep(task, "-- two\n", checked(false), student));
-    const auto bundle = history->bundle();
-    QVERIFY(bundle);
-    QVERIFY(!writeFile(path("h.bundle"), *bundle));
-    const QString said =
-        GitHome::git(m_folder->path(), {QStringLiteral("clone"), QStringLiteral("-q"),
-                                        QStringLiteral("h.bundle"), QStringLiteral("cloned")});
-    QVERIFY2(!said.startsWith(QLatin1String("failed")), qPrintable(said));
-    QFile file(path("cloned/steps/L42T5.lua"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), QByteArray("-- one\n"));
-    QVERIFY(History::openExisting(path("cloned")));
-    QVERIFY(
-        GitHome::git(m_folder->path(), {QStringLiteral("ls-remote"), QStringLiteral("h.bundle")})
-            .contains(QLatin1String("refs/cradle/versions/L42T5")));
-}
-
 void TestHistory::hostileMessagesAreText()
 {
     // A name of a mistake in somebody's lab cannot forge another trailer.
@@ -308,7 +173,7 @@ void TestHistory::damagedRepositoryIsSaid()
     QVERIFY(opened());
     QVERIFY(!writeFile(path("w/.git/HEAD"), "nonsense"));
     QVERIFY(!writeFile(path("w/.git/config"), "[[["));
-    const auto history = History::open(path("w"));
+    const auto history = History::open(path());
     QVERIFY(!history);
     QVERIFY2(history.error().message.contains(QLatin1String("cannot be kept")),
              qPrintable(history.error().message));
