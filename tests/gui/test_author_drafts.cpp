@@ -6,6 +6,7 @@
 #include "tasks/authoring/lab_draft.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tests/test_paths.h"
+#include "tests/typist.h"
 
 #include <QProcess>
 
@@ -23,18 +24,11 @@ int writeForEver(const QString &folder)
     document.keepDraftsIn(folder + QStringLiteral("/drafts"));
     if (document.open(folder + QStringLiteral("/ball")))
         return 1;
-    int keys = 0;
-    QTimer typing;
-    QObject::connect(&typing, &QTimer::timeout, &document, [&] {
-        ++keys;
+    return typeForEver([&](int key) {
         document.edit(QStringLiteral("Type"),
-                      withFile(document.files(), textFile, QByteArray::number(keys)),
+                      withFile(document.files(), textFile, QByteArray::number(key)),
                       QStringLiteral("text"));
-        std::printf("%d\n", keys);
-        std::fflush(stdout);
     });
-    typing.start(10);
-    return QApplication::exec();
 }
 
 } // namespace
@@ -85,20 +79,12 @@ void TestAuthorDrafts::killedWindowLosesLittle()
         QProcess process;
         process.start(QCoreApplication::applicationFilePath(),
                       {QStringLiteral("--type"), m_folder->path()});
-        int keys = 0;
         // Another number of keys each time, so that it dies at another moment of saving.
-        while (keys < 100 + 7 * run && process.waitForReadyRead(30'000)) {
-            while (process.canReadLine())
-                keys = process.readLine().trimmed().toInt();
-        }
-        process.kill();
-        QVERIFY(process.waitForFinished());
-        for (const QByteArray &line : process.readAll().split('\n'))
-            keys = std::max(keys, line.trimmed().toInt());
+        const int keys = keysUntilKilled(process, 100 + 7 * run);
         windows::OpenAuthor author(*m_folder);
         QVERIFY(!author.window.open(m_ball));
         const int kept = author.files().contents.value(textFile).toInt();
-        QVERIFY2(kept > 0 && keys - kept <= 50, // 0.5 s of them
+        QVERIFY2(kept > 0 && keys - kept <= mostLost,
                  qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
         author.document().discardDraft();
     }

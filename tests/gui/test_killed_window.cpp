@@ -3,25 +3,23 @@
 #include "app/main_window.h"
 #include "open_window.h"
 #include "tests/git_home.h"
+#include "tests/typist.h"
 
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 
 #include <QProcess>
 
-#include <algorithm>
 #include <cstdio>
 
 using namespace cradle;
 
 namespace {
 
-constexpr int keyPause = 10; ///< ms: nobody types faster
-constexpr int mostLost = 50; ///< keys: 0.5 s of them
-constexpr int killings = 8;  ///< or as many as the environment's CRADLE_KILLINGS says
+constexpr int killings = 8; ///< or as many as the environment's CRADLE_KILLINGS says
 
 /// The whole window, in which keys are pressed without a pause until it is killed.
-int typeForEver(const QString &folder)
+int typeIntoWindow(const QString &folder)
 {
     const QTemporaryDir place(folder + QStringLiteral("/w"));
     windows::OpenWindow open(place);
@@ -31,15 +29,7 @@ int typeForEver(const QString &folder)
     editor.exchangeText(QStringLiteral("-- "));
     QWidget *area = editor.focusProxy();
     QTest::keyClick(area, Qt::Key_End, Qt::ControlModifier);
-    int keys = 0;
-    QTimer typing;
-    QObject::connect(&typing, &QTimer::timeout, &open.window, [&] {
-        QTest::keyClick(area, Qt::Key_1);
-        std::printf("%d\n", ++keys);
-        std::fflush(stdout);
-    });
-    typing.start(keyPause);
-    return QApplication::exec();
+    return typeForEver([&](int) { QTest::keyClick(area, Qt::Key_1); });
 }
 
 } // namespace
@@ -82,15 +72,7 @@ void TestKilledWindow::losesLittleAndLeavesNothing()
                   {QStringLiteral("--type"), folder.path()});
     QVERIFY(process.waitForReadyRead(60'000));
     const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
-    int keys = 0;
-    while (keys < most && process.waitForReadyRead(60'000)) {
-        while (process.canReadLine())
-            keys = process.readLine().trimmed().toInt();
-    }
-    process.kill();
-    QVERIFY(process.waitForFinished());
-    for (const QByteArray &line : process.readAll().split('\n'))
-        keys = std::max(keys, line.trimmed().toInt());
+    const int keys = keysUntilKilled(process, most);
     QVERIFY(keys > 0);
     QFile file(place + QStringLiteral("/programs/lab-4.2/steps/L42T1.lua"));
     const auto kept = file.open(QIODevice::ReadOnly) ? file.readAll().count('1') : 0;
@@ -105,7 +87,7 @@ int main(int argc, char **argv)
     QApplication app(argc, argv);
     if (const QStringList arguments = QApplication::arguments();
         arguments.value(1) == QLatin1String("--type"))
-        return typeForEver(arguments.value(2));
+        return typeIntoWindow(arguments.value(2));
     TestKilledWindow test;
     return QTest::qExec(&test, argc, argv);
 }
