@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
 
+#include "tests/check_spec.h"
 #include "tests/contact_programs.h"
 #include "tests/scenes.h"
 
@@ -33,15 +34,6 @@ private slots:
 };
 
 namespace {
-
-CheckSpec checkOf(const char *kind, const QJsonObject &parameters, std::vector<int> circles = {0})
-{
-    CheckSpec check;
-    check.kind = QLatin1String(kind);
-    check.circles = std::move(circles);
-    check.parameters = parameters;
-    return check;
-}
 
 /// A value, for an array of one array is that array itself to some compilers (CWG 2137).
 QJsonValue pair(double x, double y)

@@ -3,6 +3,7 @@
 #include "model/continuous/continuous_step.h"
 
 #include "tests/continuous_scenes.h"
+#include "tests/falls.h"
 #include "tests/scenes.h"
 
 using namespace cradle;
@@ -32,17 +33,7 @@ private slots:
 
 void TestContinuousRest::restingOnTheFloorNeverSinks_data()
 {
-    QTest::addColumn<Integrator>("integrator");
-    QTest::addColumn<double>("restitution");
-    QTest::addColumn<double>("height"); // of the rim above the floor at the start, m
-    for (const Integrator integrator : allIntegrators) {
-        for (const double e : {0.0, 0.5, 0.9}) {
-            for (const double height : {0.0, 3.8}) {
-                QTest::addRow("%s, e = %g, from %g m", shortName(integrator), e, height)
-                    << integrator << e << height;
-            }
-        }
-    }
+    addFalls();
 }
 
 void TestContinuousRest::restingOnTheFloorNeverSinks()

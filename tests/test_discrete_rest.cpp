@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/discrete_step.h"
 
+#include "tests/falls.h"
 #include "tests/scenes.h"
 
 #include <algorithm>
@@ -35,17 +36,7 @@ private slots:
 
 void TestDiscreteRest::restingOnTheFloorNeverSinks_data()
 {
-    QTest::addColumn<Integrator>("integrator");
-    QTest::addColumn<double>("restitution");
-    QTest::addColumn<double>("height"); // of the rim above the floor at the start, m
-    for (const Integrator integrator : allIntegrators) {
-        for (const double e : {0.0, 0.5, 0.9}) {
-            for (const double height : {0.0, 3.8}) {
-                QTest::addRow("%s, e = %g, from %g m", shortName(integrator), e, height)
-                    << integrator << e << height;
-            }
-        }
-    }
+    addFalls();
 }
 
 void TestDiscreteRest::restingOnTheFloorNeverSinks()

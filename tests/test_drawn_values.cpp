@@ -32,6 +32,24 @@ private slots:
     void whatIsNoNumberForSomeIsFound();
 };
 
+namespace {
+
+/// A lab in which k is drawn, and a question asks for it in percent.
+LabFiles labThatAsksForK()
+{
+    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
+    edit(files, "S1/task.json", [](QJsonObject &task) {
+        task.insert(QStringLiteral("questions"),
+                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("k")},
+                                           {QStringLiteral("kind"), QStringLiteral("number")},
+                                           {QStringLiteral("title"), QStringLiteral("k")},
+                                           {QStringLiteral("right"), QStringLiteral("100*k")}}});
+    });
+    return files;
+}
+
+} // namespace
+
 void TestDrawnValues::drawnValueLiesOnItsGridAndStays()
 {
     const LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
@@ -59,14 +77,7 @@ void TestDrawnValues::drawnValueLiesOnItsGridAndStays()
 
 void TestDrawnValues::everybodyWhoJudgesDrawsTheSame()
 {
-    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
-    edit(files, "S1/task.json", [](QJsonObject &task) {
-        task.insert(QStringLiteral("questions"),
-                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("k")},
-                                           {QStringLiteral("kind"), QStringLiteral("number")},
-                                           {QStringLiteral("title"), QStringLiteral("k")},
-                                           {QStringLiteral("right"), QStringLiteral("100*k")}}});
-    });
+    const LabFiles files = labThatAsksForK();
     const Lab lab = *readLab(files, QStringLiteral("here"));
     QVERIFY(lab.drawsValues);
     QString number = QStringLiteral("1");
@@ -110,14 +121,7 @@ void TestDrawnValues::numberDrawsTheSameHoweverWritten()
 /// Whoever hands in the work of a neighbour, number and all, has the values of the own number.
 void TestDrawnValues::rosterDecidesWhoseValuesAreDrawn()
 {
-    LabFiles files = labWith(values({{QStringLiteral("k"), range}}));
-    edit(files, "S1/task.json", [](QJsonObject &task) {
-        task.insert(QStringLiteral("questions"),
-                    QJsonArray{QJsonObject{{QStringLiteral("id"), QStringLiteral("k")},
-                                           {QStringLiteral("kind"), QStringLiteral("number")},
-                                           {QStringLiteral("title"), QStringLiteral("k")},
-                                           {QStringLiteral("right"), QStringLiteral("100*k")}}});
-    });
+    const LabFiles files = labThatAsksForK();
     const Lab lab = *readLab(files, QStringLiteral("here"));
     const QString neighbours = QStringLiteral("1");
     int other = 2;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
 
+#include "tests/check_spec.h"
 #include "tests/contact_programs.h"
 #include "tests/scenes.h"
 
@@ -24,15 +25,6 @@ private slots:
 };
 
 namespace {
-
-CheckSpec checkOf(const char *kind, const QJsonObject &parameters, std::vector<int> circles = {0})
-{
-    CheckSpec check;
-    check.kind = QLatin1String(kind);
-    check.circles = std::move(circles);
-    check.parameters = parameters;
-    return check;
-}
 
 /// From the one to the other after \p seconds.
 Vec2 betweenAfter(const Circle &a, const Circle &b, double seconds)

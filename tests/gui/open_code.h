@@ -17,6 +17,8 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include <memory>
+
 namespace cradle {
 
 inline QString s(const char *text)
@@ -93,6 +95,19 @@ public:
     QLineEdit before;
     CodePane pane;
     QLineEdit after;
+};
+
+/// A test of that window, which is each time another.
+class CodeTest : public QObject
+{
+protected:
+    void openAnew()
+    {
+        m_open = std::make_unique<OpenCode>();
+        QVERIFY(m_open->show());
+    }
+
+    std::unique_ptr<OpenCode> m_open;
 };
 
 } // namespace cradle

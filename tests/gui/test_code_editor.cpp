@@ -7,20 +7,14 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 
-#include <memory>
-
 using namespace cradle;
 
-class TestCodeEditor final : public QObject
+class TestCodeEditor final : public CodeTest
 {
     Q_OBJECT
 private slots:
     void initTestCase() { applyTheme(ThemeChoice::Light); }
-    void init()
-    {
-        m_open = std::make_unique<OpenCode>();
-        QVERIFY(m_open->show());
-    }
+    void init() { openAnew(); }
     void cleanup() { m_open.reset(); }
 
     void typingIsAnEditAndSetTextIsNone();
@@ -36,9 +30,6 @@ private slots:
     void zoomsByKeyAndWheel();
     void commentsAndUncomments();
     void everyColourCanBeRead();
-
-private:
-    std::unique_ptr<OpenCode> m_open;
 };
 
 void TestCodeEditor::typingIsAnEditAndSetTextIsNone()

@@ -6,20 +6,14 @@
 #include <QAction>
 #include <QTableWidget>
 
-#include <memory>
-
 using namespace cradle;
 
-class TestCodePane final : public QObject
+class TestCodePane final : public CodeTest
 {
     Q_OBJECT
 private slots:
     void initTestCase() { applyTheme(ThemeChoice::Light); }
-    void init()
-    {
-        m_open = std::make_unique<OpenCode>();
-        QVERIFY(m_open->show());
-    }
+    void init() { openAnew(); }
     void cleanup() { m_open.reset(); }
 
     void findsAndCounts();
@@ -30,9 +24,6 @@ private slots:
     void solutionWaitsForPassing();
     void staysReadableInEveryWidth_data();
     void staysReadableInEveryWidth();
-
-private:
-    std::unique_ptr<OpenCode> m_open;
 };
 
 void TestCodePane::findsAndCounts()

@@ -3,20 +3,14 @@
 #include "tests/gui/open_code.h"
 #include "views/code/completion_popup.h"
 
-#include <memory>
-
 using namespace cradle;
 
-class TestCompletion final : public QObject
+class TestCompletion final : public CodeTest
 {
     Q_OBJECT
 private slots:
     void initTestCase() { applyTheme(ThemeChoice::Light); }
-    void init()
-    {
-        m_open = std::make_unique<OpenCode>();
-        QVERIFY(m_open->show());
-    }
+    void init() { openAnew(); }
     void cleanup() { m_open.reset(); }
 
     void completesAfterTwoLetters();
@@ -26,9 +20,6 @@ private slots:
     void completionByKeyboardAndItsEnd();
     void completesOwnWords();
     void callTipFollowsTheArguments();
-
-private:
-    std::unique_ptr<OpenCode> m_open;
 };
 
 void TestCompletion::completesAfterTwoLetters()
