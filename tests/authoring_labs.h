@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tests/test_paths.h"
+#include "tests/text.h"
 
 #include <QByteArray>
 #include <QDir>
@@ -13,13 +14,10 @@
 
 namespace cradle::authoring {
 
+using cradle::text;
+
 /// Lab 4.2 as it lies in the repository.
 inline const QString shippedFolder = sourcePath("tasks/lab-4.2");
-
-inline QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
 
 /// Writes a file with its folders.
 inline void writeTo(const QString &path, const QByteArray &content)

@@ -4,6 +4,7 @@
 
 #include "tasks/grading/class_folder.h"
 #include "tasks/grading/handed_in.h"
+#include "tests/text.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -14,6 +15,8 @@
 #include <unistd.h>
 
 namespace cradle::classes {
+
+using cradle::text;
 
 /// A lab of two steps without anything in them.
 inline Lab labOfTwo()
@@ -72,11 +75,6 @@ inline HandedIn handedInBy(const ClassFolder &found, int index)
 inline QStringList filesOf(const ClassFolder &found, int index)
 {
     return handedInBy(found, index).request.files.keys();
-}
-
-inline QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
 }
 
 } // namespace cradle::classes

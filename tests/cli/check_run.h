@@ -6,11 +6,6 @@
 
 namespace cradle::programs {
 
-inline QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// Words with spaces between them.
 inline QStringList words(const char *line)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/test_paths.h"
+#include "tests/text.h"
 
 #include <QFile>
 #include <QProcess>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace cradle::programs {
+
+using cradle::text;
 
 /// What a program that ended has left behind.
 struct Outcome {

@@ -11,11 +11,6 @@ namespace cradle::programs {
 inline const QByteArray glancing = R"([{"position": [-2, 2.3], "velocity": [2, 0], "radius": 0.2},
                                 {"position": [2, 2], "radius": 0.2}])";
 
-inline QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// Runs cradle-cli simulate in a folder of its own.
 class SimulateRun
 {

@@ -33,11 +33,6 @@ private:
 
 namespace {
 
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QString step1(const char *file)
 {
     return cradle::sourcePath("tasks/lab-4.2/L42T1/") + QLatin1String(file);

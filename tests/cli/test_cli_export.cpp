@@ -20,11 +20,6 @@ private slots:
 
 namespace {
 
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QString ball()
 {
     return sourcePath("tasks/bouncing-ball");

@@ -23,15 +23,6 @@ private slots:
     void studentWhoLeftLeavesNothing();
 };
 
-namespace {
-
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-} // namespace
-
 void TestCliGrade::classIsGraded()
 {
     const GradedClass made;

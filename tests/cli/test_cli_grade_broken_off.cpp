@@ -29,11 +29,6 @@ private slots:
 
 namespace {
 
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 /// The processes that \p ancestor started, and those that they did.
 std::vector<pid_t> descendantsOf(qint64 ancestor)
 {

@@ -30,11 +30,6 @@ namespace {
 
 constexpr int honest = 40;
 
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 QString honestName(int i)
 {
     return QStringLiteral("honest%1").arg(i, 2, 10, QLatin1Char('0'));

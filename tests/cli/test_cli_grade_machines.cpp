@@ -34,11 +34,6 @@ constexpr int students = 200;
 #endif
 constexpr int shards = 4;
 
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 /// The process that grades into \p out, found by what it was asked; 0: there is none.
 pid_t graderInto(const QString &out)
 {

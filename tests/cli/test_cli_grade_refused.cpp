@@ -18,15 +18,6 @@ private slots:
     void wrongUsageIsRefused();
 };
 
-namespace {
-
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-} // namespace
-
 void TestCliGradeRefused::otherVersionIsRefused()
 {
     const GradedClass made;

@@ -16,11 +16,6 @@ private slots:
 
 namespace {
 
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 void fill(const GradedClass &made, int count)
 {
     for (int i = 0; i < count; ++i)

@@ -23,15 +23,6 @@ private slots:
     void barFitsTheTerminal();
 };
 
-namespace {
-
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-} // namespace
-
 void TestCliGradeTold::exitZeroHidesOnlyTheVerdicts()
 {
     const GradedClass made;

@@ -19,11 +19,6 @@ private slots:
 
 namespace {
 
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 Outcome suggest(const QStringList &arguments)
 {
     return runCli(QStringList{text("suggest")} + arguments);

@@ -47,11 +47,6 @@ private:
 
 namespace {
 
-QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QProcessEnvironment noDisplay()
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

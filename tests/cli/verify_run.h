@@ -11,11 +11,6 @@
 
 namespace cradle::programs {
 
-inline QString text(const char *latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// The files of a lab with their contents.
 using Files = std::map<QByteArray, QByteArray>;
 
