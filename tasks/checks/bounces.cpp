@@ -147,9 +147,10 @@ bool Turn::isHit() const
 {
     const Circle &before = o.circle(circle, step);
     const Vec2 kick = motion::kick(o, circle, step, gravity);
-    const double held = heldSteps * quickLength(gravity) * o.timestep();
     return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
         const Vec2 n = outwardNormal(wall);
+        // Nothing falls onto a wall along which gravity pulls.
+        const double held = heldSteps * std::abs(dot(gravity, n)) * o.timestep();
         const double into = dot(before.velocity, n);
         return into > held + stopped && -dot(kick, n) > 0.5 * into
                && motion::wallGap(o, before, wall) <= motion::travel(o, circle, step, gravity);

@@ -122,11 +122,12 @@ std::vector<KindInfo> sceneKinds()
                                   SceneText::tr("Also one after the other, or one of them at rest; "
                                                 "else circle 2 rests before the hit")),
                              false),
-                     usually(make("again", Type::Flag, SceneText::tr("Again at once"),
-                                  SceneText::tr("Of those with e = 1 some, between equal "
-                                                "circles, are in front of a wall that sends circle "
-                                                "2 straight back")),
-                             false)})),
+                     usually(
+                         make("again", Type::Flag, SceneText::tr("Again at once"),
+                              SceneText::tr(
+                                  "Some, between equal circles, are in front of a wall that sends "
+                                  "circle 2 back to a second hit, with another line of centres")),
+                         false)})),
         scene("parting", SceneText::tr("Circles that part"),
               SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
                             "apart already; ask for 0 hits"),

@@ -10,8 +10,12 @@ namespace cradle {
 
 namespace {
 
-constexpr double timeToContact = 0.5;  ///< from the start of an encounter, s
-constexpr double stepsToWall = 4.5;    ///< of circle 2 after a hit that is followed by another
+constexpr double timeToContact = 0.5; ///< from the start of an encounter, s
+/// Between two circles, when one that was hit comes to the wall: steps at the speed that they met
+/// with.
+constexpr double stepsToWall = 4.5;
+constexpr double stepsAfter = 12.0; ///< the second of two hits, that none of it is missed
+constexpr double steepest = 1.2;    ///< what the first has across the normal, of what is along it
 constexpr double placeOfContact = 1.0; ///< encounters happen within ± this of the middle, m
 
 double range(Vec2 lowHigh, Random &random)
@@ -73,8 +77,10 @@ void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees
     const Vec2 n = fromAngle(degrees);
     // Off centre by the sine of the angle between the relative velocity and the normal.
     const double sine = spec.offset * random.between(-1.0, 1.0);
-    const Vec2 u =
-        range(spec.speeds, random) * (std::sqrt(1.0 - sine * sine) * n + sine * perpendicular(n));
+    // Some as slowly as they may, whatever the seed.
+    const double drawn = range(spec.speeds, random);
+    const double speed = i % 12 == 7 ? spec.speeds.x : drawn;
+    const Vec2 u = speed * (std::sqrt(1.0 - sine * sine) * n + sine * perpendicular(n));
     b.velocity = spec.bothMove ? secondVelocity(i, u, n, random) : Vec2{};
     a.velocity = u + b.velocity;
     // A part of a step more, so that the moment of contact falls anywhere inside a step.
@@ -86,7 +92,7 @@ void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees
     b.position += place;
 }
 
-void placeAgain(Preset &preset, const SceneSpec &spec, Random &random)
+double placeAgain(Preset &preset, const SceneSpec &spec, Random &random)
 {
     Circle &a = preset.circles[0].body;
     Circle &b = preset.circles[1].body;
@@ -94,16 +100,31 @@ void placeAgain(Preset &preset, const SceneSpec &spec, Random &random)
     const Vec2 along = perpendicular(n);
     b.radius = a.radius;
     b.density = a.density;
-    preset.timestep = *std::min_element(spec.timesteps.begin(), spec.timesteps.end());
+    const double dt = *std::min_element(spec.timesteps.begin(), spec.timesteps.end());
+    preset.timestep = dt;
+    const double e = preset.restitution;
     const double speed = std::max(2.0, range(spec.speeds, random));
+    // Equal circles: 1 goes on with (1 − e) / 2 of the speed along n, 2 with (1 + e) / 2, so that
+    // the gap is some steps wide when 2 comes to the wall. That gives it e times its speed back, or
+    // all of it.
+    const double toWall = stepsToWall * dt / e;
+    const double nearing = 0.5 * (e * (1.0 + e) + 1.0 - e);
+    // What circle 1 keeps across n brings it to one side of 2, and turns their line of centres.
+    const double touching = a.radius + b.radius;
+    const double side = random.between(0.25, 0.35);
+    const double sunk = touching * (1.0 - std::sqrt(1.0 - side * side));
+    const double back = (stepsToWall * dt + sunk / speed) / nearing;
+    const double way = random.uniform() < 0.5 ? -1.0 : 1.0;
+    const double across = way * std::min(steepest, side * touching / ((toWall + back) * speed));
     b.velocity = random.between(-0.5, 0.5) * along;
-    a.velocity = speed * n + b.velocity;
-    const double step = speed * preset.timestep;
-    b.position = (preset.halfWidth - b.radius - stepsToWall * step) * n
-                 + random.between(-1.0, 1.0) * along - timeToContact * b.velocity;
+    a.velocity = speed * (n + across * along) + b.velocity;
+    const Vec2 place = (preset.halfWidth - b.radius - 0.5 * (1.0 + e) * speed * toWall) * n
+                       + random.between(-1.0, 1.0) * along;
     // A part of a step more, so that the moment of contact falls anywhere inside a step.
-    a.position =
-        b.position - (a.radius + b.radius + timeToContact * speed + random.uniform() * step) * n;
+    const double t = timeToContact + dt * random.uniform();
+    b.position = place - t * b.velocity;
+    a.position = place - touching * n - t * a.velocity;
+    return t + toWall + back + stepsAfter * dt;
 }
 
 void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random)

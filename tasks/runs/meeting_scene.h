@@ -10,6 +10,10 @@
 
 namespace cradle {
 
+/// Where less of the speed is left, a circle that was hit comes to the wall together with the
+/// other.
+inline constexpr double leastRestitution = 0.2;
+
 /// The unit vector \p degrees from the x axis.
 [[nodiscard]] inline Vec2 fromAngle(double degrees)
 {
@@ -22,9 +26,12 @@ namespace cradle {
 /// with whom and who rests.
 void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees, Random &random);
 
-/// Circles 1 and 2, now equal, meet straight on in front of a wall that sends circle 2 back within
-/// a few of the shortest timesteps: a program that pauses after a hit misses the second.
-void placeAgain(Preset &preset, const SceneSpec &spec, Random &random);
+/// Circles 1 and 2, now equal, meet in front of a wall that sends circle 2 back within some of the
+/// shortest timesteps, to a second hit with another line of centres: a program that pauses after a
+/// hit misses it, and one that remembers a hit answers it by what it remembers.
+/// \pre the restitution is leastRestitution or more
+/// \return s from the start until the second hit is over
+[[nodiscard]] double placeAgain(Preset &preset, const SceneSpec &spec, Random &random);
 
 /// As after a hit that was told late: circles 1 and 2 overlap, and for one update more while they
 /// part along a line at \p degrees.

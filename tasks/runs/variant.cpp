@@ -19,9 +19,11 @@ struct VariantText {
     Q_DECLARE_TR_FUNCTIONS(Variant)
 };
 
-constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
-constexpr double slowest = 0.1;   ///< of slow hits where nothing pulls, a quarter of it, m/s
-constexpr int stepsToWall = 3;    ///< before a slow hit
+constexpr double halfWidth = 4.0;   ///< of the square of pinned scenes, m
+constexpr double slowest = 0.1;     ///< of slow hits where nothing pulls, a quarter of it, m/s
+constexpr int stepsToWall = 3;      ///< before a slow hit
+constexpr Vec2 creeping{0.15, 0.3}; ///< speeds of what comes slowest to a wall, m/s
+constexpr int creepingShot = 2;     ///< the shot that does, of those without gravity
 
 QString timestepText(double timestep)
 {
@@ -58,6 +60,10 @@ public:
                 addCornerShot(i);
             else
                 addShot(i, spread(i + m_random.between(0.1, 0.9)));
+        }
+        if (m_spec.kind == QLatin1String("slow")) {
+            for (const double side : {-1.0, 1.0})
+                addCreepingHit(side);
         }
         return std::move(m_variants);
     }
@@ -140,7 +146,8 @@ private:
             Preset preset = stage(i, needed());
             const auto shot = static_cast<std::size_t>(circle);
             // The first, from the very middle and fast, is one that a program could know.
-            const double speed = range(m_spec.speeds);
+            const bool creeps = i == creepingShot && preset.gravity == Vec2{};
+            const double speed = range(creeps ? creeping : m_spec.speeds);
             const Vec2 place = drawStart(m_random);
             preset.circles[shot].body.velocity =
                 (i == 0 ? m_spec.speeds.y : speed) * fromAngle(degrees);
@@ -221,18 +228,46 @@ private:
         add(VariantText::tr("slow hit %1").arg(i + 1), preset);
     }
 
+    /// Whether scene \p i is one of two hits: of several e each has some, in turn, the largest
+    /// more.
+    [[nodiscard]] bool meetsAgain(int i, double e) const
+    {
+        if (!m_spec.again || e < leastRestitution)
+            return false;
+        const auto all = static_cast<int>(m_spec.restitutions.size());
+        if (all == 1)
+            return i % 8 == 4;
+        return e == 1.0 ? (i / all) % 2 == 0 : (i / all + i % all) % 4 == 0;
+    }
+
+    /// Slowly to a wall beside, however fast it falls.
+    void addCreepingHit(double side)
+    {
+        Preset preset = stage(0, needed());
+        const Vec2 down = preset.gravity == Vec2{} ? Vec2{0.0, -1.0} : normalized(preset.gravity);
+        const Vec2 toWall = side * perpendicular(down);
+        for (const int circle : m_spec.circles) {
+            Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
+            const double speed = range(creeping);
+            const double gap = m_random.between(0.2, 0.5) * m_spec.duration * speed;
+            const double height = -1.0 + circle * 2.0 + m_random.between(-0.3, 0.3);
+            c.position = (preset.halfWidth - c.radius - gap) * toWall - height * down;
+            c.velocity = speed * toWall;
+        }
+        add(side < 0.0 ? VariantText::tr("slowly to one side")
+                       : VariantText::tr("slowly to the other side"),
+            preset);
+    }
+
     void addEncounter(int i)
     {
         Preset preset = stage(i, 2);
         const double degrees = spread(i + m_random.between(0.0, 1.0));
         placeEncounter(preset, m_spec, i, degrees, m_random);
-        const auto all = static_cast<int>(m_spec.restitutions.size());
-        // Where something is lost, the two would come to the wall together.
-        const bool again = m_spec.again && preset.restitution == 1.0 && (i / all) % 2 == 0
-                           && (all > 1 || i % 8 == 4);
-        if (again) {
-            placeAgain(preset, m_spec, m_random);
+        if (meetsAgain(i, preset.restitution)) {
+            const double duration = placeAgain(preset, m_spec, m_random);
             add(VariantText::tr("contact %1, in front of a wall").arg(i + 1), preset);
+            m_variants.back().duration = std::min(m_spec.duration, duration);
             return;
         }
         add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);

@@ -21,13 +21,13 @@ struct Variant {
 ///     own         the student's own scene, at each of \c timesteps
 ///     flight      the check's circles thrown into the middle of the square
 ///     directions  each of the check's circles at the walls, in \c count directions, while the
-///                 others move on where nothing meets them
+///                 others move on where nothing meets them; without gravity one of them slowly
 ///     corners     the same straight at the corners and just beside them
 ///     encounters  circles 1 and 2 thrown so that they meet, from \c count angles, up to
 ///                 \c offset · (r₁ + r₂) off centre
 ///     parting     circles 1 and 2 overlap and move apart already
 ///     slow        the check's circles come slowly to the floor and the ceiling, at many moments of
-///                 a step
+///                 a step, and to the walls beside
 ///     drop        the check's circles fall onto the floor
 /// Angles are counted from the x axis and spread over \c angles, all round if not given.
 /// All but \c own pin square, positions, velocities, radii, densities, gravity (none if not given)
