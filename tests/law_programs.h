@@ -253,3 +253,4 @@ struct LawBench {
 } // namespace cradle::programs
 
 Q_DECLARE_METATYPE(cradle::programs::LawProgram)
+Q_DECLARE_METATYPE(cradle::programs::HitLaw)

@@ -24,6 +24,11 @@ private slots:
     void stepThatStopsBothSaysSo();
     void contactAndAnswerAreNamedBoth_data();
     void contactAndAnswerAreNamedBoth();
+    void whatIsKeptOfAHitIsNamed_data();
+    void whatIsKeptOfAHitIsNamed();
+    void aNumberIsToldFromRadii_data();
+    void aNumberIsToldFromRadii();
+    void lateMassesAreNamedBesideTheirPower();
 };
 
 namespace {
@@ -140,6 +145,18 @@ void TestResponseLaw::faultIsNamed_data()
     answer("no temp", "p.velocity = q.velocity q.velocity = p.velocity",
            "Both circles leave with the velocity of circle 2");
     answer("stop", "p.velocity, q.velocity = vec(0, 0), vec(0, 0)", "A hit stops both circles");
+    answer("masses exchanged in the rebound",
+           "local a, b, m = p.velocity:dot(n), q.velocity:dot(n), m1 + m2 "
+           "local u = (m1 * a + m2 * b) / m "
+           "p.velocity = p.velocity + (u + e * m1 * (b - a) / m - a) * n "
+           "q.velocity = q.velocity + (u + e * m2 * (a - b) / m - b) * n",
+           "In the rebound each circle has the mass of the other");
+    answer(
+        "one after the other",
+        "local a, b, m = p.velocity:dot(n), q.velocity:dot(n), m1 + m2 "
+        "a = a - (1 + e) * m2 / m * (a - b) p.velocity = p.velocity + (a - p.velocity:dot(n)) * n "
+        "b = b + (1 + e) * m1 / m * (a - b) q.velocity = q.velocity + (b - q.velocity:dot(n)) * n",
+        "The velocity of circle 2 is worked out from what circle 1 has become");
     answer("circle 1 alone",
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n",
            "A hit leaves circle 2 as it was");
@@ -223,6 +240,103 @@ void TestResponseLaw::contactAndAnswerAreNamedBoth()
         QCOMPARE(step.response(program),
                  (QStringList{text("The mass grows with r to the power of 1, not 3"),
                               text("e is squared in the hit of two circles")}));
+    }
+}
+
+void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<HitLaw>("law");
+    QTest::addColumn<QString>("said");
+    const HitLaw normal{
+        .normal = text("(function() kept.n = kept.n or d:normalized() return kept.n end)()"),
+        .e = e};
+    const HitLaw rebound{.answer = text("kept.e = (kept.e or 1) * restitution "
+                                        "local j = (1 + kept.e) * closing / (1 / m1 + 1 / m2) "
+                                        "p.velocity = p.velocity - j / m1 * n "
+                                        "q.velocity = q.velocity + j / m2 * n")};
+    const HitLaw slow{.approach = text("closing > 0.2"), .e = e};
+    const HitLaw slowRebound{
+        .e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")};
+    const HitLaw right{.e = e};
+    const QString line = text("A later hit is answered along the line of an earlier one");
+    for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})
+        QTest::addRow("normal, %s", step) << text(step) << normal << line;
+    for (const char *step : {"L42T16", "L42T17"})
+        QTest::addRow("e, %s", step)
+            << text(step) << rebound << text("A later hit is answered with another e");
+    for (const char *step : {"L42T12", "L42T16"})
+        QTest::addRow("slow, %s", step)
+            << text(step) << slow << text("Circles that come nearer slowly are not answered");
+    QTest::addRow("slow e") << text("L42T16") << slowRebound
+                            << text("Circles that meet slowly are answered in another way");
+    for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})
+        QTest::addRow("right, %s", step) << text(step) << right << QString();
+}
+
+void TestResponseLaw::whatIsKeptOfAHitIsNamed()
+{
+    QFETCH(QString, step);
+    QFETCH(HitLaw, law);
+    QFETCH(QString, said);
+    const LawBench bench(task(step));
+    for (const int structure : {0, 2, 3}) {
+        for (const HitWay &way : {hitWays[0], hitWays[1], hitWays[3]}) {
+            LawProgram pieces = withHit(hitOf(way, law));
+            pieces.start = text("kept = {}");
+            const QString program = written(pieces, structures[structure]);
+            QCOMPARE(bench.contact(program) + bench.response(program),
+                     said.isEmpty() ? QStringList() : QStringList(said));
+        }
+    }
+}
+
+void TestResponseLaw::aNumberIsToldFromRadii_data()
+{
+    QTest::addColumn<QString>("reach");
+    QTest::addColumn<QString>("said");
+    const QString number = text("A number stands for r₁ + r₂ in the test of contact");
+    for (const char *reach : {"0.2", "0.375", "0.4", "0.5", "0.6", "0.8"})
+        QTest::addRow("%s", reach) << text(reach) << number;
+    QTest::addRow("larger") << text("math.max(p.radius, q.radius)")
+                            << text("Contact is tested at the larger radius, not at r₁ + r₂");
+    QTest::addRow("twice smaller")
+        << text("2 * math.min(p.radius, q.radius)")
+        << text("Contact is tested at twice the smaller radius, not at r₁ + r₂");
+    QTest::addRow("smaller") << text("math.min(p.radius, q.radius)")
+                             << text("Contact is tested at the smaller radius, not at r₁ + r₂");
+}
+
+void TestResponseLaw::aNumberIsToldFromRadii()
+{
+    QFETCH(QString, reach);
+    QFETCH(QString, said);
+    for (const char *step : {"L42T13", "L42T16"}) {
+        const LawBench bench(task(text(step)));
+        for (const int structure : {0, 1}) {
+            const HitLaw law{.reach = reach, .e = e};
+            const QString program =
+                written(withHit(hitOf(hitWays[structure], law)), structures[structure]);
+            QCOMPARE(bench.contact(program), QStringList(said));
+        }
+    }
+}
+
+/// Two faults: worked out before `on_load` sets the densities, and with r².
+void TestResponseLaw::lateMassesAreNamedBesideTheirPower()
+{
+    const LawBench bench(task(text("L42T15")));
+    for (const int structure : {0, 3}) {
+        const HitLaw law{.mass = text("c.mass")};
+        LawProgram program = withHit(hitOf(hitWays[0], law));
+        program.start = text("for i = 1, #circles do local c = circles[i] "
+                             "c.mass = c.density * c.radius ^ 2 end gravity = vec(0, 0) "
+                             "circle1.position, circle1.velocity = vec(-1, 0), vec(1, 0) "
+                             "circle2.position, circle2.velocity = vec(1, 0), vec(-1, 0) "
+                             "circle1.density, circle2.density = 1, 2");
+        QCOMPARE(bench.response(written(program, structures[structure])),
+                 (QStringList{text("The mass grows with r to the power of 2, not 3"),
+                              text("The masses in your own scene are not those of its circles")}));
     }
 }
 

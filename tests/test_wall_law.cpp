@@ -17,6 +17,8 @@ private slots:
     void lawIsMeasured();
     void rightWallsHaveNoFault_data();
     void rightWallsHaveNoFault();
+    void slowHitsAreLookedAt_data();
+    void slowHitsAreLookedAt();
     void faultIsNamed_data();
     void faultIsNamed();
     void wordsOfAStepWithoutLosesDoNotSpeakOfThem();
@@ -116,6 +118,45 @@ void TestWallLaw::rightWallsHaveNoFault()
     QFETCH(QString, step);
     QFETCH(QString, program);
     QCOMPARE(LawBench(task(step)).walls(program), QStringList());
+}
+
+void TestWallLaw::slowHitsAreLookedAt_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<QString>("back");
+    QTest::addColumn<QStringList>("said");
+    const QString turns = text("s * v > 0");
+    const QString fast = text("s * v > 0.5 * math.abs(s)");
+    for (const char *step : {"L42T9", "L42T12"}) {
+        QTest::addRow("threshold, %s", step)
+            << text(step) << fast << text("restitution")
+            << QStringList(text("Slow hits at the walls do not turn both circles round"));
+        QTest::addRow("right, %s", step)
+            << text(step) << turns << text("restitution") << QStringList();
+    }
+    QTest::addRow("threshold under gravity")
+        << text("L42T3") << fast << text("restitution")
+        << QStringList(text("Slow hits at the walls do not turn circle 1 round"));
+    QTest::addRow("another factor")
+        << text("L42T17") << turns << text("math.abs(v) < 1 and 0 or restitution")
+        << QStringList(
+               text("Slow hits at the walls give both circles another share of the speed back"));
+}
+
+void TestWallLaw::slowHitsAreLookedAt()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, asked);
+    QFETCH(QString, back);
+    QFETCH(QStringList, said);
+    const LawBench bench(task(step));
+    for (const WallWay &way : {wallWays[0], wallWays[1]}) {
+        const QString walls =
+            wallsOf(way, "c.radius", back.toLatin1().constData()).replace(text("s * v > 0"), asked);
+        for (const int structure : {0, 3})
+            QCOMPARE(bench.walls(written({.walls = walls}, structures[structure])), said);
+    }
 }
 
 void TestWallLaw::faultIsNamed_data()

@@ -620,12 +620,12 @@
         <translation>مرة أخرى فورًا</translation>
     </message>
     <message>
-        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
-        <translation>من تلك التي فيها ⁦e = 1⁩ يقع بعضها، بين دائرتين متساويتين، أمام جدار يعيد الدائرة 2 فورًا</translation>
-    </message>
-    <message>
         <source>another check has the id %1 already; an id of its own is right</source>
         <translation>لفحص آخر المعرّف ⁨%1⁩ بالفعل؛ الصواب معرّف خاص به</translation>
+    </message>
+    <message>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
+        <translation>بعضها، بين دائرتين متساويتين، يقع أمام جدار يعيد الدائرة 2 إلى تصادم ثانٍ على خط مركزين آخر</translation>
     </message>
 </context>
 <context>
@@ -3161,6 +3161,114 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
         <translation>تفترق الدائرتان بسرعة التقائهما مضروبةً في e كما ينبغي؛ لكن ما لهما معًا، أي كمية حركتهما، يتغير أيضًا.</translation>
+    </message>
+    <message>
+        <source>A hit changes the places of the circles, not their velocities</source>
+        <translation>التصادم يغيّر مكاني الدائرتين، لا سرعتيهما</translation>
+    </message>
+    <message>
+        <source>When they touched, circle %1 was put to %2 m, far from where it came from, and both kept their velocities. A hit changes velocities; each circle stays near its own way.</source>
+        <translation>عندما تلامستا وُضعت الدائرة ⁨%1⁩ عند ⁦%2 m⁩، بعيدًا عن المكان الذي جاءت منه، وأبقت كلتاهما سرعتها. التصادم يغيّر السرعات؛ وكل دائرة تبقى قرب مسارها.</translation>
+    </message>
+    <message>
+        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
+        <translation>وخط مركزيهما عند ⁦%1°⁩ اقتربتا عليه بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المهم هل تتداخلان، وهل لسرعة إحداهما بالنسبة إلى الأخرى مركّبة على هذا الخط.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer slowly are not answered</source>
+        <translation>الدائرتان اللتان تقتربان ببطء لا تلقيان استجابة</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتداخلتا؛ وبسرعة ⁦%2 m/s⁩ تلقيان استجابة. لا تهمّ سرعة مجيئهما: المهم هل تتداخلان وتتقاربان.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken away at once, far from everything</source>
+        <translation>تُسلب فورًا سرعة %who، بعيدًا عن كل شيء</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>من بداية بسرعة ⁦%1 m/s⁩، بعيدًا عن كل جدار وكل دائرة أخرى، تسكن الدائرة بعد خطوة واحدة. انظر إلى الأسطر التي توقف دائرة، وإلى ما يُسأل قبلها: هل يصحّ مع أن لا شيء يتلامس؟</translation>
+    </message>
+    <message>
+        <source>In the rebound each circle has the mass of the other</source>
+        <translation>في الارتداد لكل دائرة كتلة الأخرى</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
+        <translation>مع ⁦ρ₁ = %1⁩ و⁦ρ₂ = %2⁩، و⁦e = %3⁩: </translation>
+    </message>
+    <message>
+        <source>What both have in common comes out right. Of the rebound, the part with e, circle 1 gets the share m₁/(m₁ + m₂) and circle 2 the share m₂/(m₁ + m₂): the lighter one should get more.</source>
+        <translation>ما تشتركان فيه يخرج صحيحًا. ومن الارتداد، أي الجزء الذي فيه e، تنال الدائرة 1 الحصة ⁦m₁/(m₁ + m₂)⁩ والدائرة 2 الحصة ⁦m₂/(m₁ + m₂)⁩: ينبغي أن تنال الأخف أكثر.</translation>
+    </message>
+    <message>
+        <source>The other one leaves as it should. Look at what is worked out for this one.</source>
+        <translation>الأخرى تغادر كما ينبغي. انظر إلى ما يُحسب لهذه.</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 2 leaves a hit as it came</source>
+        <translation>من دائرتين متساويتين تغادر الدائرة 2 التصادم كما جاءت</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 1 leaves a hit as it came</source>
+        <translation>من دائرتين متساويتين تغادر الدائرة 1 التصادم كما جاءت</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>هناك تستجيب الدائرة 2 كأن كتلتها ⁨%1⁩ مرة كتلة الدائرة 1؛ وبحسب ما يفعله برنامجك في المشاهد الأخرى تكون ⁨%2⁩ مرة. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في المشاهد الأخرى تفترقان بالسرعة مضروبةً في e. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered along the line of an earlier one</source>
+        <translation>تصادم لاحق يُستجاب له على خط تصادم سابق</translation>
+    </message>
+    <message>
+        <source>Two circles met with their line of centres at %1°, and again, back from a wall, with it at %2°. Both times they were pushed along %3°. Every hit has a normal of its own: work it out anew.</source>
+        <translation>التقت دائرتان وخط مركزيهما عند ⁦%1°⁩، ثم مرة أخرى بعد العودة من جدار وهو عند ⁦%2°⁩. وفي المرتين دُفعتا على ⁦%3°⁩. لكل تصادم ناظم خاص به: احسبه من جديد.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered with another e</source>
+        <translation>تصادم لاحق يُستجاب له بقيمة e أخرى</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at what your program keeps from one hit to the next.</source>
+        <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة لقائهما مضروبةً في ⁨%2⁩؛ وفي تصادمهما الثاني، بعد العودة من جدار، مضروبةً في ⁨%3⁩. انظر إلى ما يحتفظ به برنامجك من تصادم إلى الذي يليه.</translation>
+    </message>
+    <message>
+        <source>Circles that meet slowly are answered in another way</source>
+        <translation>الدائرتان اللتان تلتقيان ببطء يُستجاب لهما بطريقة أخرى</translation>
+    </message>
+    <message>
+        <source>Where they meet with %1 m/s, it comes out right. The law is the same for every speed.</source>
+        <translation>حين تلتقيان بسرعة ⁦%1 m/s⁩ تخرج النتيجة صحيحة. القانون واحد لكل سرعة.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
+        <translation>هكذا هو عند بدء التشغيل؛ وفي هذه الخطوة لمشهدك ⁦e = %1⁩. انظر إلى ما يعطيه ⁦`on_load`⁩ لـ⁦`restitution`⁩.</translation>
+    </message>
+    <message>
+        <source>twice the smaller radius</source>
+        <translation>ضعف نصف القطر الأصغر</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls do not turn %who round</source>
+        <translation>التصادمات البطيئة بالجدران لا تعكس %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ بسرعة ⁦%3 m/s⁩ (⁨%2⁩) ومضت إلى ما بعده؛ وبسرعة ⁦%4 m/s⁩ تُعكس. لا تهمّ سرعة مجيئها: المهم هل تجاوزت حافتها الجدار، وإلى أين تتحرك.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls give %who another share of the speed back</source>
+        <translation>التصادمات البطيئة بالجدران تعيد إلى %who حصةً أخرى من السرعة</translation>
+    </message>
+    <message>
+        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
+        <translation>مع ⁦e = %1⁩ جاءت الدائرة ⁨%2⁩ بسرعة ⁦%4 m/s⁩ (⁨%3⁩) وغادرت بهذه السرعة مضروبةً في ⁨%5⁩؛ والصحيح ⁨%6⁩. العامل واحد لكل سرعة.</translation>
     </message>
 </context>
 <context>
@@ -7296,6 +7404,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>التلامس ⁨%1⁩، أمام جدار</translation>
+    </message>
+    <message>
+        <source>slowly to one side</source>
+        <translation>ببطء إلى جانب</translation>
+    </message>
+    <message>
+        <source>slowly to the other side</source>
+        <translation>ببطء إلى الجانب الآخر</translation>
     </message>
 </context>
 <context>

@@ -612,12 +612,12 @@
         <translation>Gleich noch einmal</translation>
     </message>
     <message>
-        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
-        <translation>Von denen mit e = 1 geschehen einige, zwischen gleichen Kreisen, vor einer Wand, die Kreis 2 gleich zurückschickt</translation>
-    </message>
-    <message>
         <source>another check has the id %1 already; an id of its own is right</source>
         <translation>eine andere Prüfung hat schon die Kennung %1; richtig ist eine eigene</translation>
+    </message>
+    <message>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
+        <translation>Einige, zwischen gleichen Kreisen, liegen vor einer Wand, die Kreis 2 zu einem zweiten Stoß mit anderer Verbindungslinie der Mittelpunkte zurückschickt</translation>
     </message>
 </context>
 <context>
@@ -3137,6 +3137,114 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
         <translation>Die Kreise trennen sich e-mal so schnell, wie sie sich trafen, wie es sein soll; aber auch was beide zusammen haben, ihr Impuls, ändert sich.</translation>
+    </message>
+    <message>
+        <source>A hit changes the places of the circles, not their velocities</source>
+        <translation>Ein Stoß ändert die Orte der Kreise, nicht ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>When they touched, circle %1 was put to %2 m, far from where it came from, and both kept their velocities. A hit changes velocities; each circle stays near its own way.</source>
+        <translation>Als sie sich berührten, wurde Kreis %1 nach %2 m gesetzt, weit weg von dort, woher er kam, und beide behielten ihre Geschwindigkeiten. Ein Stoß ändert Geschwindigkeiten; jeder Kreis bleibt nahe an seinem eigenen Weg.</translation>
+    </message>
+    <message>
+        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte bei %1° kamen sie sich längs ihr mit %2 m/s näher und liefen ineinander; andere Begegnungen werden beantwortet. Es zählt, ob sie sich überdecken und ob die Geschwindigkeit des einen relativ zum anderen einen Anteil längs dieser Linie hat.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer slowly are not answered</source>
+        <translation>Kreise, die sich langsam näher kommen, werden nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Sie kamen sich mit %1 m/s näher und liefen ineinander; mit %2 m/s werden sie beantwortet. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken away at once, far from everything</source>
+        <translation>Die Geschwindigkeit von %who wird sofort weggenommen, fern von allem</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>Mit %1 m/s begonnen, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später. Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Ist es wahr, obwohl sich nichts berührt?</translation>
+    </message>
+    <message>
+        <source>In the rebound each circle has the mass of the other</source>
+        <translation>Beim Rückprall hat jeder Kreis die Masse des anderen</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
+        <translation>Mit ρ₁ = %1 und ρ₂ = %2, e = %3: </translation>
+    </message>
+    <message>
+        <source>What both have in common comes out right. Of the rebound, the part with e, circle 1 gets the share m₁/(m₁ + m₂) and circle 2 the share m₂/(m₁ + m₂): the lighter one should get more.</source>
+        <translation>Was beide gemeinsam haben, stimmt. Vom Rückprall, dem Teil mit e, bekommt Kreis 1 den Anteil m₁/(m₁ + m₂) und Kreis 2 den Anteil m₂/(m₁ + m₂): Der leichtere sollte mehr bekommen.</translation>
+    </message>
+    <message>
+        <source>The other one leaves as it should. Look at what is worked out for this one.</source>
+        <translation>Der andere geht, wie er soll. Sieh dir an, was für diesen errechnet wird.</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 2 leaves a hit as it came</source>
+        <translation>Von zwei gleichen Kreisen geht Kreis 2 aus dem Stoß, wie er kam</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 1 leaves a hit as it came</source>
+        <translation>Von zwei gleichen Kreisen geht Kreis 1 aus dem Stoß, wie er kam</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; so wie dein Programm in anderen Szenen rechnet, wäre er es %2-mal. Eine Masse, die errechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-fachen Tempo. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered along the line of an earlier one</source>
+        <translation>Ein späterer Stoß wird längs der Linie eines früheren beantwortet</translation>
+    </message>
+    <message>
+        <source>Two circles met with their line of centres at %1°, and again, back from a wall, with it at %2°. Both times they were pushed along %3°. Every hit has a normal of its own: work it out anew.</source>
+        <translation>Zwei Kreise trafen sich mit der Verbindungslinie der Mittelpunkte bei %1° und, von einer Wand zurück, noch einmal mit ihr bei %2°. Beide Male wurden sie längs %3° gestoßen. Jeder Stoß hat seine eigene Normale: Errechne sie jedes Mal neu.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered with another e</source>
+        <translation>Ein späterer Stoß wird mit einem anderen e beantwortet</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at what your program keeps from one hit to the next.</source>
+        <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, von einer Wand zurück, war es das %3-fache. Sieh dir an, was dein Programm von einem Stoß zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>Circles that meet slowly are answered in another way</source>
+        <translation>Kreise, die sich langsam treffen, werden anders beantwortet</translation>
+    </message>
+    <message>
+        <source>Where they meet with %1 m/s, it comes out right. The law is the same for every speed.</source>
+        <translation>Wo sie sich mit %1 m/s treffen, geht es richtig aus. Das Gesetz ist für jedes Tempo dasselbe.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
+        <translation>So ist es, wenn der Lauf beginnt; in diesem Schritt hat deine eigene Szene e = %1. Sieh dir an, was `on_load` an `restitution` gibt.</translation>
+    </message>
+    <message>
+        <source>twice the smaller radius</source>
+        <translation>das Doppelte des kleineren Radius</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls do not turn %who round</source>
+        <translation>Langsame Stöße an den Wänden kehren %who nicht um</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
+        <translation>Kreis %1 kam mit %3 m/s an (%2) und lief darüber hinaus; mit %4 m/s wird er umgekehrt. Wie schnell er kommt, spielt keine Rolle: Es zählt, ob sein Rand über die Wand hinaus ist und wohin er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls give %who another share of the speed back</source>
+        <translation>Langsame Stöße an den Wänden geben %who einen anderen Teil des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
+        <translation>Mit e = %1 kam Kreis %2 mit %4 m/s an (%3) und ging mit dem %5-fachen dieses Tempos; das %6-fache ist richtig. Der Faktor ist für jedes Tempo derselbe.</translation>
     </message>
 </context>
 <context>
@@ -7256,6 +7364,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>Stoß %1, vor einer Wand</translation>
+    </message>
+    <message>
+        <source>slowly to one side</source>
+        <translation>langsam zur einen Seite</translation>
+    </message>
+    <message>
+        <source>slowly to the other side</source>
+        <translation>langsam zur anderen Seite</translation>
     </message>
 </context>
 <context>

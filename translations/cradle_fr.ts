@@ -612,12 +612,12 @@
         <translation>De nouveau aussitôt</translation>
     </message>
     <message>
-        <source>Of those with e = 1 some, between equal circles, are in front of a wall that sends circle 2 straight back</source>
-        <translation>De celles où e = 1, quelques-unes, entre cercles égaux, ont lieu devant une paroi qui renvoie aussitôt le cercle 2</translation>
-    </message>
-    <message>
         <source>another check has the id %1 already; an id of its own is right</source>
         <translation>une autre vérification a déjà l&apos;identifiant %1&#xa0;; il en faut un à elle</translation>
+    </message>
+    <message>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
+        <translation>Certaines, entre cercles égaux, ont lieu devant une paroi qui renvoie le cercle 2 vers un second choc, avec une autre ligne des centres</translation>
     </message>
 </context>
 <context>
@@ -3137,6 +3137,114 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>The circles part e times as fast as they met, as they should; but what both have together, their momentum, changes, too.</source>
         <translation>Les cercles se séparent e fois aussi vite qu&apos;ils se sont rencontrés, comme il se doit&#xa0;; mais ce qu&apos;ils ont ensemble, leur quantité de mouvement, change aussi.</translation>
+    </message>
+    <message>
+        <source>A hit changes the places of the circles, not their velocities</source>
+        <translation>Un choc change les places des cercles, pas leurs vitesses</translation>
+    </message>
+    <message>
+        <source>When they touched, circle %1 was put to %2 m, far from where it came from, and both kept their velocities. A hit changes velocities; each circle stays near its own way.</source>
+        <translation>Quand ils se sont touchés, le cercle %1 a été mis en %2 m, loin d&apos;où il venait, et tous deux ont gardé leur vitesse. Un choc change les vitesses&#xa0;; chaque cercle reste près de son propre chemin.</translation>
+    </message>
+    <message>
+        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
+        <translation>Avec leur ligne des centres à %1°, ils se sont rapprochés à %2 m/s le long de celle-ci et sont entrés l&apos;un dans l&apos;autre&#xa0;; d&apos;autres rencontres provoquent une réaction. Ce qui compte, c&apos;est s&apos;ils se chevauchent, et si la vitesse de l&apos;un par rapport à l&apos;autre a une composante le long de cette ligne.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer slowly are not answered</source>
+        <translation>Les cercles qui se rapprochent lentement restent sans réaction</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Ils se sont rapprochés à %1 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %2 m/s il y a une réaction. Peu importe à quelle vitesse ils viennent&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who is taken away at once, far from everything</source>
+        <translation>La vitesse est supprimée aussitôt, loin de tout, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>Parti à %1 m/s, loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard. Regardez les lignes qui arrêtent un cercle, et ce qui est demandé avant elles&#xa0;: est-ce vrai bien que rien ne se touche&#xa0;?</translation>
+    </message>
+    <message>
+        <source>In the rebound each circle has the mass of the other</source>
+        <translation>Dans le rebond, chaque cercle a la masse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
+        <translation>Avec ρ₁ = %1 et ρ₂ = %2, e = %3&#xa0;: </translation>
+    </message>
+    <message>
+        <source>What both have in common comes out right. Of the rebound, the part with e, circle 1 gets the share m₁/(m₁ + m₂) and circle 2 the share m₂/(m₁ + m₂): the lighter one should get more.</source>
+        <translation>Ce qu&apos;ils ont en commun est juste. Du rebond, la partie avec e, le cercle 1 reçoit la part m₁/(m₁ + m₂) et le cercle 2 la part m₂/(m₁ + m₂)&#xa0;: le plus léger devrait recevoir davantage.</translation>
+    </message>
+    <message>
+        <source>The other one leaves as it should. Look at what is worked out for this one.</source>
+        <translation>L&apos;autre repart comme il le doit. Regardez ce qui est calculé pour celui-ci.</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 2 leaves a hit as it came</source>
+        <translation>De deux cercles égaux, le cercle 2 repart du choc comme il est venu</translation>
+    </message>
+    <message>
+        <source>Of two equal circles circle 1 leaves a hit as it came</source>
+        <translation>De deux cercles égaux, le cercle 1 repart du choc comme il est venu</translation>
+    </message>
+    <message>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Là, le cercle 2 répond comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; comme votre programme le fait dans d&apos;autres scènes, ce serait %2 fois. Une masse calculée avant que le rayon et la densité soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
+    </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans d&apos;autres scènes, ils se séparent avec e fois la vitesse. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered along the line of an earlier one</source>
+        <translation>Un choc ultérieur agit suivant la ligne d&apos;un choc antérieur</translation>
+    </message>
+    <message>
+        <source>Two circles met with their line of centres at %1°, and again, back from a wall, with it at %2°. Both times they were pushed along %3°. Every hit has a normal of its own: work it out anew.</source>
+        <translation>Deux cercles se sont rencontrés avec leur ligne des centres à %1° et, au retour d&apos;une paroi, de nouveau avec celle-ci à %2°. Les deux fois ils ont été poussés suivant %3°. Chaque choc a sa propre normale&#xa0;: recalculez-la.</translation>
+    </message>
+    <message>
+        <source>A later hit is answered with another e</source>
+        <translation>Un choc ultérieur agit avec un autre e</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at what your program keeps from one hit to the next.</source>
+        <translation>Avec e = %1, deux cercles se sont séparés avec %2 fois la vitesse de leur rencontre&#xa0;; lors de leur second choc, au retour d&apos;une paroi, c&apos;était %3 fois. Regardez ce que votre programme garde d&apos;un choc au suivant.</translation>
+    </message>
+    <message>
+        <source>Circles that meet slowly are answered in another way</source>
+        <translation>Les cercles qui se rencontrent lentement réagissent autrement</translation>
+    </message>
+    <message>
+        <source>Where they meet with %1 m/s, it comes out right. The law is the same for every speed.</source>
+        <translation>Quand ils se rencontrent à %1 m/s, le résultat est bon. La loi est la même pour toute vitesse.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
+        <translation>C&apos;est ainsi quand l&apos;exécution commence&#xa0;; à cette étape, votre propre scène a e = %1. Regardez ce que `on_load` donne à `restitution`.</translation>
+    </message>
+    <message>
+        <source>twice the smaller radius</source>
+        <translation>le double du plus petit rayon</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls do not turn %who round</source>
+        <translation>Les chocs lents contre les parois ne renversent pas la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
+        <translation>Le cercle %1 est arrivé à %3 m/s (%2) et a continué au-delà&#xa0;; à %4 m/s il fait demi-tour. Peu importe à quelle vitesse il vient&#xa0;: ce qui compte, c&apos;est que son bord ait dépassé la paroi, et dans quel sens il va.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the walls give %who another share of the speed back</source>
+        <translation>Les chocs lents contre les parois rendent une autre part de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
+        <translation>Avec e = %1, le cercle %2 est arrivé à %4 m/s (%3) et est reparti avec %5 fois cette vitesse&#xa0;; %6 fois est juste. Le facteur est le même pour toute vitesse.</translation>
     </message>
 </context>
 <context>
@@ -7256,6 +7364,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>contact %1, in front of a wall</source>
         <translation>contact %1, devant une paroi</translation>
+    </message>
+    <message>
+        <source>slowly to one side</source>
+        <translation>lentement vers un côté</translation>
+    </message>
+    <message>
+        <source>slowly to the other side</source>
+        <translation>lentement vers l&apos;autre côté</translation>
     </message>
 </context>
 <context>

@@ -72,6 +72,8 @@ std::vector<ContactTest> contactTests(const Ground::Range &radii)
     add([](double, double b) { return b; }, QStringLiteral("r₂"));
     add([](double a, double b) { return std::max(a, b); }, ContactText::tr("the larger radius"));
     add([](double a, double b) { return std::min(a, b); }, ContactText::tr("the smaller radius"));
+    add([](double a, double b) { return 2.0 * std::min(a, b); },
+        ContactText::tr("twice the smaller radius"));
     add([](double a, double b) { return std::abs(a - b); },
         ContactText::tr("the difference of the radii"));
     add([](double a, double b) { return 2.0 * std::max(a, b); },

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <set>
 
 namespace cradle {
@@ -39,6 +40,8 @@ public:
         }
         if (answersRightly())
             findOnce();
+        if (m_found.empty() && answersRightly())
+            findUnanswered();
         return std::move(m_found);
     }
 
@@ -104,7 +107,15 @@ private:
         hit.step = right ? m_right.contacts.front().step : hit.step;
         const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
                                        [](const PairHit &h) { return h.held; });
-        if (right && held != m_own.contacts.end())
+        if (right && held != m_own.contacts.end() && held->leaper >= 0)
+            add(ContactText::tr("A hit changes the places of the circles, not their velocities"),
+                ContactText::tr("When they touched, circle %1 was put to %2 m, far from where it "
+                                "came from, and both kept their velocities. A hit changes "
+                                "velocities; each circle stays near its own way.")
+                    .arg(held->leaper + 1)
+                    .arg(brief(held->landed)),
+                *held);
+        else if (right && held != m_own.contacts.end())
             add(ContactText::tr("The circles are put back and keep their velocities"),
                 ContactText::tr("When they touch a place changes and no velocity, so that the next "
                                 "step brings them there again. A hit changes velocities: look at "
@@ -208,14 +219,22 @@ private:
                 return h.isMet() && h.fits(h.meeting.sum());
             }))
             return;
-        const auto fixed = [&](const PairHit &) { return 0.5 * (hit.before + hit.reached); };
+        double low = 0.0;
+        double high = std::numeric_limits<double>::infinity();
+        double late = high; // an answer may be a step late
+        for (const PairHit &h : all) {
+            low = std::max(low, h.reached);
+            high = std::min(high, h.before);
+            late = std::min(late, 2.0 * h.before - h.reached);
+        }
+        high = low <= high ? high : late;
         const bool answersAll =
             std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
-        if (m_ground.pair.radii.isVaried() && answersAll && fitsAll(fixed)) {
+        if (m_ground.pair.radii.isVaried() && answersAll && low <= high) {
             add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
                 ContactText::tr("Whatever the radii are, they answer at the same distance, "
                                 "between %1 and %2 m.")
-                        .arg(brief(hit.reached), brief(hit.before))
+                        .arg(brief(low), brief(high))
                     + QLatin1Char(' ') + seen(hit),
                 hit, Suspect::Reach);
             return;
@@ -289,6 +308,52 @@ private:
                 .arg(brief(hit.slowness * v.along1), brief(hit.slowness * v.along2),
                      brief(hit.slowness * hit.meeting.closing())),
             hit);
+    }
+
+    /// Of those that come from all around, and of slow ones.
+    void findUnanswered()
+    {
+        for (std::size_t i = 0; i < m_own.contacts.size(); ++i) {
+            const PairHit &hit = m_own.contacts[i];
+            if (hit.answered || hit.held || !m_right.contacts[i].isMet())
+                continue;
+            add(ContactText::tr("Not every meeting is answered"),
+                ContactText::tr("With their line of centres at %1° they came nearer with %2 m/s "
+                                "along it and ran into each other; other meetings are answered. "
+                                "What counts is whether they overlap, and whether the velocity of "
+                                "one relative to the other has a part along that line.")
+                    .arg(brief(hit.meeting.degrees), brief(hit.slowness * hit.meeting.closing())),
+                withStepOf(hit, m_right.contacts[i]));
+            return;
+        }
+        if (!m_own.slow || !m_right.slow || m_own.slow->answered || m_own.slow->held
+            || !m_right.slow->isMet() || !answersAny(m_own.equals))
+            return;
+        const PairHit &hit = *m_own.slow;
+        add(ContactText::tr("Circles that come nearer slowly are not answered"),
+            ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 m/s "
+                            "they are answered. How fast they come does not matter: what counts "
+                            "is whether they overlap and come nearer.")
+                .arg(brief(hit.slowness * hit.meeting.closing()),
+                     brief(hit.slowness * m_own.contacts.front().meeting.closing())),
+            whereTheyTouch(hit));
+    }
+
+    /// The same for one that nothing is compared with.
+    static PairHit whereTheyTouch(PairHit hit)
+    {
+        const Preset &preset = hit.stage.preset;
+        const Vec2 d = preset.circles[1].body.position - preset.circles[0].body.position;
+        const double way = hit.meeting.closing() * preset.timestep;
+        hit.step = 2 + static_cast<qint64>((length(d) - hit.meeting.sum()) / way);
+        return hit;
+    }
+
+    /// \p hit, which no step answered, at about the step in which it should be.
+    static PairHit withStepOf(PairHit hit, const PairHit &answered)
+    {
+        hit.step = answered.step;
+        return hit;
     }
 
     void findOnce()

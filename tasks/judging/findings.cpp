@@ -81,6 +81,9 @@ public:
         if (m_findings.empty() && !m_asked) {
             if (const auto e = restitutionDeviation(m_task, m_submission, m_checks))
                 take(Aspect::Start, {*e});
+        } else if (const auto e = otherRestitution(m_task, m_submission, m_checks)) {
+            add(*e, {}, e->message);
+            std::rotate(m_findings.begin(), m_findings.end() - 1, m_findings.end());
         }
         return std::move(m_findings);
     }

@@ -132,6 +132,15 @@ private:
                                        "lines that change the velocity.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
+        if (f.resets && f.turnedInto == Vec2{} && !m_right.at(gravity(), timestep(), m_i).resets)
+            return said(
+                FlightText::tr("The velocity of %who is taken away at once, far from everything"),
+                FlightText::tr("Started with %1 m/s, away from every wall and every other "
+                               "circle, it rests one step later. Look at the lines that "
+                               "stop a circle, and at what is asked before they run: is it "
+                               "true although nothing touches?")
+                    .arg(brief(f.startedWith)),
+                false);
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "

@@ -141,6 +141,49 @@ std::optional<LawDeviation> pushOnOne(const MeasuredPair &own, const MeasuredPai
         *shown);
 }
 
+/// Right in what both have in common, while each gets the other's share of the rebound:
+///     Δv₁ = −(m₂ + e m₁) / (m₁ + m₂) u, which is no different from equal masses where e is 1.
+std::optional<LawDeviation> exchangedRebound(const MeasuredPair &own, const MeasuredPair &right)
+{
+    const PairHit *shown = nullptr;
+    const PairHit *good = nullptr;
+    const auto holds = [&](const std::vector<PairHit> &mine, const std::vector<PairHit> &theirs) {
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            const PairHit &hit = mine[i];
+            if (!hit.isMet() || !theirs[i].isMet() || !hit.isAligned() || !theirs[i].isAligned())
+                return false;
+            const Meeting &m = hit.meeting;
+            const double m1 = m.density1 * std::pow(m.radius1, 3.0);
+            const double m2 = m.density2 * std::pow(m.radius2, 3.0);
+            const PairVelocities in = hit.cameParts();
+            const PairVelocities out = hit.leftParts();
+            const double share = (in.along1 - in.along2) / (m1 + m2);
+            const double e = m.restitution;
+            const double slack = 0.01 * (1.0 + std::abs(in.along1 - in.along2));
+            if (std::abs(out.along1 - in.along1 + share * (m2 + e * m1)) > slack
+                || std::abs(out.along2 - in.along2 - share * (m1 + e * m2)) > slack)
+                return false;
+            if (m1 != m2 && e > 0.1 && e < 0.9) {
+                shown = &hit;
+                good = &theirs[i];
+            }
+        }
+        return true;
+    };
+    if (!holds(own.radii, right.radii) || !holds(own.densities, right.densities) || !shown)
+        return std::nullopt;
+    return responseDeviation(
+        MassText::tr("In the rebound each circle has the mass of the other"),
+        MassText::tr("With ρ₁ = %1 and ρ₂ = %2, e = %3: ")
+                .arg(brief(shown->meeting.density1), brief(shown->meeting.density2),
+                     brief(shown->meeting.restitution))
+            + describeHit(*shown, *good) + QLatin1Char(' ')
+            + MassText::tr("What both have in common comes out right. Of the rebound, the part "
+                           "with e, circle 1 gets the share m₁/(m₁ + m₂) and circle 2 the share "
+                           "m₂/(m₁ + m₂): the lighter one should get more."),
+        *shown, Suspect::Formula);
+}
+
 } // namespace
 
 bool isHeadOn(const PairHit &hit)
@@ -196,6 +239,8 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
         return {};
     if (const auto one = pushOnOne(own, right))
         return {*one};
+    if (const auto rebound = exchangedRebound(own, right))
+        return {*rebound};
     const auto ratio = fixedMassRatio(own);
     if (const auto other = ratio ? equalRatioOf(own.densities) : std::nullopt;
         other && std::abs(*other / *ratio - 1.0) > ratioBlur)

@@ -13,6 +13,9 @@ namespace cradle {
 
 namespace {
 
+constexpr double slowly = 0.12;          ///< m/s, less than in the slowest check
+constexpr double leastRestitution = 0.2; ///< with less, circle 2 stays with the other
+
 constexpr double hitBlur = 4e-3; ///< of velocities after a hit in such a step, relative
 
 PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
@@ -110,19 +113,21 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     };
     const double small = within(asked.radii, 0.3);
     const double large = within(asked.radii, 0.75);
+    // Of another size than both, or a number could be taken for the larger of two.
+    const double largest = within(asked.radii, 0.9);
     const double light = within(asked.densities, 0.25);
     const double dense = within(asked.densities, 0.8);
     const double e = *std::max_element(asked.restitutions.begin(), asked.restitutions.end());
-    PairVelocities slow =
+    PairVelocities gentle =
         asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
     if (asked.oblique)
-        slow.across1 = 0.25;
+        gentle.across1 = 0.25;
     for (const double degrees : {3.0, 47.0, 88.0, 131.0, 222.0, 318.0})
-        contacts.push_back(range.scan({degrees, small, large, light, light, e, slow}));
+        contacts.push_back(range.scan({degrees, small, large, light, light, e, gentle}));
     if (asked.radii.isVaried()) {
         for (const double degrees : {33.0, 205.0})
-            contacts.push_back(range.scan({degrees, large, small, light, light, e, slow}));
-        contacts.push_back(range.scan({111.0, large, large, light, light, e, slow}));
+            contacts.push_back(range.scan({degrees, large, small, light, light, e, gentle}));
+        contacts.push_back(range.scan({111.0, largest, largest, light, light, e, gentle}));
     }
     const std::vector<PairVelocities> all = throws(asked);
     for (const double degrees : {33.0, 118.0}) {
@@ -159,6 +164,15 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     if (range.isUsual())
         own = range.own();
     range.meetAgain(*this);
+    // Small enough to tell e from what it was multiplied with.
+    const auto &others = asked.restitutions;
+    const auto middle = std::find(others.begin(), others.end(), 0.5);
+    const double some = middle == others.end() ? e : *middle;
+    const double second = asked.bothMove ? -0.4 * slowly : 0.0;
+    slow = range.look(
+        {33.0, small, small, light, light, some, {.along1 = second + slowly, .along2 = second}});
+    if (asked.oblique && asked.bothMove && range.isUsual() && some >= leastRestitution)
+        later = range.later(small, light, some);
 }
 
 bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
@@ -181,7 +195,9 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
         return a.answered == b.answered;
     };
     return std::equal(contacts.begin(), contacts.end(), other.contacts.begin(), meetAlike)
-           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered);
+           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered)
+           && slow.has_value() == other.slow.has_value()
+           && (!slow || slow->isMet() == other.slow->isMet());
 }
 
 bool MeasuredPair::sequelIsLike(const MeasuredPair &other) const

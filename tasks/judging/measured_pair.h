@@ -67,6 +67,12 @@ struct PairHit {
     [[nodiscard]] bool fits(double distance) const;
 };
 
+/// Two hits of the same circles one after the other.
+struct LaterHit {
+    PairHit first{};
+    PairHit second{};
+};
+
 /// How a program answers the meetings of circles 1 and 2.
 struct MeasuredPair {
     /// \param flight  of the same program
@@ -90,6 +96,8 @@ struct MeasuredPair {
     int ownContacts = 0;                ///< how often they meet again when a wall sends one back
     bool ranThrough = false;            ///< and whether it ran through the other then
     bool ranThroughAtOnce = false;      ///< only from so near a wall that it is back at once
+    std::optional<PairHit> slow{};      ///< equal circles meet slowly, with an e of the middle
+    std::optional<LaterHit> later{};    ///< two hits with different lines of centres
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };
 

@@ -50,6 +50,8 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (e != middleOf(others))
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
+        slow.push_back(
+            range.creep(circle, Wall::Right, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
         if (!range.canDrop(circle))
@@ -85,6 +87,8 @@ bool MeasuredWalls::isLike(const MeasuredWalls &other) const
     return std::equal(hits.begin(), hits.end(), other.hits.begin(), hitAlike)
            && std::equal(corners.begin(), corners.end(), other.corners.begin(), other.corners.end(),
                          hitAlike)
+           && std::equal(slow.begin(), slow.end(), other.slow.begin(), other.slow.end(),
+                         [](const WallHit &a, const WallHit &b) { return a.turned == b.turned; })
            && std::equal(drops.begin(), drops.end(), other.drops.begin(), dropAlike);
 }
 

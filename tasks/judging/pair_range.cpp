@@ -132,48 +132,6 @@ std::optional<PairHit> PairRange::own() const
     return std::nullopt;
 }
 
-void PairRange::meetAgain(MeasuredPair &pair) const
-{
-    comeBack(pair, 3.13, 0.2);
-    // From so near a wall that it is back within a few steps.
-    const int contacts = pair.ownContacts;
-    if (contacts > 1 && !pair.ranThrough) {
-        comeBack(pair, 3.74, 0.345);
-        pair.ranThroughAtOnce = pair.ranThrough;
-        pair.ownContacts = pair.ranThrough ? 1 : contacts;
-    }
-    if (pair.ranThrough)
-        pair.returning = scan({.velocities = {.along2 = -1.2}});
-}
-
-void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
-{
-    pair.ownContacts = 0;
-    Preset preset = m_ground.stage();
-    preset.timestep = m_h;
-    preset.circles[0].body.position = {place - 0.56, 0.41};
-    preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
-    preset.circles[1].body.position = {place, 0.41};
-    Probe probe(m_program, {preset, true});
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
-    PairHit hit{.slowness = slowness(m_h)};
-    bool was = false;
-    for (int k = 1; k * m_h < 1.3; ++k) {
-        const std::vector<Circle> before = probe.world().circles;
-        if (!probe.step())
-            break;
-        hit.answered = false;
-        const Vec2 d = before[1].position - before[0].position;
-        if (length(d) < 0.5)
-            note(hit, before, probe, flights, k);
-        const bool is = hit.answered && length(hit.push1()) > 0.1;
-        pair.ownContacts += is && !was ? 1 : 0;
-        was = is;
-        const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
-        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < tooNear;
-    }
-}
-
 Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h) const
 {
     Preset preset = m_ground.stage();
@@ -250,6 +208,8 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
                 || length(now2.position - free2.position) > 1e-7)) {
             hit.held = true;
             hit.step = k;
+            noteLeap(hit, 0, before[0].position, free1.position, now1.position);
+            noteLeap(hit, 1, before[1].position, free2.position, now2.position);
         }
         return;
     }

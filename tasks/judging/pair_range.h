@@ -38,6 +38,10 @@ public:
     /// runs through circle 1.
     void meetAgain(MeasuredPair &pair) const;
 
+    /// Two hits with different lines of centres: equal circles, of which 2 comes back from a wall
+    /// while 1 drifts to one side.
+    [[nodiscard]] std::optional<LaterHit> later(double radius, double density, double e) const;
+
 private:
     /// The same with circle 2 at x = \p place, m.
     /// \param tooNear  so near the centres come only if nothing is answered in time, m

@@ -122,6 +122,8 @@ std::vector<ResponseLaw> separateLaws()
 /// What changes hands.
 std::vector<ResponseLaw> exchangeLaws()
 {
+    const QString both = ResponseText::tr("The other one leaves as it should. Look at what is "
+                                          "worked out for this one.");
     const QString along = ResponseText::tr("A smooth circle pushes along the line of centres only; "
                                            "each keeps its own part across.");
     const QString old =
@@ -149,16 +151,30 @@ std::vector<ResponseLaw> exchangeLaws()
              return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across1};
          },
          ResponseText::tr("Both circles leave with the velocity of circle 1"), old},
+        // Δv is the closing speed, then that with the new velocity of the other, times one factor.
         {[](Hit h) {
-             return PairVelocities{h.in.along2, h.in.across1, h.in.along2, h.in.across2};
+             const double share = (h.right.along2 - h.in.along2) / (h.in.along1 - h.in.along2);
+             return PairVelocities{h.right.along1, h.right.across1,
+                                   h.in.along2 + share * (h.right.along1 - h.in.along2),
+                                   h.in.across2};
          },
          ResponseText::tr("The velocity of circle 2 is worked out from what circle 1 has become"),
-         old},
+         old, true},
         {[](Hit h) {
-             return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across2};
+             const double share = (h.in.along1 - h.right.along1) / (h.in.along1 - h.in.along2);
+             return PairVelocities{h.in.along1 - share * (h.in.along1 - h.right.along2),
+                                   h.in.across1, h.right.along2, h.right.across2};
          },
          ResponseText::tr("The velocity of circle 1 is worked out from what circle 2 has become"),
-         old},
+         old, true},
+        {[](Hit h) {
+             return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};
+         },
+         ResponseText::tr("Of two equal circles circle 2 leaves a hit as it came"), both},
+        {[](Hit h) {
+             return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2};
+         },
+         ResponseText::tr("Of two equal circles circle 1 leaves a hit as it came"), both},
         {[](Hit h) {
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              return PairVelocities{n, h.in.across1, n, h.in.across2};

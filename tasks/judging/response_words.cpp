@@ -41,10 +41,14 @@ public:
             for (LawDeviation &deviation : rebound.deviations)
                 m_found.push_back(std::move(deviation));
         }
-        if (m_found.empty())
+        if (m_found.empty() || isOnlyMasses(rebound))
             findOwn();
         if (m_found.empty())
             findUnequal();
+        if (m_found.empty() && m_isRight)
+            findLater();
+        if (m_found.empty() && m_isRight)
+            findSlow();
         return std::move(m_found);
     }
 
@@ -189,7 +193,9 @@ private:
     /// The own scene must answer as all others do: else a mass or e was copied before it was set.
     void findOwn()
     {
-        if (!m_own.own || !m_isRight || wrongUnequal().first)
+        const bool isElseRight = m_found.empty();
+        if (!m_own.own || !m_isRight || (isElseRight && wrongUnequal().first)
+            || !m_own.own->fits(m_own.own->meeting.sum()))
             return;
         const PairHit &hit = *m_own.own;
         const Meeting &m = hit.meeting;
@@ -199,14 +205,23 @@ private:
             const double wanted = p.ratioOf(m);
             if (std::abs(*heavy - wanted) > (isHeadOn(hit) ? 1e-5 : 0.02) * wanted) {
                 add(ResponseText::tr("The masses in your own scene are not those of its circles"),
-                    ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
-                                     "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
-                                     "it is %6 times. Other scenes come out right. A mass that is "
-                                     "worked out before radius and density are set keeps the old "
-                                     "value: look at the order in `on_load`.")
-                        .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1),
-                             brief(m.radius2), brief(m.density1), brief(m.density2),
-                             motion::figureBeside(wanted, *heavy)),
+                    isElseRight
+                        ? ResponseText::tr(
+                              "There circle 2 answers as if it were %1 times as heavy as "
+                              "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
+                              "it is %6 times. Other scenes come out right. A mass that is "
+                              "worked out before radius and density are set keeps the old "
+                              "value: look at the order in `on_load`.")
+                              .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1),
+                                   brief(m.radius2), brief(m.density1), brief(m.density2),
+                                   motion::figureBeside(wanted, *heavy))
+                        : ResponseText::tr(
+                              "There circle 2 answers as if it were %1 times as heavy as circle 1; "
+                              "as your program does in other scenes, it would be %2 times. A mass "
+                              "that is worked out before radius and density are set keeps the old "
+                              "value: look at the order in `on_load`.")
+                              .arg(motion::figureBeside(*heavy, wanted),
+                                   motion::figureBeside(wanted, *heavy)),
                     hit, Suspect::Masses);
                 return;
             }
@@ -218,12 +233,90 @@ private:
             || std::abs(parting / closing - m.restitution) < 0.01)
             return;
         add(ResponseText::tr("In your own scene the hit does not use the e that it has"),
-            ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
-                             "`restitution` is %4. Other scenes come out right. A copy of e "
-                             "that is made before e is set keeps the old value.")
+            (isElseRight
+                 ? ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
+                                    "and `restitution` is %4. Other scenes come out right. A copy "
+                                    "of e that is made before e is set keeps the old value.")
+                 : ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
+                                    "and `restitution` is %4. In other scenes they part with e "
+                                    "times the speed. A copy of e that is made before e is set "
+                                    "keeps the old value."))
                 .arg(brief(closing), brief(parting), brief(parting / closing),
                      brief(m.restitution)),
             hit, Suspect::Copy);
+    }
+
+    /// Whether all that was found is that masses grow with other powers, and e is used as it should
+    /// be.
+    [[nodiscard]] bool isOnlyMasses(const ReboundReading &rebound) const
+    {
+        const MassExponents p(m_own);
+        const auto isPower = [](double q) {
+            return q > 0.4 && std::abs(2.0 * q - std::round(2.0 * q)) < 0.04;
+        };
+        return m_isRight && !m_law && rebound.deviations.empty() && p.radius && isPower(*p.radius)
+               && (m_own.densities.empty() || (p.density && isPower(*p.density)))
+               && std::all_of(m_found.begin(), m_found.end(), [](const LawDeviation &found) {
+                      return found.suspect == Suspect::Masses;
+                  });
+    }
+
+    /// What is remembered of a hit shows in the next.
+    void findLater()
+    {
+        if (!m_own.later || !m_right.later)
+            return;
+        const PairHit &one = m_own.later->first;
+        const PairHit &two = m_own.later->second;
+        const Vec2 n1 = normalized(one.push2());
+        const Vec2 n2 = normalized(two.push2());
+        const auto off = [](Vec2 n, const PairHit &hit) {
+            return std::min(std::abs(cross(n, hit.normal)), std::abs(cross(n, hit.nextNormal)));
+        };
+        if (off(n1, one) < 0.1 && off(n2, two) > 0.15 && length(n2 - n1) < 1e-3) {
+            const auto degrees = [](Vec2 n) {
+                return brief(std::atan2(n.y, n.x) * 180.0 / std::numbers::pi);
+            };
+            add(ResponseText::tr("A later hit is answered along the line of an earlier one"),
+                ResponseText::tr("Two circles met with their line of centres at %1°, and again, "
+                                 "back from a wall, with it at %2°. Both times they were pushed "
+                                 "along %3°. Every hit has a normal of its own: work it out anew.")
+                    .arg(degrees(one.normal), degrees(two.normal), degrees(n2)),
+                two, Suspect::Formula);
+            return;
+        }
+        const auto rebound = [](const PairHit &hit, Vec2 n) {
+            return dot(hit.left2 - hit.left1, n) / dot(hit.came1 - hit.came2, n);
+        };
+        const double e = one.meeting.restitution;
+        const double first = rebound(one, n1);
+        const double second = rebound(two, n2);
+        if (off(n1, one) < 0.1 && off(n2, two) < 0.1 && std::abs(first - e) < 0.01
+            && std::abs(second - e) > 0.03)
+            add(ResponseText::tr("A later hit is answered with another e"),
+                ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they "
+                                 "met with; in their second hit, back from a wall, it was %3 "
+                                 "times. Look at what your program keeps from one hit to the next.")
+                    .arg(brief(e), brief(first), brief(second)),
+                two, Suspect::Formula);
+    }
+
+    /// What is right between fast circles may be another law between slow ones.
+    void findSlow()
+    {
+        if (!m_own.slow || !m_right.slow || !m_own.slow->isMet() || !m_own.slow->isAligned()
+            || !m_right.slow->isMet()
+            || isSameAnswer(m_own.slow->leftParts(), m_right.slow->leftParts()))
+            return;
+        const PairHit &hit = *m_own.slow;
+        const double closing = m_own.equals.front().meeting.closing();
+        add(ResponseText::tr("Circles that meet slowly are answered in another way"),
+            ResponseText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
+                + describeHit(hit, *m_right.slow) + QLatin1Char(' ')
+                + ResponseText::tr("Where they meet with %1 m/s, it comes out right. The law is "
+                                   "the same for every speed.")
+                      .arg(brief(hit.slowness * closing)),
+            hit, Suspect::Formula);
     }
 
     /// A hit of unequal circles that does not come out right, and how it should; null if none.

@@ -21,12 +21,16 @@ struct StartText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
+bool isOfOwnScene(const CheckSpec &check)
+{
+    return check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"))
+           == QLatin1String("own");
+}
+
 std::optional<Vec2> askedGravity(const CheckSpec &check)
 {
     const QJsonArray list = check.parameters.value(QStringLiteral("gravity")).toArray();
-    if (list.size() != 2
-        || check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"))
-               != QLatin1String("own"))
+    if (list.size() != 2 || !isOfOwnScene(check))
         return std::nullopt;
     return Vec2{list[0].toDouble(), list[1].toDouble()};
 }
@@ -111,6 +115,30 @@ std::vector<LawDeviation> startDeviations(const Task &task, const Submission &su
             deviations.push_back(*gravity);
     }
     return deviations;
+}
+
+std::optional<LawDeviation> otherRestitution(const Task &task, const Submission &submission,
+                                             const std::vector<CheckOutcome> &checks)
+{
+    const Probe own(submission.program(), {submission.preset, false});
+    if (!submission.script || !own.runs())
+        return std::nullopt;
+    const double e = own.start().restitution;
+    for (const CheckSpec &check : task.checks) {
+        const QJsonValue asked = check.parameters.value(QStringLiteral("restitution"));
+        if (!isOfOwnScene(check) || !asked.isDouble() || asked.toDouble() == e
+            || !failed(check, checks))
+            continue;
+        return LawDeviation{
+            Aspect::Start,
+            StartText::tr("e = %1 is not the value that is asked for").arg(brief(e))
+                + QStringLiteral("\n\n")
+                + StartText::tr("So it is when the run begins; in this step your own scene has "
+                                "e = %1. Look at what `on_load` gives to `restitution`.")
+                      .arg(brief(asked.toDouble())),
+            {.start = Assignment::Field::Restitution}};
+    }
+    return std::nullopt;
 }
 
 namespace {

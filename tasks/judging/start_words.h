@@ -23,4 +23,9 @@ namespace cradle {
 restitutionDeviation(const Task &task, const Submission &submission,
                      const std::vector<CheckOutcome> &checks);
 
+/// The same beside other faults: that its own scene has another e than a failed check asks for.
+[[nodiscard]] std::optional<LawDeviation> otherRestitution(const Task &task,
+                                                           const Submission &submission,
+                                                           const std::vector<CheckOutcome> &checks);
+
 } // namespace cradle

@@ -11,6 +11,9 @@ namespace cradle {
 namespace {
 
 constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding makes
+/// Of the slowest, m/s. Where e is varied a program may well keep so slow a circle at rest.
+constexpr double creepingSpeed = 0.12;
+constexpr double creepingWithLosses = 0.3;
 constexpr int stepsAfterwards = 6;
 constexpr int stepsOfDrop = 70;
 constexpr int stepsOfLob = 8;
@@ -80,6 +83,22 @@ WallHit WallRange::shoot(int circle, Wall wall, double e, int place, bool corner
     const double shares[] = {0.29, 0.62};
     hit.stage = stageOf(hit, speedOf(circle, place), shares[place], corner);
     watch(hit, corner);
+    return hit;
+}
+
+WallHit WallRange::creep(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e};
+    hit.radius = hit.otherRadius = m_ground.walls.radii.low;
+    const double creeps =
+        m_ground.walls.restitutions.size() > 1 ? creepingWithLosses : creepingSpeed;
+    const double speed = creeps / flightOf(circle).way.x;
+    hit.stage = stageOf(hit, speed, 0.29, false);
+    const Vec2 n = outwardNormal(wall);
+    Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+    c.position +=
+        (hit.stage.preset.halfWidth - c.radius - 2.4 * creeps * m_usual - dot(n, c.position)) * n;
+    watch(hit, false);
     return hit;
 }
 
@@ -260,7 +279,9 @@ void WallRange::watch(WallHit &hit, bool corner) const
         follow(hit, probe);
         return;
     }
-    hit.missed = true; // it never came there
+    // It never came there, or so slowly that all of this time has not brought it through.
+    const Vec2 place = probe.circle(hit.circle).position;
+    hit.missed = distanceFrom(hit.wall, preset.halfWidth, place) > hit.radius - 0.02;
 }
 
 void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,

@@ -23,6 +23,9 @@ public:
     /// \param place  which of some places and speeds, from 0
     [[nodiscard]] WallHit shoot(int circle, Wall wall, double e, int place, bool corner) const;
 
+    /// So slowly that a program may take it for rest, from near the wall.
+    [[nodiscard]] WallHit creep(int circle, Wall wall, double e) const;
+
     /// A slow throw at the ceiling, in the longest steps: it comes back by less than it overshot.
     [[nodiscard]] Drop lob(int circle, double e, double speed) const;
 

@@ -54,6 +54,8 @@ public:
         findDisturbed();
         findCorners();
         findNoWayBack();
+        if (m_found.empty())
+            findSlow();
         return std::move(m_found);
     }
 
@@ -271,6 +273,59 @@ private:
         }
     }
 
+    /// What turns round when it is fast.
+    void findSlow()
+    {
+        const bool turnsFast = std::all_of(m_own.hits.begin(), m_own.hits.end(), [](const auto &h) {
+            return h.wall != Wall::Right || h.turned;
+        });
+        if (!turnsFast || m_own.hits.empty())
+            return;
+        std::vector<int> open;
+        std::vector<int> odd;
+        for (std::size_t i = 0; i < m_own.slow.size(); ++i) {
+            const WallHit &hit = m_own.slow[i];
+            if (hit.missed || hit.held || !m_right.slow[i].turned)
+                continue;
+            if (!hit.turned)
+                open.push_back(hit.circle);
+            else if (std::abs(hit.back - m_right.slow[i].back) > 0.03)
+                odd.push_back(hit.circle);
+        }
+        const auto thrown = [](const WallHit &h) {
+            return brief(
+                dot(outwardNormal(h.wall),
+                    h.stage.preset.circles[static_cast<std::size_t>(h.circle)].body.velocity));
+        };
+        for (std::size_t i = 0; i < m_own.slow.size(); ++i) {
+            WallHit hit = m_own.slow[i];
+            const QString wall = motion::wallName(hit.wall);
+            const QString circle = QString::number(hit.circle + 1);
+            if (!open.empty() && hit.circle == open.front()) {
+                hit.step = m_right.slow[i].step;
+                add(WallText::tr("Slow hits at the walls do not turn %who round"),
+                    WallText::tr("Circle %1 came to the %2 with %3 m/s and went on past it; with "
+                                 "%4 m/s it is turned round. How fast it comes does not matter: "
+                                 "what counts is whether its rim is past the wall, and which way "
+                                 "it moves.")
+                        .arg(circle, wall, thrown(hit), thrown(m_own.hits.front())),
+                    hit, open, Suspect::Question);
+                return;
+            }
+            if (open.empty() && !odd.empty() && hit.circle == odd.front()) {
+                add(WallText::tr(
+                        "Slow hits at the walls give %who another share of the speed back"),
+                    WallText::tr("With e = %1 circle %2 came to the %3 with %4 m/s and left it "
+                                 "with %5 times that speed; %6 times is right. The factor is the "
+                                 "same for every speed.")
+                        .arg(brief(hit.restitution), circle, wall, thrown(hit), brief(hit.back),
+                             brief(m_right.slow[i].back)),
+                    hit, odd, Suspect::Formula);
+                return;
+            }
+        }
+    }
+
     void addAgain(int circle, const Stage &stage, qint64 step)
     {
         // Who turns at another place than the rim may be outside still for that reason alone.
@@ -299,6 +354,7 @@ MeasuredWalls only(MeasuredWalls law, const std::vector<int> &circles)
     };
     std::erase_if(law.hits, isOther);
     std::erase_if(law.corners, isOther);
+    std::erase_if(law.slow, isOther);
     std::erase_if(law.drops, isOther);
     std::erase_if(law.judged, [&](int circle) {
         return std::find(circles.begin(), circles.end(), circle) == circles.end();

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_range.h"
+
+namespace cradle {
+
+void PairRange::meetAgain(MeasuredPair &pair) const
+{
+    comeBack(pair, 3.13, 0.2);
+    // From so near a wall that it is back within a few steps.
+    const int contacts = pair.ownContacts;
+    if (contacts > 1 && !pair.ranThrough) {
+        comeBack(pair, 3.74, 0.345);
+        pair.ranThroughAtOnce = pair.ranThrough;
+        pair.ownContacts = pair.ranThrough ? 1 : contacts;
+    }
+    if (pair.ranThrough)
+        pair.returning = scan({.velocities = {.along2 = -1.2}});
+}
+
+void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
+{
+    pair.ownContacts = 0;
+    Preset preset = m_ground.stage();
+    preset.timestep = m_h;
+    preset.circles[0].body.position = {place - 0.56, 0.41};
+    preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
+    preset.circles[1].body.position = {place, 0.41};
+    Probe probe(m_program, {preset, true});
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    PairHit hit{.slowness = slowness(m_h)};
+    bool was = false;
+    for (int k = 1; k * m_h < 1.3; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            break;
+        hit.answered = false;
+        const Vec2 d = before[1].position - before[0].position;
+        if (length(d) < 0.5)
+            note(hit, before, probe, flights, k);
+        const bool is = hit.answered && length(hit.push1()) > 0.1;
+        pair.ownContacts += is && !was ? 1 : 0;
+        was = is;
+        const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
+        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < tooNear;
+    }
+}
+
+std::optional<LaterHit> PairRange::later(double radius, double density, double e) const
+{
+    // Between them when circle 2 comes to the wall, at the speed that they met with.
+    constexpr double stepsBetween = 4.5;
+    constexpr double speed = 2.1; // m/s
+    const double toWall = stepsBetween * m_h / e;
+    // Where the wall, too, gives e times the speed back.
+    const double nearing = 0.5 * (e * (1.0 + e) + 1.0 - e);
+    const double touching = 2.0 * radius;
+    const double sunk = touching * (1.0 - std::sqrt(0.75));
+    const double back = (stepsBetween * m_h + sunk / speed) / nearing;
+    // What circle 1 has across the first line brings it to one side until the second.
+    const Vec2 v{speed, 0.5 * touching / (toWall + back)};
+    Preset preset = m_ground.stage();
+    preset.timestep = m_h;
+    preset.restitution = e;
+    Circle &a = preset.circles[0].body;
+    Circle &b = preset.circles[1].body;
+    b = {{preset.halfWidth - radius - 0.5 * (1.0 + e) * speed * toWall, 0.41}, {}, radius, density};
+    a = {b.position - Vec2{touching, 0.0} - 3.3 * m_h * v, v, radius, density};
+    PairHit hit{.meeting = {.radius1 = radius,
+                            .radius2 = radius,
+                            .density1 = density,
+                            .density2 = density,
+                            .restitution = e},
+                .stage = {preset, true}};
+    Probe probe(m_program, hit.stage);
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    std::optional<PairHit> first;
+    bool was = false;
+    for (int k = 1; k * m_h < toWall + back + 12.0 * m_h; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            break;
+        hit.answered = hit.held = false;
+        if (length(before[1].position - before[0].position) < touching + 2.0 * speed * m_h)
+            note(hit, before, probe, flights, k);
+        const bool is = hit.answered && length(hit.push1()) > 0.1 && length(hit.push2()) > 0.1;
+        if (is && !was && first)
+            return LaterHit{*first, hit};
+        if (is && !first)
+            first = hit;
+        was = is;
+    }
+    return std::nullopt;
+}
+
+} // namespace cradle
