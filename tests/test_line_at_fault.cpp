@@ -264,6 +264,8 @@ void TestLineAtFault::findingMarksTheLine_data()
         "local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
         "local p = 0.7 * m * (closing + 0.1) * 2 * n\n  a.velocity = a.velocity - p / ma\n"
         "  b.velocity = b.velocity + p / mb");
+    row("setter: normal of the first hit", objects, "d:normalized()",
+        "d:normalized() balls.n = balls.n or n n = balls.n");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

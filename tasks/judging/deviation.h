@@ -25,6 +25,7 @@ enum class Suspect {
     Reach,    ///< a question: at which distance
     Masses,   ///< what it works out for the circles
     Copy,     ///< a value of the scene that it copied before it was set
+    Kept,     ///< a value that it works out once and keeps
     Omission, ///< something that is not there
 };
 

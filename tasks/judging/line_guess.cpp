@@ -105,6 +105,19 @@ int copyLine(const QStringList &rows)
     return 0;
 }
 
+/// The line that runs at the moment and works a value out only where there is none yet; 0 if there
+/// is none.
+int keepingLine(const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression keeps(QStringLiteral(
+        "(\\b[\\w.]+)\\s*=\\s*\\(?\\s*\\1\\s+or\\b|\\bif\\s+not\\s+[\\w.]+\\s+then"));
+    for (const int line : ran.now) {
+        if (line >= 1 && line <= rows.size() && rows[line - 1].contains(keeps))
+            return line;
+    }
+    return 0;
+}
+
 /// The lines of the function in which a line stands.
 struct Lines {
     int first = 1;
@@ -240,6 +253,10 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         break;
     case Suspect::Copy:
         if (const int line = copyLine(rows))
+            return line;
+        break;
+    case Suspect::Kept:
+        if (const int line = keepingLine(rows, ran))
             return line;
         break;
     case Suspect::Answer:

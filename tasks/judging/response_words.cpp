@@ -282,7 +282,7 @@ private:
                                  "back from a wall, with it at %2°. Both times they were pushed "
                                  "along %3°. Every hit has a normal of its own: work it out anew.")
                     .arg(degrees(one.normal), degrees(two.normal), degrees(n2)),
-                two, Suspect::Formula);
+                two, Suspect::Kept);
             return;
         }
         const auto rebound = [](const PairHit &hit, Vec2 n) {
@@ -298,7 +298,7 @@ private:
                                  "met with; in their second hit, back from a wall, it was %3 "
                                  "times. Look at what your program keeps from one hit to the next.")
                     .arg(brief(e), brief(first), brief(second)),
-                two, Suspect::Formula);
+                two, Suspect::Kept);
     }
 
     /// What is right between fast circles may be another law between slow ones.
