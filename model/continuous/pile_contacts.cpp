@@ -20,47 +20,6 @@ double closingSpeed(const PileContact &c, const PileBodies &bodies)
     return dot(bodies.velocities[c.a] - bodies.velocities[c.b], c.normal);
 }
 
-/// A contact as a sweep wants it: without a division, and all in one place.
-struct Row {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    Vec2 normal{};
-    double limit = 0.0;
-    double weightA = 0.0; ///< 1 / mass of a, 1/kg
-    double weightB = 0.0;
-    double share = 0.0; ///< the push that changes the closing speed by 1 m/s, N s
-    double push = 0.0;
-};
-
-void apply(const Row &row, std::vector<Vec2> &velocities, double push)
-{
-    velocities[row.a] -= (push * row.weightA) * row.normal;
-    velocities[row.b] += (push * row.weightB) * row.normal;
-}
-
-/// By how much the contact closes faster than it may, m/s.
-double wrongOf(const Row &row, const std::vector<Vec2> &velocities)
-{
-    return dot(velocities[row.a] - velocities[row.b], row.normal) - row.limit;
-}
-
-/// Sets one contact right after the other. \return by how much a closing speed was changed at most
-template <class Iterator>
-double sweep(Iterator begin, Iterator end, std::vector<Vec2> &velocities)
-{
-    double most = 0.0;
-    for (; begin != end; ++begin) {
-        Row &row = *begin;
-        const double wrong = wrongOf(row, velocities);
-        const double push = std::max(0.0, row.push + wrong * row.share);
-        const double change = push - row.push;
-        most = std::max(most, std::abs(change) * (row.weightA + row.weightB));
-        row.push = push;
-        apply(row, velocities, change);
-    }
-    return most;
-}
-
 /// Makes the pushes do no work against what they leave undone.
 void scale(std::span<PileContact> contacts, PileBodies &bodies, double work)
 {
@@ -96,17 +55,27 @@ std::vector<std::uint32_t> orderOf(std::size_t count)
     return order;
 }
 
+/// A contact as a sweep wants it: without a division, and all on one line of the cache.
+struct Row {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    Vec2 normal{};
+    double limit = 0.0;
+    double share = 0.0;  ///< the push that changes the closing speed by 1 m/s, N s
+    double push = 0.0;   ///< N s
+    double before = 0.0; ///< the push before the latest two sweeps
+    double along = 0.0;  ///< what the latest step changed of it
+};
+
 std::vector<Row> rowsOf(std::span<const PileContact> contacts, std::span<const std::uint32_t> order,
-                        const PileBodies &bodies)
+                        const std::vector<double> &inverseMasses)
 {
     std::vector<Row> rows;
     rows.reserve(contacts.size());
     for (const std::uint32_t i : order) {
         const PileContact &c = contacts[i];
-        const double weightA = bodies.inverseMasses[c.a];
-        const double weightB = bodies.inverseMasses[c.b];
-        rows.push_back(
-            {c.a, c.b, c.normal, c.limit, weightA, weightB, 1.0 / (weightA + weightB), c.push});
+        const double share = 1.0 / (inverseMasses[c.a] + inverseMasses[c.b]);
+        rows.push_back({c.a, c.b, c.normal, c.limit, share, c.push, c.push, 0.0});
     }
     return rows;
 }
@@ -119,56 +88,86 @@ public:
     Descent(std::vector<Row> &rows, PileBodies &bodies)
         : m_rows(rows)
         , m_velocities(bodies.velocities)
-        , m_wrong(rows.size())
-        , m_before(rows.size())
-        , m_along(rows.size(), 0.0)
+        , m_weights(bodies.inverseMasses)
         , m_start(bodies.velocities.size())
-        , m_alongVelocities(bodies.velocities.size())
+        , m_along(bodies.velocities.size())
     {
-        for (const double inverse : bodies.inverseMasses)
+        m_masses.reserve(m_weights.size());
+        for (const double inverse : m_weights)
             m_masses.push_back(inverse > 0.0 ? 1.0 / inverse : 0.0);
     }
 
     /// \return how many sweeps it took
     int run(double tolerance, int mostSweeps)
     {
+        double fallAlong = 0.0;
         for (int sweeps = 2;; sweeps += 2) {
             m_start = m_velocities;
-            for (std::size_t i = 0; i < m_rows.size(); ++i) {
-                m_before[i] = m_rows[i].push;
-                m_wrong[i] = wrongOf(m_rows[i], m_velocities);
+            double lost = 0.0;
+            for (Row &row : m_rows) {
+                row.before = row.push;
+                lost += setRight(row).lost;
             }
-            sweep(m_rows.begin(), m_rows.end(), m_velocities);
-            const double most = sweep(m_rows.rbegin(), m_rows.rend(), m_velocities);
-            if (most <= tolerance || sweeps >= mostSweeps || !stepAlong())
+            double most = 0.0;
+            for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+                const Change change = setRight(*row);
+                lost += change.lost;
+                most = std::max(most, std::abs(change.speed));
+            }
+            if (most <= tolerance || sweeps >= mostSweeps || !stepAlong(lost, fallAlong))
                 return sweeps;
         }
     }
 
 private:
-    /// \return false if the sweeps changed nothing
-    bool stepAlong()
+    struct Change {
+        double speed = 0.0; ///< by which the closing speed falls, m/s
+        double lost = 0.0;  ///< of the energy that is to be as small as it can, J
+    };
+
+    void apply(const Row &row, std::vector<Vec2> &velocities, double push) const
     {
-        // How fast the energy that is still to lose falls along both directions, and how the work
-        // of one depends on the other, J.
-        double fallSwept = 0.0;
-        double fallAlong = 0.0;
-        for (std::size_t i = 0; i < m_rows.size(); ++i) {
-            fallSwept += m_wrong[i] * (m_rows[i].push - m_before[i]);
-            fallAlong += m_wrong[i] * m_along[i];
-        }
-        double zz = 0.0;
+        velocities[row.a] -= (push * m_weights[row.a]) * row.normal;
+        velocities[row.b] += (push * m_weights[row.b]) * row.normal;
+    }
+
+    static double closingSpeed(const Row &row, const std::vector<Vec2> &velocities)
+    {
+        return dot(velocities[row.a] - velocities[row.b], row.normal);
+    }
+
+    /// Sets one contact right, whatever that does to others.
+    Change setRight(Row &row)
+    {
+        const double wrong = closingSpeed(row, m_velocities) - row.limit;
+        const double push = std::max(0.0, row.push + wrong * row.share);
+        const double change = push - row.push;
+        row.push = push;
+        apply(row, m_velocities, change);
+        const double speed = change * (m_weights[row.a] + m_weights[row.b]);
+        return {speed, change * (wrong - 0.5 * speed)};
+    }
+
+    /// Goes to the least energy among all combinations of what the sweeps changed and of the step
+    /// before; none may pull.
+    /// \param lost  in the sweeps, J
+    /// \param fallAlong  how fast the energy falls along the step before, J; then along this one
+    /// \return false if the sweeps changed nothing
+    bool stepAlong(double lost, double &fallAlong)
+    {
+        double zz = 0.0; // works of the changes on each other
         double zp = 0.0;
         double pp = 0.0;
         for (std::size_t i = 0; i < m_masses.size(); ++i) {
             const Vec2 z = m_velocities[i] - m_start[i];
-            const Vec2 p = m_alongVelocities[i];
+            const Vec2 p = m_along[i];
             zz += m_masses[i] * dot(z, z);
             zp += m_masses[i] * dot(z, p);
             pp += m_masses[i] * dot(p, p);
         }
         if (!(zz > 0.0))
             return false;
+        const double fallSwept = lost + 0.5 * zz;
         const double det = zz * pp - zp * zp;
         double a = fallSwept / zz;
         double b = 0.0;
@@ -177,19 +176,22 @@ private:
             b = (fallAlong * zz - fallSwept * zp) / det;
         }
         for (std::size_t i = 0; i < m_masses.size(); ++i) {
-            m_alongVelocities[i] = a * (m_velocities[i] - m_start[i]) + b * m_alongVelocities[i];
-            m_velocities[i] = m_start[i] + m_alongVelocities[i];
+            m_along[i] = a * (m_velocities[i] - m_start[i]) + b * m_along[i];
+            m_velocities[i] = m_start[i] + m_along[i];
         }
-        for (std::size_t i = 0; i < m_rows.size(); ++i) {
-            Row &row = m_rows[i];
-            m_along[i] = a * (row.push - m_before[i]) + b * m_along[i];
-            row.push = m_before[i] + m_along[i];
+        fallAlong = 0.0; // but for what does not pull
+        for (Row &row : m_rows) {
+            row.along = a * (row.push - row.before) + b * row.along;
+            row.push = row.before + row.along;
             if (row.push >= 0.0)
                 continue;
-            const double back = -row.push; // none pulls
+            const double back = -row.push;
+            fallAlong += back
+                         * (closingSpeed(row, m_velocities) - row.limit + closingSpeed(row, m_along)
+                            - back / row.share);
             row.push = 0.0;
-            m_along[i] += back;
-            apply(row, m_alongVelocities, back);
+            row.along += back;
+            apply(row, m_along, back);
             apply(row, m_velocities, back);
         }
         return true;
@@ -197,12 +199,10 @@ private:
 
     std::vector<Row> &m_rows;
     std::vector<Vec2> &m_velocities;
-    std::vector<double> m_masses;        ///< kg, 0 for walls
-    std::vector<double> m_wrong;         ///< closing speeds too many before the sweeps, m/s
-    std::vector<double> m_before;        ///< pushes then
-    std::vector<double> m_along;         ///< what the latest step changed of the pushes,
-    std::vector<Vec2> m_start;           ///< velocities then
-    std::vector<Vec2> m_alongVelocities; ///< and of the velocities
+    const std::vector<double> &m_weights; ///< inverse masses, 1/kg
+    std::vector<double> m_masses;         ///< kg, 0 for walls
+    std::vector<Vec2> m_start;            ///< velocities before the latest two sweeps
+    std::vector<Vec2> m_along;            ///< what the latest step changed of them
 };
 
 } // namespace
@@ -218,7 +218,7 @@ int solvePile(std::span<PileContact> contacts, PileBodies &bodies, double tolera
     for (const PileContact &c : contacts)
         apply(c, bodies, c.push);
     const std::vector<std::uint32_t> order = orderOf(contacts.size());
-    std::vector<Row> rows = rowsOf(contacts, order, bodies);
+    std::vector<Row> rows = rowsOf(contacts, order, bodies.inverseMasses);
     const int sweeps = Descent(rows, bodies).run(tolerance, mostSweeps);
     double work = 0.0;
     for (std::size_t i = 0; i < order.size(); ++i) {
