@@ -50,6 +50,7 @@ void ContinuousSolver::join(Slot a, Slot b)
         return;
     m_members[std::max(first, second)].group = std::min(first, second);
     m_members[std::min(first, second)].changed = true;
+    m_members[std::min(first, second)].size += m_members[std::max(first, second)].size;
 }
 
 /// Who meets in this step, as far as free flight tells.
@@ -80,6 +81,8 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
     m_touching.clear();
     m_runs = 0;
     while (true) {
+        if (m_piles)
+            foreseePiles();
         m_order.clear();
         for (std::uint32_t i = 0; i < m_members.size(); ++i) {
             const std::uint32_t group = groupOf(i);
@@ -89,8 +92,6 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
         if (m_order.empty())
             break;
         std::sort(m_order.begin(), m_order.end());
-        if (m_piles && foreseePiles())
-            continue;
         for (std::size_t begin = 0; begin < m_order.size();) {
             const std::span<const Place> places = groupFrom(begin);
             m_members[places[0].group].changed = false;
@@ -101,7 +102,8 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
         for (const Place &place : m_order)
             m_kicked = std::max(m_kicked, m_members[place.member].fastest);
         for (const Place &place : m_order) {
-            if (m_members[place.member].disturbed)
+            const Member &member = m_members[place.member];
+            if (member.disturbed && member.fastest > member.foreseen)
                 widen(place.member);
         }
     }
@@ -136,26 +138,22 @@ std::span<const ContinuousSolver::Place> ContinuousSolver::groupFrom(std::size_t
 }
 
 /// A pile costs too much to be solved again for each that joins it: who may reach it does so at
-/// once. \return whether one had not done so yet
-bool ContinuousSolver::foreseePiles()
+/// once.
+void ContinuousSolver::foreseePiles()
 {
-    bool found = false;
-    for (std::size_t begin = 0; begin < m_order.size();) {
-        const std::span<const Place> places = groupFrom(begin);
-        begin += places.size();
-        if (!isPile(places.size()))
-            continue;
-        for (const Place &place : places) {
-            Member &member = m_members[place.member];
-            if (member.foreseen)
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (std::uint32_t i = 0; i < m_members.size(); ++i) { // while more of them join
+            const Member &group = m_members[groupOf(i)];
+            if (m_members[i].foreseen >= 0.0 || !group.changed || !isPile(group.size))
                 continue;
-            member.foreseen = found = true;
-            member.fastest = length(m_motions[member.slot].velocity) + m_gravity * m_dt;
-            m_kicked = std::max(m_kicked, member.fastest);
-            widen(place.member);
+            const double fastest = length(m_motions[m_members[i].slot].velocity) + m_gravity * m_dt;
+            m_members[i].fastest = m_members[i].foreseen = fastest;
+            m_kicked = std::max(m_kicked, fastest);
+            widen(i);
+            grown = true;
         }
     }
-    return found;
 }
 
 /// Takes a group through the step, from its start.

@@ -25,13 +25,10 @@ void ContinuousSolver::layToSleep()
 {
     const double slow = lying * m_gravity * m_dt;
     const double steps = std::clamp(untilSleep / m_dt, 1.0, mostStill);
-    std::vector<std::uint32_t> sizes(m_members.size(), 0);
-    for (std::uint32_t i = 0; i < m_members.size(); ++i)
-        ++sizes[groupOf(i)];
     for (std::uint32_t i = 0; i < m_members.size(); ++i) {
         const std::uint32_t group = groupOf(i);
         const double speed = length(m_members[i].after.velocity);
-        const bool still = isPile(sizes[group]) ? speed <= slow : speed == 0.0;
+        const bool still = isPile(m_members[group].size) ? speed <= slow : speed == 0.0;
         std::uint8_t &stillFor = m_stillFor[m_ids[m_members[i].slot]];
         stillFor = still ? static_cast<std::uint8_t>(std::min(stillFor + 1, 255)) : 0;
         m_members[group].restless = m_members[group].restless || stillFor < steps;

@@ -69,8 +69,9 @@ private:
         bool changed = false;    ///< the group must be solved
         bool disturbed = false;  ///< has left its free flight
         bool restless = false;   ///< one of the group is not at rest for long enough
-        bool foreseen = false;   ///< whom it may reach in a pile has joined already
+        std::uint32_t size = 1;  ///< of the group, if it stands for it
         double fastest = 0;      ///< speed in the step, m/s
+        double foreseen = -1;    ///< whom it may reach at this speed has joined a pile already, m/s
         Motion after{};          ///< at the end of the step
     };
     /// A hit, or two that rest, of the group of a member as of one run.
@@ -120,7 +121,7 @@ private:
     void solveGroups(std::vector<Hit> &hits);
     [[nodiscard]] bool isPile(std::size_t members) const;
     [[nodiscard]] std::span<const Place> groupFrom(std::size_t begin) const;
-    bool foreseePiles();
+    void foreseePiles();
     void solve(std::span<const Place> places);
     bool solvePair(Member &first, Member &second, std::uint32_t run);
     void widen(std::size_t index);
