@@ -130,7 +130,7 @@ void TestHeaps::aHeapNeitherOverlapsNorGainsEnergy_data()
     QTest::addRow("e = 0.5") << 0.5 << 0.0 << 19 << 180 << 1e-4;
     QTest::addRow("e = 0") << 0.0 << 0.0 << 19 << 180 << 1e-4;
     QTest::addRow("e = 0.9, unequal") << 0.9 << 0.5 << 19 << 180 << 1e-4;
-    QTest::addRow("thousands") << 0.5 << 0.0 << 60 << 60 << 2e-3;
+    QTest::addRow("thousands") << 0.5 << 0.0 << 60 << 60 << 1e-4;
 }
 
 void TestHeaps::aHeapNeitherOverlapsNorGainsEnergy()

@@ -67,7 +67,7 @@ void PileStep::lookAt(Near &near) const
     const Circle &b = m_circles[near.b];
     const Vec2 d = b.position - a.position;
     const Vec2 v = b.velocity - a.velocity;
-    const double distance = length(d);
+    const double distance = quickLength(d);
     const double sum = a.radius + b.radius;
     near.normal = d / distance;
     near.gap = distance - sum;
@@ -91,7 +91,7 @@ bool PileStep::haveComeFar()
 {
     bool far = false;
     for (Body i = 0; i < m_circles.size(); ++i) {
-        const double way = m_dt * length(m_bodies.velocities[i]);
+        const double way = m_dt * quickLength(m_bodies.velocities[i]);
         far = far || way > m_ways[i];
         m_ways[i] = std::max(m_ways[i], way);
     }
@@ -102,8 +102,8 @@ bool PileStep::haveComeFar()
 bool PileStep::isSlow(const Near &near) const
 {
     const double speed = isWall(near.b)
-                             ? length(m_circles[near.a].velocity)
-                             : length(m_circles[near.a].velocity - m_circles[near.b].velocity);
+                             ? quickLength(m_circles[near.a].velocity)
+                             : quickLength(m_circles[near.a].velocity - m_circles[near.b].velocity);
     return speed <= 4.0 * m_gain && near.gap <= 2.0 * m_gain * m_dt;
 }
 

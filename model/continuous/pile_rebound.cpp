@@ -15,8 +15,11 @@ namespace {
 constexpr double reboundTolerance = 0.01;
 /// Sweeps over the contacts for it, at most.
 constexpr int mostSweeps = 60;
-/// Sweeps that part what overlaps in the end, for each thousand circles.
-constexpr std::size_t mostParting = 200;
+/// What overlaps in the end is parted in so many sweeps over what lies closer than so many overlaps
+/// that may be; then it is seen who else does, so often for each row that the circles would fill.
+constexpr int sweepsPerLook = 8;
+constexpr double tightness = 4.0;
+constexpr double looksPerRow = 4.0;
 
 } // namespace
 
@@ -36,30 +39,50 @@ double PileStep::gained(std::span<const Vec2> velocities) const
     return sum;
 }
 
-/// Parts what overlaps at the end because its push was not found exactly, each by its mass, if the
-/// step has taken as much energy as that lifts.
+/// Moves two apart, each by its mass, if they overlap at the end by more than may be. \return
+/// whether they did
+bool PileStep::part(const Near &near)
+{
+    const double gap = gapOf(near, m_ends);
+    if (gap >= -m_borne)
+        return false;
+    const Vec2 normal = isWall(near.b) ? near.normal : normalized(m_ends[near.b] - m_ends[near.a]);
+    const double weightA = m_bodies.inverseMasses[near.a];
+    const double weightB = m_bodies.inverseMasses[near.b];
+    const Vec2 way = ((0.5 * m_borne - gap) / (weightA + weightB)) * normal;
+    m_ends[near.a] -= weightA * way;
+    if (!isWall(near.b))
+        m_ends[near.b] += weightB * way;
+    m_pushed[near.a] = m_pushed[near.b] = 1;
+    return true;
+}
+
+/// Parts what overlaps at the end because its push was not found exactly, if the step has taken as
+/// much energy as that lifts.
 void PileStep::partEnds()
 {
     m_unparted = m_ends;
     bool any = false;
-    bool found = true;
-    const std::size_t most = mostParting * std::max<std::size_t>(1, m_circles.size() / 1000);
-    for (std::size_t sweep = 0; sweep < most && found; ++sweep) {
-        found = false;
-        for (const Near &near : m_near) {
-            const double gap = gapOf(near, m_ends);
-            if (gap >= -m_borne)
-                continue;
-            found = any = true;
-            const Vec2 normal =
-                isWall(near.b) ? near.normal : normalized(m_ends[near.b] - m_ends[near.a]);
-            const double weightA = m_bodies.inverseMasses[near.a];
-            const double weightB = m_bodies.inverseMasses[near.b];
-            const Vec2 way = ((0.5 * m_borne - gap) / (weightA + weightB)) * normal;
-            m_ends[near.a] -= weightA * way;
-            m_pushed[near.a] = m_pushed[near.b] = 1;
-            if (!isWall(near.b))
-                m_ends[near.b] += weightB * way;
+    std::vector<std::uint32_t> tight; // who overlaps, or may do so when those are parted
+    const double rows = std::sqrt(static_cast<double>(m_circles.size()));
+    for (int look = static_cast<int>(looksPerRow * rows); look >= 0; --look) {
+        bool overlap = false;
+        tight.clear();
+        for (std::uint32_t k = 0; k < m_near.size(); ++k) {
+            const double gap = gapOf(m_near[k], m_ends);
+            overlap = overlap || gap < -m_borne;
+            if (gap < tightness * m_borne)
+                tight.push_back(k);
+        }
+        any = any || overlap;
+        if (!overlap)
+            break;
+        // Up and down again, for what is lifted may now overlap with what lies on it.
+        for (int sweep = 0; sweep < sweepsPerLook && overlap; ++sweep) {
+            overlap = false;
+            for (const std::uint32_t k : tight)
+                overlap = part(m_near[k]) || overlap;
+            std::reverse(tight.begin(), tight.end());
         }
     }
     if (any && gained(m_motion) > 0.0)

@@ -80,6 +80,7 @@ private:
 
     // The end of the step: pile_rebound.cpp
     void partEnds();
+    bool part(const Near &near);
     void rebound();
     void boundEnergy();
     [[nodiscard]] double gained(std::span<const Vec2> velocities) const;
