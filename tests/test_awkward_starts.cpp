@@ -16,8 +16,8 @@ namespace {
 
 /// m beyond a wall, and of the sum of the radii two may overlap: roundings of a position.
 constexpr double position = 1e-9;
-/// Of the smaller radius, by which continuous timing may let two overlap.
-constexpr double squeeze = 0.1;
+/// Of the smaller radius, by which continuous timing may let two overlap, or reach into a wall.
+constexpr double squeeze = 2e-4;
 /// Of the energy's size, by which roundings may let it grow.
 constexpr double energyRounding = 1e-11;
 /// Of a radius: how high circles that lie on each other hop in exact timing, for each row.
@@ -49,15 +49,17 @@ double deepestOverlap(const std::vector<Circle> &circles, Timing timing)
     return deepest;
 }
 
-/// The farthest beyond a wall, m; infinite if any number is not finite.
-double farthestOutside(const std::vector<Circle> &circles)
+/// The farthest beyond a wall, divided by what is allowed; infinite if any number is not finite.
+double farthestOutside(const std::vector<Circle> &circles, Timing timing)
 {
     double farthest = 0.0;
     for (const Circle &c : circles) {
         if (!isFinite(c.position) || !isFinite(c.velocity))
             return infinity;
         const double out = std::max(std::abs(c.position.x), std::abs(c.position.y));
-        farthest = std::max(farthest, out + c.radius - halfWidth);
+        const double allowed =
+            timing == Timing::Exact ? position : std::max(position, squeeze * c.radius);
+        farthest = std::max(farthest, (out + c.radius - halfWidth) / allowed);
     }
     return farthest;
 }
@@ -150,8 +152,9 @@ void TestAwkwardStarts::nothingGoesWrong()
     for (int step = 1; step <= steps; ++step) {
         run.steps(1);
         QVERIFY(run.hits.size() <= mostHits);
-        COMPARE_NEAR(std::max(0.0, farthestOutside(run.world.circles)), 0.0, position);
-        COMPARE_NEAR(deepestOverlap(run.world.circles, preset.laws.timing), 0.0, 1.0);
+        const Timing timing = preset.laws.timing;
+        COMPARE_NEAR(std::max(0.0, farthestOutside(run.world.circles, timing)), 0.0, 1.0);
+        COMPARE_NEAR(deepestOverlap(run.world.circles, timing), 0.0, 1.0);
         const double energy = measure(run.world.circles, preset.gravity, halfWidth).total();
         COMPARE_NEAR(std::max(0.0, energy - least), 0.0, rounding + hops);
         if (preset.restitution == 1.0)

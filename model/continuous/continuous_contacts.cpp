@@ -54,7 +54,7 @@ bool ContinuousStep::isCollapse(const Contact &contact)
 {
     if (restitutionOf(contact) >= 1.0)
         return false;
-    bool found = isPressed(contact);
+    bool found = false;
     for (const int body : {contact.a, contact.b}) {
         if (body < 0)
             continue;

@@ -13,9 +13,6 @@ namespace {
 /// So many are looked at all together.
 constexpr std::size_t fewBodies = 8;
 constexpr double rounding = 1e-9;
-/// A pile that is hit so often in a step takes what else reaches it in the step all at once, and
-/// without rebound: each hit of a large pile would cost as much as all of them.
-constexpr int pressed = 10;
 
 std::size_t at(int index)
 {
@@ -78,34 +75,6 @@ std::span<const std::uint32_t> ContinuousStep::neighboursOf(std::size_t body) co
 {
     return std::span(m_neighbours)
         .subspan(m_firstNeighbour[body], m_firstNeighbour[body + 1] - m_firstNeighbour[body]);
-}
-
-/// Whether one of the two is in a pile that has been hit too often in this step.
-bool ContinuousStep::isPressed(const Contact &contact) const
-{
-    return m_crushed || m_bodies[at(contact.a)].splits >= pressed
-           || (contact.b >= 0 && m_bodies[at(contact.b)].splits >= pressed);
-}
-
-/// What may reach such a pile in the rest of the step takes part, too.
-void ContinuousStep::touchAroundPressed()
-{
-    if (m_crushed && !m_gathered) {
-        m_gathered = true;
-        for (std::size_t i = 0; i < m_bodies.size(); ++i)
-            touch(i);
-        return;
-    }
-    const std::size_t count = m_touched.size();
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = m_touched[k];
-        if (m_bodies[i].splits < pressed)
-            continue;
-        for (const std::uint32_t j : neighboursOf(i))
-            touch(j);
-    }
-    if (m_touched.size() > count)
-        touchRestingNeighbours();
 }
 
 /// What rests on a body that is hit is split at the hit, too: the forces between them change.

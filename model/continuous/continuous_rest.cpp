@@ -16,10 +16,6 @@ constexpr double touching = 1e-9;
 /// step, and by no more than so much of the radii: what that lifts it had let fall.
 constexpr double repaired = 0.1;
 constexpr double mostRepaired = 1e-4;
-/// Of what a step of gravity gives: among many, slower closing is none, however its normal lies,
-/// for the pushes of large piles are not found more exactly.
-constexpr double settled = 0.03;
-constexpr std::size_t many = 64;
 
 std::size_t at(int index)
 {
@@ -96,11 +92,6 @@ void ContinuousStep::findPiles()
     const double gain = length(m_rules->gravity) * m_dt; // what leaves faster is not of it
     m_marks.assign(m_bodies.size(), 0);
     for (const std::size_t i : m_touched) {
-        if (m_crushed) {
-            m_pile.push_back(i);
-            m_marks[i] = 1;
-            continue;
-        }
         for (const Wall wall : allWalls) {
             const Contact contact{.a = static_cast<int>(i), .normal = outwardNormal(wall)};
             if (dot(m_rules->gravity, contact.normal) <= 0.0 || !staysClose(contact)
@@ -117,7 +108,7 @@ void ContinuousStep::findPiles()
         for (const std::uint32_t j : neighboursOf(i)) {
             const std::pair<int, int> pair = std::minmax(static_cast<int>(i), static_cast<int>(j));
             if (!m_bodies[j].touched || !staysClose(contactOf(pair))
-                || (!m_crushed && closingSpeed(contactOf(pair)) < -gain))
+                || closingSpeed(contactOf(pair)) < -gain)
                 continue;
             rest(pair);
             if (m_marks[j] == 0)
@@ -183,7 +174,7 @@ void ContinuousStep::hold()
     const double end = m_dt - m_now;
     solveContacts(m_contacts, m_inverseMasses, mostRounds());
     for (const Contact &contact : m_contacts) {
-        if (contact.impulse <= 0.0 && !m_crushed)
+        if (contact.impulse <= 0.0)
             continue;
         const Vec2 push = (contact.impulse / end) * contact.normal;
         Body &a = m_bodies[at(contact.a)];
@@ -254,27 +245,14 @@ double ContinuousStep::freeSpeed(const Contact &contact) const
     return std::max(repaired * gap, -mostRepaired * m_world->circles[at(contact.a)].radius) / m_dt;
 }
 
-/// The speed of the faster of the two, m/s.
-double ContinuousStep::fasterOf(const Contact &contact) const
-{
-    const double a = lengthSquared(m_world->circles[at(contact.a)].velocity);
-    const double b = contact.b < 0 ? 0.0 : lengthSquared(m_world->circles[at(contact.b)].velocity);
-    return std::sqrt(std::max(a, b));
-}
-
 /// Whether two are so near, and close so slowly if at all, that, one of them held, gravity keeps
 /// them together: a rebound would last less than a step.
 bool ContinuousStep::staysClose(const Contact &contact) const
 {
     const double closing = closingSpeed(contact);
     const double gain = length(m_rules->gravity) * m_dt; // m/s that a step gives at most
-    if (m_crushed)
-        return gapOf(contact) <= (2.0 * gain + fasterOf(contact)) * (m_dt - m_now);
-    if (m_lossy && isPressed(contact))
-        return gapOf(contact) <= (2.0 * gain + std::max(closing, 0.0)) * (m_dt - m_now);
     const double along = std::abs(dot(m_rules->gravity, contact.normal)) * m_dt;
-    const double rest = m_bodies.size() > many ? settled * gain : 0.0;
-    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along + rest
+    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along
            && gapOf(contact) <= 2.0 * gain * (m_dt - m_now);
 }
 

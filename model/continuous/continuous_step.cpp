@@ -20,9 +20,6 @@ constexpr double roundedSpeed = 1e-13;
 constexpr std::size_t splitsPerCircle = 1000;
 constexpr std::size_t splitsAtLeast = 100'000;
 constexpr double rounding = 1e-9;
-/// A moment with more contacts than these costs milliseconds; so many of them a step are enough.
-constexpr std::size_t manyContacts = 64;
-constexpr int enoughMoments = 3;
 
 /// The order of the heap of events.
 constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
@@ -48,8 +45,6 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
         resolve(hits);
         foreseeSpeeds();
         findAccelerations();
-        m_largeMoments += m_contacts.size() > manyContacts ? 1 : 0;
-        m_crushed = m_lossy && m_largeMoments >= enoughMoments;
     }
     // Circles with an event left over have met the bound on the work; they wait where they are.
     for (const Event &event : m_events) {
@@ -67,9 +62,6 @@ void ContinuousStep::begin()
 {
     m_now = 0.0;
     m_lossy = m_rules->laws.circles == CircleLaw::Impulse && m_rules->restitution < 1.0;
-    m_largeMoments = 0;
-    m_crushed = false;
-    m_gathered = false;
     m_events.clear();
     m_held.clear();
     m_touched.clear();
@@ -243,13 +235,10 @@ void ContinuousStep::takeEventsAt(double time)
         return std::tuple(x.wall, x.a, x.b) < std::tuple(y.wall, y.a, y.b);
     });
     touchRestingNeighbours();
-    touchAroundPressed();
     // In the order of the bodies, so that sums do not depend on that of the events.
     std::sort(m_touched.begin(), m_touched.end());
-    for (const std::size_t i : m_touched) {
+    for (const std::size_t i : m_touched)
         carryTo(i, time);
-        m_bodies[i].splits += m_bodies[i].drifts ? 1 : 0;
-    }
 }
 
 } // namespace cradle

@@ -41,7 +41,6 @@ private:
         Vec2 latestHit{};    ///< where, m
         std::uint32_t version = 0;                  ///< events found under another are void
         int nearHits = 0;                           ///< lossy ones in a row at the same place
-        int splits = 0;                             ///< moments that it was part of in a pile
         Integrator integrator = Integrator::Verlet; ///< its own until it is hit or rests
         bool drifts = false;                        ///< is held among others
         bool touched = false;                       ///< its events must be found again
@@ -69,8 +68,6 @@ private:
     [[nodiscard]] bool nextMoment();
     void takeEventsAt(double time);
     void touchRestingNeighbours();
-    void touchAroundPressed();
-    [[nodiscard]] bool isPressed(const Contact &contact) const;
     void carryTo(std::size_t body, double time);
     [[nodiscard]] Path pathFrom(std::size_t body, double time) const;
 
@@ -85,7 +82,6 @@ private:
     void spreadDrift();
     [[nodiscard]] double gapOf(const Contact &contact) const;
     [[nodiscard]] double freeSpeed(const Contact &contact) const;
-    [[nodiscard]] double fasterOf(const Contact &contact) const;
     [[nodiscard]] bool staysClose(const Contact &contact) const;
     [[nodiscard]] bool isHeld(std::size_t body, Vec2 wall) const;
     [[nodiscard]] Contact contactOf(std::pair<int, int> pair) const;
@@ -109,9 +105,6 @@ private:
     double m_now = 0.0;           ///< s into the step
     double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
     bool m_lossy = false;         ///< circles rebound slower than they meet
-    int m_largeMoments = 0;       ///< of this step, with many contacts
-    bool m_crushed = false;       ///< they were too many: all that can meet takes part at once
-    bool m_gathered = false;      ///< it has done so
     double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
     std::vector<Body> m_bodies;
     std::vector<Vec2> m_places;                  ///< at the start of the step, m

@@ -57,8 +57,8 @@ bool PileStep::part(const Near &near)
     return true;
 }
 
-/// Parts what overlaps at the end because its push was not found exactly, if the step has taken as
-/// much energy as that lifts.
+/// Parts what overlaps at the end because its push was not found exactly, as far as the step has
+/// taken the energy for it.
 void PileStep::partEnds()
 {
     m_unparted = m_ends;
@@ -85,8 +85,14 @@ void PileStep::partEnds()
             std::reverse(tight.begin(), tight.end());
         }
     }
-    if (any && gained(m_motion) > 0.0)
-        m_ends.swap(m_unparted);
+    if (!any)
+        return;
+    const double lifted = gained(m_motion);
+    m_ends.swap(m_unparted);
+    const double before = gained(m_motion);
+    const double share = lifted <= 0.0 ? 1.0 : before < 0.0 ? before / (before - lifted) : 0.0;
+    for (Body i = 0; i < m_circles.size(); ++i)
+        m_ends[i] += share * (m_unparted[i] - m_ends[i]);
 }
 
 /// Velocities after the step where contacts throw back what they met.
