@@ -66,7 +66,7 @@ double ContinuousSolver::slack(bool disturbed) const
 {
     const double span = static_cast<double>(m_steps - m_index) * m_dt;
     double bends = m_alike ? 0.0 : m_gravity * m_dt * (span + m_dt);
-    if (m_sleepers > 0) // they do not fall with the others
+    if (m_sleep.count() > 0) // they do not fall with the others
         bends += m_gravity * span * (0.5 * span + m_dt);
     // What rests may fall, or may be fallen upon, in the next step.
     return bends + (disturbed ? 2.0 * m_gravity * m_dt * m_dt : 0.0);

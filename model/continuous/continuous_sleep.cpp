@@ -26,51 +26,41 @@ void ContinuousSolver::layToSleep()
     const double slow = lying * m_gravity * m_dt;
     const double steps = std::clamp(untilSleep / m_dt, 1.0, mostStill);
     for (std::uint32_t i = 0; i < m_members.size(); ++i) {
-        const std::uint32_t group = groupOf(i);
+        Member &group = m_members[groupOf(i)];
         const double speed = length(m_members[i].after.velocity);
-        const bool still = isPile(m_members[group].size) ? speed <= slow : speed == 0.0;
-        std::uint8_t &stillFor = m_stillFor[m_ids[m_members[i].slot]];
-        stillFor = still ? static_cast<std::uint8_t>(std::min(stillFor + 1, 255)) : 0;
-        m_members[group].restless = m_members[group].restless || stillFor < steps;
+        const bool still = isPile(group.size) ? speed <= slow : speed == 0.0;
+        if (m_sleep.countStill(m_ids[m_members[i].slot], still) < steps)
+            group.restless = true;
     }
-    std::vector<std::uint32_t> islands(m_members.size(), awake);
-    bool any = false;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> tired; // group, circle
     for (std::uint32_t i = 0; i < m_members.size(); ++i) {
         const std::uint32_t group = groupOf(i);
         if (m_members[group].restless)
             continue;
-        if (islands[group] == awake) {
-            islands[group] = static_cast<std::uint32_t>(m_islands.size());
-            m_islands.emplace_back();
-        }
         const Slot slot = m_members[i].slot;
-        const std::uint32_t id = m_ids[slot];
         m_motions[slot].velocity = Vec2{};
-        m_islandOf[id] = islands[group];
-        m_islands[islands[group]].push_back(id);
-        m_slotOf[id] = slot;
-        ++m_sleepers;
-        any = true;
+        m_slotOf[m_ids[slot]] = slot;
+        tired.emplace_back(group, m_ids[slot]);
     }
-    if (any)
-        std::erase_if(m_resting, [this](const Candidates &pair) { return sleeps(pair.a); });
+    if (tired.empty())
+        return;
+    std::sort(tired.begin(), tired.end());
+    std::vector<std::uint32_t> island;
+    for (std::size_t k = 0; k < tired.size(); ++k) {
+        island.push_back(tired[k].second);
+        if (k + 1 == tired.size() || tired[k + 1].first != tired[k].first) {
+            m_sleep.lay(island);
+            island.clear();
+        }
+    }
+    std::erase_if(m_resting, [this](const Candidates &pair) { return sleeps(pair.a); });
 }
 
 /// Wakes all that sleep with a circle; they are one group in this step.
 void ContinuousSolver::wake(Slot slot)
 {
-    const std::uint32_t island = m_islandOf[m_ids[slot]];
-    const std::vector<std::uint32_t> ids = std::move(m_islands[island]);
-    m_islands[island].clear();
-    for (const std::uint32_t id : ids) {
-        m_islandOf[id] = awake;
-        m_stillFor[id] = 0;
-    }
-    m_sleepers -= ids.size();
-    for (const std::uint32_t id : ids)
+    for (const std::uint32_t id : m_sleep.wake(m_ids[slot]))
         join(slot, m_slotOf[id]);
-    if (m_sleepers == 0)
-        m_islands.clear();
 }
 
 /// Puts two down of which one sleeps: the other comes no faster than its speed and gravity allow.

@@ -48,11 +48,8 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
     m_piles =
         m_gravity > 0.0 && rules.restitution < 1.0 && rules.laws.circles == CircleLaw::Impulse;
     m_pile.clear();
-    m_islandOf.assign(circles.size(), awake);
-    m_stillFor.assign(circles.size(), 0);
+    m_sleep.start(circles.size());
     m_slotOf.assign(circles.size(), 0);
-    m_islands.clear();
-    m_sleepers = 0;
     m_integrators = rules.integrators;
     m_alike = std::adjacent_find(m_integrators.begin(), m_integrators.end(), std::not_equal_to<>())
               == m_integrators.end();
@@ -108,21 +105,34 @@ void ContinuousSolver::advance(double dt, double time, qint64 step, std::vector<
         advancePart(dt / parts, time - part * (dt / parts), hits);
 }
 
+/// A step: who meets, what comes of it, and who may meet these next.
 void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hits)
 {
     m_time = time;
-    if (m_sleepers == m_motions.size() && dt == m_dt)
+    if (m_sleep.count() == m_motions.size() && dt == m_dt)
         return;
+    // Sort all into the grid anew, and put down who may first meet in which of the next steps.
     if (dt != m_dt || m_index >= m_steps)
         sort(dt);
+    // Gather who meets in this step, as far as free flight tells.
     findGroups();
+    // Solve each group from the start of the step, with whom it thereby comes to meet.
     solveGroups(hits);
+    // Fly freely where nothing is met.
     flyFreely();
     for (const Member &member : m_members)
         m_motions[member.slot] = member.after;
+    // Leave alone what has long been at rest.
     if (m_piles)
         layToSleep();
+    // Put down whom these may meet in the steps that are left, and those that did not meet after
+    // all.
     ++m_index;
+    scheduleMembers();
+}
+
+void ContinuousSolver::scheduleMembers()
+{
     for (const Member &member : m_members) {
         limitSteps(member.fastest);
         if (m_index < m_steps)
@@ -148,7 +158,7 @@ void ContinuousSolver::findMeanSpeed()
 
 void ContinuousSolver::flyFreely()
 {
-    if (m_alike && !m_integrators.empty() && m_sleepers == 0) {
+    if (m_alike && !m_integrators.empty() && m_sleep.count() == 0) {
         const Integrator integrator = m_integrators.front();
         for (Motion &motion : m_motions)
             motion = cradle::advance(integrator, motion, m_rules.gravity, m_dt);
@@ -190,7 +200,7 @@ void ContinuousSolver::sort(double dt)
     m_motions.swap(m_sortedMotions);
     m_radii.swap(m_sortedRadii);
     m_ids.swap(m_sortedIds);
-    for (Slot slot = 0; slot < m_ids.size() && m_sleepers > 0; ++slot)
+    for (Slot slot = 0; slot < m_ids.size() && m_sleep.count() > 0; ++slot)
         m_slotOf[m_ids[slot]] = slot;
 
     findMeanSpeed();

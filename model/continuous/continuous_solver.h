@@ -5,6 +5,7 @@
 #include "model/contacts/disc_grid.h"
 #include "model/continuous/continuous_step.h"
 #include "model/continuous/pile_step.h"
+#include "model/continuous/sleeping_islands.h"
 #include "model/exact/exact_solver.h"
 
 #include <array>
@@ -49,8 +50,7 @@ public:
 
 private:
     using Slot = std::uint32_t;
-    static constexpr Slot wall = 0xffffffffU;           ///< as a partner: any of the four
-    static constexpr std::uint32_t awake = 0xffffffffU; ///< in place of an island
+    static constexpr Slot wall = 0xffffffffU; ///< as a partner: any of the four
     static constexpr std::size_t mostSteps = 64;
     /// Closing speeds below this share of the speeds may be rest; the whole solver sees to them.
     static constexpr double leastClosing = 1e-6;
@@ -106,6 +106,7 @@ private:
 
     // When who can meet: continuous_schedule.cpp
     void scheduleAll();
+    void scheduleMembers();
     void scheduleAround(Slot slot);
     template <class Visit>
     void sieve(Slot a, Slot begin, Slot end, double slack, Visit visit) const;
@@ -130,10 +131,7 @@ private:
     std::uint32_t activate(Slot slot);
 
     // What sleeps: continuous_sleep.cpp
-    [[nodiscard]] bool sleeps(Slot slot) const
-    {
-        return m_sleepers > 0 && m_islandOf[m_ids[slot]] != awake;
-    }
+    [[nodiscard]] bool sleeps(Slot slot) const { return m_sleep.sleeps(m_ids[slot]); }
     void layToSleep();
     void wake(Slot slot);
     void scheduleSleeper(Slot a, Slot b);
@@ -177,12 +175,8 @@ private:
     // By circle.
     std::vector<double> m_densities;
     std::vector<Integrator> m_integrators;
-    std::vector<std::uint32_t> m_islandOf; ///< with which it sleeps, or awake
-    std::vector<std::uint8_t> m_stillFor;  ///< steps
-    std::vector<Slot> m_slotOf;            ///< if any sleep
-
-    std::vector<std::vector<std::uint32_t>> m_islands; ///< circles that sleep together
-    std::size_t m_sleepers = 0;
+    SleepingIslands m_sleep;
+    std::vector<Slot> m_slotOf; ///< if any sleep
 
     std::array<std::vector<Candidates>, mostSteps> m_due; ///< who may first meet in each step
     std::vector<Candidates> m_resting;                    ///< stay in touch from step to step

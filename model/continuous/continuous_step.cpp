@@ -36,13 +36,18 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
     m_rules = &rules;
     m_world = &world;
     m_dt = dt;
+    // Find who can meet whom in the step, what rests on what, and the forces that hold it.
     begin();
     const std::size_t enough = splitsAtLeast + splitsPerCircle * m_bodies.size();
     for (std::size_t splits = 0; splits < enough; splits += m_touched.size()) {
+        // Find anew when those meet that were touched by the latest moment.
         findEvents();
+        // Carry to the next moment who meets then, and who rests on these.
         if (!nextMoment())
             break;
+        // Answer all contacts of the moment together.
         resolve(hits);
+        // Find whom the kicked may now meet, and what holds those that rest now.
         foreseeSpeeds();
         findAccelerations();
     }

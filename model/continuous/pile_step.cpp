@@ -37,13 +37,18 @@ void PileStep::run(const Rules &rules, World &world, std::span<const std::uint32
     m_rules = &rules;
     m_world = &world;
     m_dt = dt;
+    // Sort the circles by height, and find who may meet whom.
     begin(ids);
     findNear();
+    // Motion: the pushes at which no contact closes faster than its gap allows.
     findMotion();
+    // Move the circles, and part what still overlaps.
     fly();
     partEnds();
+    // Rebound: the velocities at which what was met parts, as far as there is energy for it.
     rebound();
     boundEnergy();
+    // Tell of the hits, and begin with these pushes in the next step.
     report(hits);
     keepPushes();
     for (Body i = 0; i < m_circles.size(); ++i) {
