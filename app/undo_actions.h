@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <QPointer>
 
 QT_BEGIN_NAMESPACE
 class QMenu;
@@ -14,8 +15,8 @@ namespace cradle {
 
 class CodeEditor;
 
-/// Undo and Redo of what the student works on: of the program while its editor has the keyboard,
-/// else of the scene. Their texts say which.
+/// Undo and Redo of what the student works on: of the program or a field of text while that has the
+/// keyboard, else of the scene. Their texts say which.
 class UndoActions final : public QObject
 {
     Q_OBJECT
@@ -25,13 +26,17 @@ public:
 
 private:
     void follow(QWidget *focused);
+    void undo();
+    void redo();
     void show();
+    [[nodiscard]] QWidget *field() const;
 
     QUndoStack &m_scene;
     CodeEditor &m_program;
     QAction *m_undo;
     QAction *m_redo;
     bool m_ofProgram = false;
+    QPointer<QWidget> m_field; ///< of text, which has the keyboard; null if none has
 };
 
 } // namespace cradle

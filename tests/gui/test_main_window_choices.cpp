@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QMenuBar>
+#include <QPlainTextEdit>
 
 using namespace cradle;
 using namespace cradle::windows;
@@ -38,6 +39,7 @@ private slots:
     void cleanup();
     void choicesAreKeptBetweenSessions();
     void undoIsOfTheProgramInItsEditor();
+    void undoIsOfTheFieldThatIsTypedInto();
     void undoIsOfTheSceneElsewhere();
     void undoInAFieldIsOfTheSceneOnceItIsTaken();
 
@@ -118,6 +120,41 @@ void TestMainWindowChoices::undoIsOfTheProgramInItsEditor()
     QVERIFY(editor().text() != before);
     QTest::keyClick(editorArea(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(editor().text(), before);
+    QCOMPARE(m_open->preset(), moved);
+}
+
+void TestMainWindowChoices::undoIsOfTheFieldThatIsTypedInto()
+{
+    m_open->bench.setMode(Mode::Explore);
+    moveCircle();
+    const Preset moved = m_open->preset();
+    auto *field = m_open->window.inspector().findChild<NumberField *>();
+    QVERIFY(field && field->isVisible());
+    field->setFocus();
+    const QString before = field->text();
+    QCOMPARE(action("Undo")->text(), QStringLiteral("&Undo Move circle 1")); // nothing is typed
+    QTest::keyClicks(field, QStringLiteral("1"));
+    QCOMPARE(action("Undo")->text(), QStringLiteral("&Undo typing"));
+    action("Undo")->trigger();
+    QCOMPARE(field->text(), before);
+    QCOMPARE(m_open->preset(), moved);
+    QCOMPARE(action("Undo")->text(), QStringLiteral("&Undo Move circle 1"));
+
+    auto *notes = m_open->window.findChild<QDockWidget *>(QStringLiteral("notes"));
+    notes->show();
+    notes->raise();
+    auto *text = notes->findChild<QPlainTextEdit *>();
+    text->setFocus();
+    QVERIFY(text->hasFocus());
+    QCOMPARE(action("Undo")->text(), QStringLiteral("&Undo"));
+    QVERIFY(!action("Undo")->isEnabled());
+    QTest::keyClicks(text, QStringLiteral("noted"));
+    QCOMPARE(action("Undo")->text(), QStringLiteral("&Undo typing"));
+    action("Undo")->trigger();
+    QCOMPARE(text->toPlainText(), QString());
+    QCOMPARE(action("Redo")->text(), QStringLiteral("&Redo typing"));
+    action("Redo")->trigger();
+    QCOMPARE(text->toPlainText(), QStringLiteral("noted"));
     QCOMPARE(m_open->preset(), moved);
 }
 
