@@ -5,8 +5,8 @@
 #include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
+#include "views/menu.h"
 
-#include <QMenu>
 #include <QMenuBar>
 #include <QTabWidget>
 
@@ -15,7 +15,7 @@ namespace cradle {
 namespace {
 
 template <typename Target, typename Slot>
-void add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Target *target, Slot slot)
+void add(Menu *menu, const QString &text, const QKeySequence &shortcut, Target *target, Slot slot)
 {
     QAction *action = menu->addAction(text);
     action->setShortcut(shortcut);
@@ -26,8 +26,11 @@ void add(QMenu *menu, const QString &text, const QKeySequence &shortcut, Target 
 
 void AuthorWindow::fillMenus()
 {
+    // One of them may have asked for this, so they go later.
+    for (Menu *old : menuBar()->findChildren<Menu *>(QString(), Qt::FindDirectChildrenOnly))
+        old->deleteLater();
     menuBar()->clear();
-    QMenu *lab = menuBar()->addMenu(tr("&Lab"));
+    Menu *lab = addMenu(*menuBar(), tr("&Lab"));
     add(lab, tr("&New lab…"), QKeySequence::New, this, &AuthorWindow::newLab);
     add(lab, tr("&Open a folder…"), QKeySequence::Open, this, &AuthorWindow::openLab);
     add(lab, tr("Open lab in one &file…"), {}, this, &AuthorWindow::openLabFile);
@@ -37,7 +40,7 @@ void AuthorWindow::fillMenus()
         &AuthorWindow::saveAs);
     add(lab, tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
         &AuthorWindow::exportLab);
-    add(lab, tr("Export &for students…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), this,
+    add(lab, tr("Export for st&udents…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), this,
         &AuthorWindow::exportForStudents);
     add(lab, tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return), this,
         &AuthorWindow::editProperties);
@@ -47,7 +50,7 @@ void AuthorWindow::fillMenus()
     lab->addSeparator();
     add(lab, tr("&Close"), QKeySequence::Close, this, &QWidget::close);
 
-    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    Menu *edit = addMenu(*menuBar(), tr("&Edit"));
     QAction *undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
@@ -65,7 +68,7 @@ void AuthorWindow::fillMenus()
         &AuthorWindow::openValues);
     add(edit, tr("Start from the moment &shown"), {}, m_sceneTab, &SceneTab::setFromMoment);
 
-    QMenu *step = m_stepMenu = menuBar()->addMenu(tr("&Step"));
+    Menu *step = m_stepMenu = addMenu(*menuBar(), tr("&Step"));
     add(step, tr("&Add"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), m_steps,
         &StepsPanel::addStep);
     add(step, tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), m_steps,
@@ -78,7 +81,7 @@ void AuthorWindow::fillMenus()
     add(step, tr("Move d&own"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Down), m_steps,
         &StepsPanel::moveDown);
 
-    QMenu *proof = menuBar()->addMenu(tr("&Proof"));
+    Menu *proof = addMenu(*menuBar(), tr("&Proof"));
     add(proof, tr("&Verify this step"), QKeySequence(Qt::CTRL | Qt::Key_Return), this, [this] {
         showTab(Proof);
         m_proofTab->verifyStep();
@@ -93,7 +96,7 @@ void AuthorWindow::fillMenus()
         m_proofTab->suggest();
     });
 
-    QMenu *view = menuBar()->addMenu(tr("&View"));
+    Menu *view = addMenu(*menuBar(), tr("&View"));
     for (int i = 0; i < m_tabs->count(); ++i)
         add(view, m_tabs->tabText(i), QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)),
             this, [this, i] { showTab(i); });

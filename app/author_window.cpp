@@ -14,11 +14,11 @@
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
+#include "views/menu.h"
 
 #include <QApplication>
 #include <QFileInfo>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>

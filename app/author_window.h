@@ -8,7 +8,6 @@
 #include <QPointer>
 
 QT_BEGIN_NAMESPACE
-class QMenu;
 class QSplitter;
 class QStackedWidget;
 class QTabWidget;
@@ -22,6 +21,7 @@ class BrokenFile;
 class NoticeBar;
 class ChecksTab;
 class FindPanel;
+class Menu;
 class ProgramsTab;
 class ProofTab;
 class SceneTab;
@@ -111,7 +111,7 @@ private:
     QSettings &m_settings;
     AuthorDocument m_document;
     NoticeBar *m_notice = nullptr;
-    QMenu *m_stepMenu = nullptr; ///< above the list of steps, too
+    Menu *m_stepMenu = nullptr; ///< above the list of steps, too
     QSplitter *m_splitter = nullptr;
     StepsPanel *m_steps = nullptr;
     QStackedWidget *m_centre = nullptr; ///< the tabs, or a file that must be mended first

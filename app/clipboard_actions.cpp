@@ -60,7 +60,7 @@ ClipboardActions::ClipboardActions(QWidget &window, QMenu &menu)
     add(QKeySequence::Cut, cutSlot, tr("Cu&t"));
     add(QKeySequence::Copy, copySlot, tr("&Copy"));
     add(QKeySequence::Paste, pasteSlot, tr("&Paste"));
-    add(QKeySequence::SelectAll, "selectAll", tr("Select &all"));
+    add(QKeySequence::SelectAll, "selectAll", tr("Select a&ll"));
     for (const Entry &entry : m_entries)
         connect(entry.action, &QAction::triggered, this, [this, entry] { perform(entry); });
     connect(&menu, &QMenu::aboutToShow, this, &ClipboardActions::show);

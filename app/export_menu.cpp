@@ -5,9 +5,9 @@
 #include "app/main_window.h"
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
+#include "views/menu.h"
 
 #include <QCoreApplication>
-#include <QMenu>
 
 namespace cradle {
 
@@ -19,16 +19,16 @@ struct MenuText {
 
 /// A submenu that is filled when it is opened, so that it knows what can be done.
 template <typename Chart>
-void addExportOf(QMenu *exports, const QString &name, Chart *chart)
+void addExportOf(Menu *exports, const QString &name, Chart *chart)
 {
-    QMenu *formats = exports->addMenu(name);
+    Menu *formats = exports->addMenu(name);
     QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {
         formats->clear();
         chart->addExports(*formats);
     });
 }
 
-void fillExport(MainWindow &window, QMenu *exports)
+void fillExport(MainWindow &window, Menu *exports)
 {
     for (ChartPane *chart : window.findChildren<ChartPane *>())
         addExportOf(exports, chart->name(), chart);
@@ -45,12 +45,12 @@ void fillExport(MainWindow &window, QMenu *exports)
 
 } // namespace
 
-void addExport(MainWindow &window, QMenu *menu)
+void addExport(MainWindow &window, Menu *menu)
 {
-    QMenu *exports = menu->addMenu(MenuText::tr("E&xport"));
+    Menu *exports = menu->addMenu(MenuText::tr("E&xport"));
     // The charts learn of another language after the window.
     QObject::connect(exports, &QMenu::aboutToShow, &window, [w = &window, exports] {
-        qDeleteAll(exports->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
+        qDeleteAll(exports->findChildren<Menu *>(Qt::FindDirectChildrenOnly));
         exports->clear();
         fillExport(*w, exports);
     });

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QtGlobal>
-
-QT_BEGIN_NAMESPACE
-class QMenu;
-QT_END_NAMESPACE
-
 namespace cradle {
 
 class MainWindow;
+class Menu;
 
 /// Adds the submenu by which charts and the data of the run leave the window.
-void addExport(MainWindow &window, QMenu *menu);
+void addExport(MainWindow &window, Menu *menu);
 
 } // namespace cradle

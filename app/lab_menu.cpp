@@ -6,10 +6,10 @@
 #include "app/main_window.h"
 #include "tasks/reading/lab_archive.h"
 #include "tasks/reading/lab_list.h"
+#include "views/menu.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
-#include <QMenu>
 
 namespace cradle {
 
@@ -20,7 +20,7 @@ struct LabMenuText {
 };
 
 /// \param told  whether its version is, by which labs of one id are told apart
-void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const ListedLab &lab, bool told)
+void addEntry(MainWindow &window, Menu *menu, QActionGroup *group, const ListedLab &lab, bool told)
 {
     // An ampersand in a title is no mnemonic.
     QString title = told ? QStringLiteral("%1 · %2").arg(lab.title, lab.version) : lab.title;
@@ -32,7 +32,7 @@ void addEntry(MainWindow &window, QMenu *menu, QActionGroup *group, const Listed
                      [w = &window, folder = lab.folder] { w->openLab(folder); });
 }
 
-void fill(MainWindow &window, QMenu *menu)
+void fill(MainWindow &window, Menu *menu)
 {
     menu->clear();
     // The group of the entries that were there before went with them.
@@ -51,9 +51,9 @@ void fill(MainWindow &window, QMenu *menu)
 
 } // namespace
 
-void addLabs(MainWindow &window, QMenu *menu)
+void addLabs(MainWindow &window, Menu *menu)
 {
-    QMenu *labs = menu->addMenu(LabMenuText::tr("&Labs"));
+    Menu *labs = menu->addMenu(LabMenuText::tr("&Labs"));
     fill(window, labs);
     QObject::connect(labs, &QMenu::aboutToShow, labs, [w = &window, labs] { fill(*w, labs); });
 }

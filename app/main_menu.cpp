@@ -43,13 +43,6 @@ QAction *add(Menu *menu, const QString &text, const QKeySequence &shortcut, Targ
     return action;
 }
 
-Menu *addMenu(QMenuBar &bar, const QString &title)
-{
-    auto *menu = new Menu(title, &bar);
-    bar.addMenu(menu);
-    return menu;
-}
-
 void addExamples(MainWindow &window, Menu *menu)
 {
     Menu *scenes = menu->addMenu(MenuText::tr("&Example scenes"));
@@ -87,7 +80,7 @@ void addLab(MainWindow &window, QMenuBar &bar)
     addExamples(window, menu);
     add(menu, MenuText::tr("&Author a lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
         &window, &MainWindow::authorLab);
-    add(menu, MenuText::tr("Save scene &as…"), QKeySequence::SaveAs, &window,
+    add(menu, MenuText::tr("Sa&ve scene as…"), QKeySequence::SaveAs, &window,
         &MainWindow::savePresetAs);
     addExport(window, menu);
     menu->addSeparator();
@@ -245,9 +238,9 @@ void addSceneOptions(MainWindow &window, Menu *menu)
     QObject::connect(follow, &QAction::toggled, &window, &MainWindow::followCentreOfMass);
     add(menu, MenuText::tr("Zoom &in"), QKeySequence::ZoomIn, scene, &SceneView::zoomIn);
     add(menu, MenuText::tr("Zoom &out"), QKeySequence::ZoomOut, scene, &SceneView::zoomOut);
-    add(menu, MenuText::tr("Zoom to the h&it"), QKeySequence(Qt::Key_Z), scene,
+    add(menu, MenuText::tr("Zoom to the hi&t"), QKeySequence(Qt::Key_Z), scene,
         &SceneView::zoomToHit);
-    add(menu, MenuText::tr("Show the &whole square"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
+    add(menu, MenuText::tr("Show the whole s&quare"), QKeySequence(Qt::CTRL | Qt::Key_0), scene,
         &SceneView::fit);
 }
 
@@ -274,7 +267,7 @@ void addView(MainWindow &window, QMenuBar &bar)
     menu->addSeparator();
     addCharts(window, menu);
 
-    QAction *full = menu->addAction(MenuText::tr("&Full screen"));
+    QAction *full = menu->addAction(MenuText::tr("F&ull screen"));
     full->setCheckable(true);
     full->setChecked(window.isFullScreen());
     full->setShortcut(Qt::Key_F11);
@@ -290,7 +283,7 @@ void addView(MainWindow &window, QMenuBar &bar)
     QAction *alone = addShowing(MenuText::tr("Scene &alone"), Qt::CTRL | Qt::Key_F11,
                                 &MainWindow::showSceneAlone);
     QAction *presents =
-        addShowing(MenuText::tr("Presen&tation"), Qt::SHIFT | Qt::Key_F11, &MainWindow::present);
+        addShowing(MenuText::tr("P&resentation"), Qt::SHIFT | Qt::Key_F11, &MainWindow::present);
     presents->setToolTip(
         MenuText::tr("Large texts and high contrast; Page Up and Page Down go from "
                      "hit to hit, B makes it black, Esc ends it"));
@@ -313,7 +306,7 @@ void addView(MainWindow &window, QMenuBar &bar)
         [w = &window] { w->focusNextPane(1); });
     add(menu, MenuText::tr("Pre&vious pane"), QKeySequence(Qt::SHIFT | Qt::Key_F6), &window,
         [w = &window] { w->focusNextPane(-1); });
-    add(menu, MenuText::tr("Into the &program"), QKeySequence(Qt::CTRL | Qt::Key_L), &window,
+    add(menu, MenuText::tr("Into the progra&m"), QKeySequence(Qt::CTRL | Qt::Key_L), &window,
         &MainWindow::focusCode);
     menu->addSeparator();
     Menu *panes = menu->addMenu(MenuText::tr("&Panes"));

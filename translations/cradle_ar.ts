@@ -5349,7 +5349,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>تأليف مختبر (&amp;A)…</translation>
     </message>
     <message>
-        <source>Save scene &amp;as…</source>
+        <source>Sa&amp;ve scene as…</source>
         <translation>حفظ المشهد باسم (&amp;V)…</translation>
     </message>
     <message>
@@ -5481,11 +5481,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>تصغير (&amp;O)</translation>
     </message>
     <message>
-        <source>Zoom to the h&amp;it</source>
+        <source>Zoom to the hi&amp;t</source>
         <translation>تكبير التصادم (&amp;M)</translation>
     </message>
     <message>
-        <source>Show the &amp;whole square</source>
+        <source>Show the whole s&amp;quare</source>
         <translation>عرض المربع كله (&amp;W)</translation>
     </message>
     <message>
@@ -5501,7 +5501,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>عرض (&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Full screen</source>
+        <source>F&amp;ull screen</source>
         <translation>ملء الشاشة (&amp;F)</translation>
     </message>
     <message>
@@ -5509,7 +5509,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>المشهد وحده (&amp;A)</translation>
     </message>
     <message>
-        <source>Presen&amp;tation</source>
+        <source>P&amp;resentation</source>
         <translation>عرض تقديمي (&amp;T)</translation>
     </message>
     <message>
@@ -5537,7 +5537,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>اللوحة السابقة (&amp;V)</translation>
     </message>
     <message>
-        <source>Into the &amp;program</source>
+        <source>Into the progra&amp;m</source>
         <translation>إلى داخل البرنامج (&amp;R)</translation>
     </message>
     <message>
@@ -7879,7 +7879,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
     </message>
     <message>
-        <source>Export &amp;for students…</source>
+        <source>Export for st&amp;udents…</source>
         <translation>التصدير للطلاب (&amp;D)…</translation>
     </message>
     <message>
@@ -8403,7 +8403,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>لصق (&amp;P)</translation>
     </message>
     <message>
-        <source>Select &amp;all</source>
+        <source>Select a&amp;ll</source>
         <translation>تحديد الكل (&amp;A)</translation>
     </message>
 </context>
@@ -11324,8 +11324,8 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
 <context>
     <name>cradle::SceneActions</name>
     <message>
-        <source>C&amp;ut circles</source>
-        <translation>قص الدوائر (&amp;U)</translation>
+        <source>Cu&amp;t circles</source>
+        <translation>قص الدوائر (&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Copy circles</source>

@@ -48,7 +48,7 @@
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation>Bild &amp;kopieren</translation>
+        <translation>&amp;Bild kopieren</translation>
     </message>
     <message>
         <source>Picture as PN&amp;G…</source>
@@ -60,7 +60,7 @@
     </message>
     <message>
         <source>&amp;Numbers as CSV…</source>
-        <translation>&amp;Zahlen als CSV …</translation>
+        <translation>Zahlen als &amp;CSV …</translation>
     </message>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -5262,19 +5262,19 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Open lab…</source>
-        <translation>&amp;Lab öffnen…</translation>
+        <translation>Lab ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open &amp;scene…</source>
         <translation>&amp;Szene öffnen…</translation>
     </message>
     <message>
-        <source>Save scene &amp;as…</source>
+        <source>Sa&amp;ve scene as…</source>
         <translation>Szene speichern &amp;unter…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -5333,8 +5333,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
-        <source>Show the &amp;whole square</source>
-        <translation>&amp;Ganzes Quadrat zeigen</translation>
+        <source>Show the whole s&amp;quare</source>
+        <translation>Ganzes &amp;Quadrat zeigen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -5370,7 +5370,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation>S&amp;prache</translation>
+        <translation>Spra&amp;che</translation>
     </message>
     <message>
         <source>Scene drawn &amp;by</source>
@@ -5422,7 +5422,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Example scenes</source>
-        <translation>&amp;Beispielszenen</translation>
+        <translation>Be&amp;ispielszenen</translation>
     </message>
     <message>
         <source>E&amp;xport</source>
@@ -5454,7 +5454,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Start a &amp;new run from here</source>
-        <translation>Neuer Lauf ab &amp;hier</translation>
+        <translation>&amp;Neuer Lauf ab hier</translation>
     </message>
     <message>
         <source>The moment shown becomes the start of the scene; the run so far stays in the charts</source>
@@ -5474,11 +5474,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Centre of mass and its way</source>
-        <translation>&amp;Schwerpunkt und seinen Weg</translation>
+        <translation>S&amp;chwerpunkt und seinen Weg</translation>
     </message>
     <message>
         <source>&amp;Follow the centre of mass</source>
-        <translation>Dem Schwerpunkt &amp;folgen</translation>
+        <translation>Dem Sch&amp;werpunkt folgen</translation>
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
@@ -5517,8 +5517,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Einen &amp;Kurs bewerten…</translation>
     </message>
     <message>
-        <source>&amp;Full screen</source>
-        <translation>&amp;Vollbild</translation>
+        <source>F&amp;ull screen</source>
+        <translation>Vo&amp;llbild</translation>
     </message>
     <message>
         <source>Ne&amp;xt pane</source>
@@ -5529,7 +5529,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>V&amp;origer Bereich</translation>
     </message>
     <message>
-        <source>Into the &amp;program</source>
+        <source>Into the progra&amp;m</source>
         <translation>Ins &amp;Programm</translation>
     </message>
     <message>
@@ -5537,8 +5537,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Szene &amp;allein</translation>
     </message>
     <message>
-        <source>Presen&amp;tation</source>
-        <translation>&amp;Vorführung</translation>
+        <source>P&amp;resentation</source>
+        <translation>Vorfü&amp;hrung</translation>
     </message>
     <message>
         <source>Large texts and high contrast; Page Up and Page Down go from hit to hit, B makes it black, Esc ends it</source>
@@ -5546,11 +5546,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Scene in a &amp;window of its own</source>
-        <translation>Szene in einem eigenen &amp;Fenster</translation>
+        <translation>Szene &amp;in einem eigenen Fenster</translation>
     </message>
     <message>
         <source>&amp;High contrast</source>
-        <translation>&amp;Hoher Kontrast</translation>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <source>Si&amp;ze of texts</source>
@@ -5566,7 +5566,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Tour of the window</source>
-        <translation>&amp;Rundgang durch das Fenster</translation>
+        <translation>Rund&amp;gang durch das Fenster</translation>
     </message>
     <message>
         <source>Slow &amp;motion around hits</source>
@@ -5581,12 +5581,12 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>&amp;Lupe bei einem Stoß</translation>
     </message>
     <message>
-        <source>Zoom to the h&amp;it</source>
+        <source>Zoom to the hi&amp;t</source>
         <translation>Zum S&amp;toß zoomen</translation>
     </message>
     <message>
         <source>Hits to scree&amp;n readers</source>
-        <translation>Stöße an Scree&amp;nreader</translation>
+        <translation>Stöße an Sc&amp;reenreader</translation>
     </message>
     <message>
         <source>They tell every hit that is shown; of a run that goes on, one in a while</source>
@@ -5594,7 +5594,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>S&amp;ounds of hits</source>
-        <translation>Stöße &amp;hören</translation>
+        <translation>Stöße hö&amp;ren</translation>
     </message>
     <message>
         <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
@@ -7625,7 +7625,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Export as one file…</source>
-        <translation>Als eine Datei &amp;exportieren…</translation>
+        <translation>Als eine Datei e&amp;xportieren…</translation>
     </message>
     <message>
         <source>Open as a s&amp;tudent</source>
@@ -7813,7 +7813,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Values of lab and step</source>
-        <translation>&amp;Werte von Lab und Schritt</translation>
+        <translation>Werte von &amp;Lab und Schritt</translation>
     </message>
     <message>
         <source>Export the lab for students</source>
@@ -7831,7 +7831,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
     </message>
     <message>
-        <source>Export &amp;for students…</source>
+        <source>Export for st&amp;udents…</source>
         <translation>&amp;Für Studierende exportieren…</translation>
     </message>
     <message>
@@ -8355,7 +8355,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Select &amp;all</source>
+        <source>Select a&amp;ll</source>
         <translation>A&amp;lles auswählen</translation>
     </message>
 </context>
@@ -8762,7 +8762,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Stacked areas</source>
-        <translation>Ge&amp;stapelte Flächen</translation>
+        <translation>Gestapelte &amp;Flächen</translation>
     </message>
     <message>
         <source>Kinetic, potential and dissipated energy on top of each other</source>
@@ -11244,7 +11244,7 @@ Ihre Nummer:</translation>
 <context>
     <name>cradle::SceneActions</name>
     <message>
-        <source>C&amp;ut circles</source>
+        <source>Cu&amp;t circles</source>
         <translation>Kreise &amp;ausschneiden</translation>
     </message>
     <message>

@@ -5313,7 +5313,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Écrire un &amp;TP…</translation>
     </message>
     <message>
-        <source>Save scene &amp;as…</source>
+        <source>Sa&amp;ve scene as…</source>
         <translation>Enregistrer la scène so&amp;us…</translation>
     </message>
     <message>
@@ -5445,11 +5445,11 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Zoom a&amp;rrière</translation>
     </message>
     <message>
-        <source>Zoom to the h&amp;it</source>
+        <source>Zoom to the hi&amp;t</source>
         <translation>Zoom sur le ch&amp;oc</translation>
     </message>
     <message>
-        <source>Show the &amp;whole square</source>
+        <source>Show the whole s&amp;quare</source>
         <translation>Tout le carr&amp;é</translation>
     </message>
     <message>
@@ -5465,7 +5465,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>&amp;Affichage</translation>
     </message>
     <message>
-        <source>&amp;Full screen</source>
+        <source>F&amp;ull screen</source>
         <translation>&amp;Plein écran</translation>
     </message>
     <message>
@@ -5473,7 +5473,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Scène seu&amp;le</translation>
     </message>
     <message>
-        <source>Presen&amp;tation</source>
+        <source>P&amp;resentation</source>
         <translation>Présen&amp;tation</translation>
     </message>
     <message>
@@ -5501,7 +5501,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Volet précé&amp;dent</translation>
     </message>
     <message>
-        <source>Into the &amp;program</source>
+        <source>Into the progra&amp;m</source>
         <translation>&amp;Basculer dans le programme</translation>
     </message>
     <message>
@@ -7816,7 +7816,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>&amp;Valeurs du TP et de l&apos;étape</translation>
     </message>
     <message>
-        <source>Export &amp;for students…</source>
+        <source>Export for st&amp;udents…</source>
         <translation>Exporter pour &amp;les étudiants…</translation>
     </message>
     <message>
@@ -8355,7 +8355,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>Select &amp;all</source>
+        <source>Select a&amp;ll</source>
         <translation>&amp;Tout sélectionner</translation>
     </message>
 </context>
@@ -11244,7 +11244,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
 <context>
     <name>cradle::SceneActions</name>
     <message>
-        <source>C&amp;ut circles</source>
+        <source>Cu&amp;t circles</source>
         <translation>Cou&amp;per les cercles</translation>
     </message>
     <message>

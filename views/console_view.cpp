@@ -6,6 +6,7 @@
 #include "views/console_delegate.h"
 #include "views/console_model.h"
 #include "views/error_line.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QAction>
@@ -36,7 +37,7 @@ QListView *makeList(QAbstractItemModel *model, QAbstractItemDelegate *delegate)
     list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     list->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
     list->setTabKeyNavigation(false);
-    list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    offerActions(*list);
     return list;
 }
 

@@ -4,6 +4,10 @@
 
 #include <QMenu>
 
+QT_BEGIN_NAMESPACE
+class QMenuBar;
+QT_END_NAMESPACE
+
 namespace cradle {
 
 /// A menu whose keys stand as they are, also where one reads from the right: Qt's have "++Ctrl".
@@ -11,6 +15,7 @@ class Menu final : public QMenu
 {
     Q_OBJECT
 public:
+    using QMenu::addMenu;
     using QMenu::QMenu;
 
     /// A submenu of the same kind.
@@ -19,5 +24,11 @@ public:
 protected:
     void initStyleOption(QStyleOptionMenuItem *option, const QAction *action) const override;
 };
+
+/// Adds one to \p bar, which owns it.
+Menu *addMenu(QMenuBar &bar, const QString &title);
+
+/// Offers the actions of \p widget in a menu, where it is asked for one.
+void offerActions(QWidget &widget);
 
 } // namespace cradle

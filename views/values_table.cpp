@@ -7,6 +7,7 @@
 #include "views/charts/number_table.h"
 #include "views/charts/table_text.h"
 #include "views/charts/values_model.h"
+#include "views/menu.h"
 #include "views/theme.h"
 #include "views/values_tab.h"
 
@@ -60,7 +61,7 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     for (QTableView *table : {m_values->table(), m_hits}) {
         table->addActions({m_copyAction, m_copyAllAction});
-        table->setContextMenuPolicy(Qt::ActionsContextMenu);
+        offerActions(*table);
     }
     connect(m_copyAction, &QAction::triggered, this, &ValuesPane::copySelection);
     connect(m_copyAllAction, &QAction::triggered, this, &ValuesPane::copyAll);

@@ -8,7 +8,7 @@
 namespace cradle {
 
 OtherMistakesMenu::OtherMistakesMenu(const AuthorDocument &document, QWidget *parent)
-    : QMenu(parent)
+    : Menu(parent)
     , m_document(document)
 {
     setObjectName(QStringLiteral("otherMistakes"));
@@ -28,9 +28,9 @@ void OtherMistakesMenu::fill()
         return text.replace(QLatin1Char('&'), QLatin1String("&&"));
     };
     const QStringList steps = stepsOf(files);
-    QMap<QString, QMenu *> menus;
+    QMap<QString, Menu *> menus;
     for (const OtherMistake &mistake : mistakesOfOtherSteps(files, m_document.step())) {
-        QMenu *&menu = menus[mistake.step];
+        Menu *&menu = menus[mistake.step];
         if (!menu) {
             const auto form = taskForm(files, mistake.step, m_document.language());
             menu = addMenu(QStringLiteral("%1 · %2")

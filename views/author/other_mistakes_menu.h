@@ -4,7 +4,7 @@
 
 #include "tasks/authoring/other_mistakes.h"
 
-#include <QMenu>
+#include "views/menu.h"
 
 namespace cradle {
 
@@ -12,7 +12,7 @@ class AuthorDocument;
 
 /// The mistakes that other steps know and that students may make in the open step, too: a menu for
 /// each step.
-class OtherMistakesMenu final : public QMenu
+class OtherMistakesMenu final : public Menu
 {
     Q_OBJECT
 public:

@@ -11,12 +11,12 @@
 #include "views/author/tool_buttons.h"
 #include "views/code/code_editor.h"
 #include "views/icons.h"
+#include "views/menu.h"
 
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
 #include <QListWidget>
-#include <QMenu>
 #include <QToolButton>
 
 #include <utility>
@@ -48,7 +48,7 @@ void ProgramsTab::makeLayout()
     m_list->setIconSize({14, 14});
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
     m_add = makeIconButton(QStringLiteral("add"), this);
-    m_addMenu = new QMenu(m_add);
+    m_addMenu = new Menu(m_add);
     m_otherMenu = new OtherMistakesMenu(m_document, m_addMenu);
     m_add->setMenu(m_addMenu);
     m_add->setPopupMode(QToolButton::InstantPopup);

@@ -11,13 +11,13 @@ QT_BEGIN_NAMESPACE
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
-class QMenu;
 class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
 
 class CodeEditor;
+class Menu;
 class OtherMistakesMenu;
 class ProgramPage;
 
@@ -62,7 +62,7 @@ private:
     QLabel *m_heading = nullptr;
     QListWidget *m_list = nullptr;
     QToolButton *m_add = nullptr;
-    QMenu *m_addMenu = nullptr;
+    Menu *m_addMenu = nullptr;
     OtherMistakesMenu *m_otherMenu = nullptr;
     QToolButton *m_rename = nullptr;
     QToolButton *m_remove = nullptr;

@@ -7,6 +7,7 @@
 #include "views/author/scene_text.h"
 #include "views/error_line.h"
 #include "views/inspector/inspector.h"
+#include "views/menu.h"
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
 #include "views/timeline.h"
@@ -16,7 +17,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 
@@ -81,8 +81,8 @@ void SceneTab::makeLayout()
     m_remove = new QPushButton(this);
     m_which = new QComboBox(this);
     m_mover = new QComboBox(this);
-    m_templates = new QMenu(m_templateButton);
-    m_locks = new QMenu(m_lockButton);
+    m_templates = new Menu(m_templateButton);
+    m_locks = new Menu(m_lockButton);
     m_templateButton->setMenu(m_templates);
     m_lockButton->setMenu(m_locks);
     auto *top = new QHBoxLayout;

@@ -15,7 +15,6 @@
 QT_BEGIN_NAMESPACE
 class QComboBox;
 class QLabel;
-class QMenu;
 class QPushButton;
 class QSplitter;
 QT_END_NAMESPACE
@@ -24,6 +23,7 @@ namespace cradle {
 
 class ErrorLine;
 class Inspector;
+class Menu;
 class SceneText;
 class SceneView;
 class StudentScript;
@@ -43,8 +43,8 @@ public:
     [[nodiscard]] SceneView &scene() { return *m_scene; }
     [[nodiscard]] Simulation &simulation() { return m_simulation; }
     [[nodiscard]] PresetDocument &preset() { return m_preset; }
-    [[nodiscard]] QMenu &templates() { return *m_templates; }
-    [[nodiscard]] QMenu &locks() { return *m_locks; }
+    [[nodiscard]] Menu &templates() { return *m_templates; }
+    [[nodiscard]] Menu &locks() { return *m_locks; }
 
     void openStart();    ///< shows what the student finds
     void openSolution(); ///< shows what passes without a program
@@ -105,8 +105,8 @@ private:
     QWidget *m_missing = nullptr; ///< shown while there is no such scene
     QLabel *m_missingText = nullptr;
     QPushButton *m_make = nullptr;
-    QMenu *m_templates = nullptr;
-    QMenu *m_locks = nullptr;
+    Menu *m_templates = nullptr;
+    Menu *m_locks = nullptr;
     QSplitter *m_splitter = nullptr;
     SceneView *m_scene = nullptr;
     Inspector *m_inspector = nullptr;

@@ -5,8 +5,8 @@
 #include "tasks/script/locks.h"
 #include "views/author/arrangement_dialog.h"
 #include "views/author/scene_templates.h"
+#include "views/menu.h"
 
-#include <QMenu>
 #include <QPushButton>
 
 namespace cradle {

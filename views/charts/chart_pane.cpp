@@ -6,12 +6,12 @@
 #include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
 #include "views/circle_name.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
 #include <QEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *p
     m_allButton->setChecked(true);
     m_moreButton = new QuietButton;
     m_moreButton->setText(QStringLiteral("⋯"));
-    auto *menu = new QMenu(m_moreButton);
+    auto *menu = new Menu(m_moreButton);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         fillMenu(*menu);

@@ -5,9 +5,9 @@
 
 #include "views/charts/chart_export.h"
 #include "views/charts/frame_throttle.h"
+#include "views/menu.h"
 
 #include <QContextMenuEvent>
-#include <QMenu>
 
 #include <utility>
 
@@ -104,7 +104,7 @@ void ChartPane::resetZoom()
 
 void ChartPane::contextMenuEvent(QContextMenuEvent *event)
 {
-    QMenu menu(this);
+    Menu menu(this);
     fillMenu(menu);
     menu.exec(event->globalPos());
 }

@@ -3,10 +3,10 @@
 #include "views/charts/energy_chart.h"
 
 #include "views/charts/quiet_button.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QAction>
-#include <QMenu>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ EnergyChart::EnergyChart(const Simulation &simulation, RunCurves &curves, QWidge
     : ChartPane(simulation, curves, parent)
     , m_button(new QuietButton(this))
 {
-    auto *menu = new QMenu(m_button);
+    auto *menu = new Menu(m_button);
     for (int choice = 0; choice < ChoiceCount; ++choice) {
         auto *action = new QAction(this);
         action->setCheckable(true);

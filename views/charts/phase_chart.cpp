@@ -6,12 +6,12 @@
 #include "views/charts/phase_plot.h"
 #include "views/charts/pinned_runs.h"
 #include "views/charts/quiet_button.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -63,17 +63,17 @@ PhaseChart::PhaseChart(const Simulation &simulation, QWidget *parent)
     setBackgroundRole(QPalette::Base);
 
     const auto addMenu = [this](QuietButton *button, bool arrow, auto fill) {
-        auto *menu = new QMenu(button);
+        auto *menu = new Menu(button);
         connect(menu, &QMenu::aboutToShow, this, [menu, fill] {
-            qDeleteAll(menu->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
+            qDeleteAll(menu->findChildren<Menu *>(Qt::FindDirectChildrenOnly));
             menu->clear();
             fill(*menu);
         });
         button->setMenu(menu, arrow);
     };
-    addMenu(m_upButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_up); });
-    addMenu(m_acrossButton, true, [this](QMenu &menu) { fillAxisMenu(menu, m_across); });
-    addMenu(m_moreButton, false, [this](QMenu &menu) { fillMenu(menu); });
+    addMenu(m_upButton, true, [this](Menu &menu) { fillAxisMenu(menu, m_up); });
+    addMenu(m_acrossButton, true, [this](Menu &menu) { fillAxisMenu(menu, m_across); });
+    addMenu(m_moreButton, false, [this](Menu &menu) { fillMenu(menu); });
     m_moreButton->setText(QStringLiteral("⋯"));
     connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
     wirePlot();

@@ -22,6 +22,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class FrameThrottle;
+class Menu;
 class PhasePlot;
 struct PhasePicture;
 class PinnedRuns;
@@ -93,7 +94,7 @@ private:
     [[nodiscard]] double pinnedEnd() const; ///< s
     [[nodiscard]] TimeWindow::Span whole() const;
     [[nodiscard]] TimeWindow::Span timesShown() const; ///< where the horizontal axis is the time
-    void fillAxisMenu(QMenu &menu, PhaseVariable &axis);
+    void fillAxisMenu(Menu &menu, PhaseVariable &axis);
     void addPinned(PhasePicture &picture, double from, double to) const;
     [[nodiscard]] std::optional<QPointF> pointAt(qint64 index) const;
     [[nodiscard]] QColor colour() const;

@@ -7,10 +7,10 @@
 #include "views/charts/frame_throttle.h"
 #include "views/charts/number_text.h"
 #include "views/charts/phase_plot.h"
+#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QContextMenuEvent>
-#include <QMenu>
 #include <QPainter>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr qint64 playedValues = 400; ///< of a curve that is heard
 
 } // namespace
 
-void PhaseChart::fillAxisMenu(QMenu &menu, PhaseVariable &axis)
+void PhaseChart::fillAxisMenu(Menu &menu, PhaseVariable &axis)
 {
     const auto addChoice = [this, &axis](QMenu &to, const PhaseVariable &variable) {
         QAction *action =
@@ -43,7 +43,7 @@ void PhaseChart::fillAxisMenu(QMenu &menu, PhaseVariable &axis)
     };
     addChoice(menu, {Quantity::Time, PhaseVariable::together});
     const auto addGroup = [&](const QString &title, int circle) {
-        QMenu *group = menu.addMenu(title);
+        Menu *group = menu.addMenu(title);
         for (const Quantity quantity : quantitiesOfCircles)
             addChoice(*group, {quantity, circle});
     };
@@ -248,7 +248,7 @@ void PhaseChart::fillMenu(QMenu &menu)
 
 void PhaseChart::contextMenuEvent(QContextMenuEvent *event)
 {
-    QMenu menu(this);
+    Menu menu(this);
     fillMenu(menu);
     menu.exec(event->globalPos());
 }

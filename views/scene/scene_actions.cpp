@@ -47,7 +47,7 @@ void SceneActions::followSelection()
 
 void SceneActions::retranslate()
 {
-    m_cut->setText(tr("C&ut circles"));
+    m_cut->setText(tr("Cu&t circles"));
     m_copy->setText(tr("&Copy circles"));
     m_paste->setText(tr("&Paste circles"));
     m_duplicate->setText(tr("&Duplicate circles"));

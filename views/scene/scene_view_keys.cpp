@@ -3,11 +3,11 @@
 // Keyboard and menu of SceneView.
 #include "views/scene/scene_view.h"
 
+#include "views/menu.h"
 #include "views/scene/scene_actions.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QMenu>
 
 namespace cradle {
 
@@ -97,7 +97,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent *event)
         m_editor.select(index);
     }
     const Vec2 at = m_camera.toMetres(place);
-    QMenu menu(this);
+    Menu menu(this);
     menu.addAction(tr("Add circle here"), this, [this, at] { addCircle(at); });
     QAction *branch =
         menu.addAction(tr("Start a new run from here"), this, &SceneView::newRunRequested);
