@@ -4,6 +4,7 @@
 
 #include "views/code/code_assistant.h"
 #include "views/code/lua_area.h"
+#include "views/code/run_marks.h"
 #include "views/menu.h"
 
 #include <QEvent>
@@ -62,7 +63,7 @@ void CodeEditor::tellEdit()
 
 QString CodeEditor::text() const
 {
-    return m_area->text();
+    return withoutRunMarks(m_area->text());
 }
 
 void CodeEditor::setText(const QString &text)
@@ -71,7 +72,7 @@ void CodeEditor::setText(const QString &text)
     m_assistant->hide();
     QString lines = text;
     lines.replace(QLatin1String("\r\n"), QLatin1String("\n"));
-    m_area->setText(lines);
+    m_area->setText(withRunMarks(lines));
     m_area->SendScintilla(QsciScintillaBase::SCI_EMPTYUNDOBUFFER);
     m_area->setCursorPosition(0, 0);
     m_area->setFirstVisibleLine(0);
@@ -117,7 +118,8 @@ void CodeEditor::exchangeText(const QString &text)
         m_assistant->hide();
         const bool readOnly = m_area->isReadOnly();
         m_area->setReadOnly(false);
-        m_area->replaceBytes(0, m_area->send(QsciScintillaBase::SCI_GETLENGTH), lines.toUtf8());
+        m_area->replaceBytes(0, m_area->send(QsciScintillaBase::SCI_GETLENGTH),
+                             withRunMarks(lines).toUtf8());
         m_area->setReadOnly(readOnly);
         m_loading = false;
     }

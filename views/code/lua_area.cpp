@@ -60,6 +60,7 @@ LuaArea::LuaArea(QWidget *parent)
     applyLook();
     connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &LuaArea::reindent);
     connect(this, &QsciScintillaBase::SCN_ZOOM, this, &LuaArea::fitMargins);
+    connect(this, &QsciScintillaBase::SCN_MODIFIED, this, &LuaArea::noteWriting);
     connect(this, &QsciScintilla::linesChanged, this, &LuaArea::fitMargins);
 }
 

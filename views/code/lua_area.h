@@ -73,10 +73,13 @@ private:
     bool handleOwnKey(const QKeyEvent &event);
     void breakLine();
     void reindent(int character);
+    void noteWriting(int position, int kind, const char *text, int length);
+    void markRuns();
     void toggleComment();
 
     LuaLexer *m_lexer;
-    bool m_leaving = false; ///< after Escape: Tab leaves
+    bool m_leaving = false;    ///< after Escape: Tab leaves
+    bool m_marksLater = false; ///< words from the right have been typed
 };
 
 } // namespace cradle

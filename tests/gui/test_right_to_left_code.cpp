@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/drawn_texts.h"
+#include "views/code/code_editor.h"
+#include "views/code/run_marks.h"
+
+#include <Qsci/qsciscintilla.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QTest>
+
+using namespace cradle;
+
+/// Words in a program that go from the right: QScintilla drew none of a comment of nothing else.
+class TestRightToLeftCode final : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void wordsHaveTheirWidth_data();
+    void wordsHaveTheirWidth();
+    void typedWordsHaveTheirWidth();
+    void pastedWordsHaveTheirWidth();
+    void undoTakesWordsBack();
+
+private:
+    [[nodiscard]] QsciScintilla &area() { return *m_editor->findChild<QsciScintilla *>(); }
+    /// Where the last letter of the first line ends, px.
+    [[nodiscard]] long endOfLine()
+    {
+        QTest::qWait(20); // marks follow a key
+        const long at = area().SendScintilla(QsciScintilla::SCI_GETLINEENDPOSITION, 0UL);
+        return area().SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, at);
+    }
+    [[nodiscard]] long beginOfLine()
+    {
+        return area().SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, 0L);
+    }
+
+    std::unique_ptr<CodeEditor> m_editor;
+};
+
+void TestRightToLeftCode::init()
+{
+    QGuiApplication::setLayoutDirection(Qt::RightToLeft);
+    m_editor = std::make_unique<CodeEditor>();
+    m_editor->resize(700, 120);
+    m_editor->show();
+    m_editor->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_editor.get()));
+    area().setFocus();
+}
+
+void TestRightToLeftCode::cleanup()
+{
+    m_editor.reset();
+    QGuiApplication::setLayoutDirection(Qt::LeftToRight);
+}
+
+void TestRightToLeftCode::wordsHaveTheirWidth_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::newRow("Latin") << QStringLiteral("-- runs once");
+    QTest::newRow("comment") << QStringLiteral("-- تُنفَّذ مرة واحدة");
+    QTest::newRow("sentence") << QStringLiteral("-- أعطِ circle1 سرعتها هنا.");
+    QTest::newRow("string") << QStringLiteral("print(\"مرة واحدة\", 1) -- مرة");
+    QTest::newRow("Hebrew") << QStringLiteral("  -- שלום עולם");
+}
+
+void TestRightToLeftCode::wordsHaveTheirWidth()
+{
+    QFETCH(QString, line);
+    m_editor->setText(line + QLatin1String("\nend\n"));
+    QCOMPARE(m_editor->text(), line + QLatin1String("\nend\n"));
+    QVERIFY(!m_editor->canUndo());
+    QVERIFY2(endOfLine() - beginOfLine() > 40, qPrintable(QString::number(endOfLine())));
+    // Every part of the line stands beside the others.
+    QString drawn;
+    for (const DrawnText &text : drawnTexts(*m_editor))
+        drawn += text.text;
+    for (QString word : line.split(QLatin1Char(' '), Qt::SkipEmptyParts))
+        QVERIFY2(withoutRunMarks(drawn).contains(word.remove(QLatin1Char('.'))), qPrintable(word));
+}
+
+void TestRightToLeftCode::typedWordsHaveTheirWidth()
+{
+    QTest::keyClicks(&area(), QStringLiteral("-- "));
+    for (const QChar letter : QStringLiteral("مرة واحدة"))
+        QTest::sendKeyEvent(QTest::Click, &area(), Qt::Key_unknown, letter, Qt::NoModifier);
+    QVERIFY(endOfLine() - beginOfLine() > 60);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- مرة واحدة"));
+    QTest::keyClicks(&area(), QStringLiteral(" x"));
+    QCOMPARE(m_editor->text(), QStringLiteral("-- مرة واحدة x"));
+}
+
+void TestRightToLeftCode::pastedWordsHaveTheirWidth()
+{
+    QGuiApplication::clipboard()->setText(QStringLiteral("-- مرة واحدة\n-- مرة"));
+    area().paste();
+    QVERIFY(endOfLine() - beginOfLine() > 60);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- مرة واحدة\n-- مرة"));
+}
+
+void TestRightToLeftCode::undoTakesWordsBack()
+{
+    m_editor->setText(QStringLiteral("x = 1"));
+    QGuiApplication::clipboard()->setText(QStringLiteral("-- مرة\n"));
+    area().paste();
+    QTest::qWait(20);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- مرة\nx = 1"));
+    for (int i = 0; i < 3 && m_editor->canUndo(); ++i) {
+        m_editor->undo();
+        QTest::qWait(20);
+    }
+    QCOMPARE(m_editor->text(), QStringLiteral("x = 1"));
+    QVERIFY(!m_editor->canUndo());
+}
+
+QTEST_MAIN(TestRightToLeftCode)
+
+#include "test_right_to_left_code.moc"
