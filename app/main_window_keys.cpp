@@ -5,6 +5,7 @@
 #include "app/main_window.h"
 
 #include "app/focus_order.h"
+#include "app/keys_dialog.h"
 #include "app/notice_bar.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
@@ -21,7 +22,6 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QTabBar>
 
 #include <algorithm>
@@ -30,8 +30,6 @@
 namespace cradle {
 
 namespace {
-
-using KeyRow = std::pair<QString, QString>;
 
 void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
 {
@@ -42,33 +40,6 @@ void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
             rows.emplace_back(withoutMnemonic(action->text()),
                               isolated(action->shortcut().toString(QKeySequence::NativeText)));
     }
-}
-
-/// Tables of Qt are not mirrored: where one reads from the right, so are the cells put in.
-QString rowOf(QStringList cells)
-{
-    if (QGuiApplication::isRightToLeft())
-        std::reverse(cells.begin(), cells.end());
-    return QStringLiteral("<tr>%1</tr>").arg(cells.join(QString()));
-}
-
-/// Keys stand beside what they do; what the mouse does takes more words, and stands below it.
-QString tableOf(const QString &title, const std::vector<KeyRow> &rows)
-{
-    constexpr qsizetype widest = 24; // letters
-    const QString cell = QStringLiteral("<td style='white-space: nowrap'>%1</td>");
-    const QString wide = QStringLiteral("<td colspan='2' style='white-space: nowrap'>%1</td>");
-    const QString space = QStringLiteral("&nbsp;&nbsp;");
-    QString text;
-    for (const auto &[what, how] : rows) {
-        const QString name = what.toHtmlEscaped();
-        const QString keys = QStringLiteral("<b>%1</b>").arg(how.toHtmlEscaped());
-        text += how.size() > widest ? rowOf({wide.arg(name)}) + rowOf({wide.arg(space + keys)})
-                                    : rowOf({cell.arg(name + space), cell.arg(keys)});
-    }
-    const QString direction = QGuiApplication::isRightToLeft() ? QStringLiteral("rtl") : QString();
-    return QStringLiteral("<p><b>%1</b></p><table dir='%3'>%2</table>")
-        .arg(title.toHtmlEscaped(), text, direction);
 }
 
 } // namespace
@@ -181,17 +152,13 @@ void MainWindow::showShortcuts()
         {tr("Hear that curve from left to right"), tr("Return")},
         {tr("Along the dots of the steps, and open"), tr("Left, Right, Return")}};
     const auto half = static_cast<std::ptrdiff_t>((menus.size() + 1) / 2);
-    const QString cell = QStringLiteral("<td>%1</td><td>&nbsp;&nbsp;</td>");
-    QMessageBox box(
-        QMessageBox::NoIcon, tr("Keyboard shortcuts"),
-        QStringLiteral("<table>%1</table>")
-            .arg(rowOf({cell.arg(tableOf(tr("Anywhere"), {menus.begin(), menus.begin() + half})),
-                        cell.arg(tableOf(QString(QChar::Nbsp), {menus.begin() + half, menus.end()})
-                                 + tableOf(tr("On the timeline and the steps"), time)),
-                        cell.arg(tableOf(tr("In the program"), program)
-                                 + tableOf(tr("In the scene"), scene))})),
-        QMessageBox::Close, this);
-    box.exec();
+    const QString still(QChar::Nbsp);
+    KeysDialog({{{tr("Anywhere"), {menus.begin(), menus.begin() + half}}},
+                {{still, {menus.begin() + half, menus.end()}},
+                 {tr("On the timeline and the steps"), time}},
+                {{tr("In the program"), program}, {tr("In the scene"), scene}}},
+               this)
+        .exec();
 }
 
 } // namespace cradle

@@ -9474,6 +9474,13 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>cradle::KeysDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>اختصارات لوحة المفاتيح</translation>
+    </message>
+</context>
+<context>
     <name>cradle::LabDialog</name>
     <message>
         <source>A copy of the lab</source>
@@ -9977,10 +9984,6 @@ Your number:</source>
     <message>
         <source>Left, Right, Return</source>
         <translation>السهمان الأيسر والأيمن، وEnter</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>اختصارات لوحة المفاتيح</translation>
     </message>
     <message>
         <source>Anywhere</source>

@@ -9402,6 +9402,13 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::KeysDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+</context>
+<context>
     <name>cradle::LabDialog</name>
     <message>
         <source>A copy of the lab</source>
@@ -9905,10 +9912,6 @@ Votre numéro&#xa0;:</translation>
     <message>
         <source>Left, Right, Return</source>
         <translation>Gauche, Droite, Entrée</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Raccourcis clavier</translation>
     </message>
     <message>
         <source>Anywhere</source>
