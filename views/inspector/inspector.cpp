@@ -179,8 +179,11 @@ void Inspector::resizeEvent(QResizeEvent *event)
 void Inspector::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        // Its groups learn of the language, and of their widths, after it.
+        QMetaObject::invokeMethod(this, &Inspector::arrange, Qt::QueuedConnection);
+    }
 }
 
 } // namespace cradle

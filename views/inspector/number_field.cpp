@@ -46,6 +46,8 @@ QString NumberField::textOf(double value) const
 
 void NumberField::setValue(double value)
 {
+    if (m_value != value)
+        updateGeometry();
     m_value = value;
     setRefused(false);
     if (text() != textOf(value))
@@ -175,6 +177,15 @@ QSize NumberField::sizeHint() const
 {
     const int digits = fontMetrics().horizontalAdvance(QStringLiteral("-0.000"));
     return {digits + textMargins().right() + 2 * unitGap + 8, QLineEdit::sizeHint().height()};
+}
+
+/// Its own number is whole, however large the letters are.
+QSize NumberField::minimumSizeHint() const
+{
+    const QSize least = QLineEdit::minimumSizeHint();
+    const int whole =
+        fontMetrics().horizontalAdvance(textOf(m_value)) + textMargins().right() + 2 * unitGap + 8;
+    return {std::max(least.width(), std::min(whole, sizeHint().width())), least.height()};
 }
 
 /// Room for the unit at the right end.

@@ -30,6 +30,7 @@ public:
     /// Whether a number is proposed at this moment and neither taken nor refused yet.
     [[nodiscard]] bool isProposing() const { return m_proposing; }
     [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 public slots:
     void setValue(double value);   ///< shows \p value instead of what was typed
