@@ -99,10 +99,11 @@ GradeDialog::GradeDialog(const Lab &lab, QWidget *parent)
     m_progress->setAccessibleName(tr("Students done"));
     m_progress->setTextVisible(false); // the message has the numbers, and the bar is thin
     m_progress->hide();
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto *buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Grade"), QDialogButtonBox::ActionRole);
     m_stop = buttons->addButton(tr("&Stop"), QDialogButtonBox::ActionRole);
     m_open = buttons->addButton(tr("O&pen the results"), QDialogButtonBox::ActionRole);
+    buttons->addButton(QDialogButtonBox::Close);
     m_start->setDefault(true);
     m_stop->setEnabled(false);
     auto *column = new QVBoxLayout(this);

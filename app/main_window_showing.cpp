@@ -134,7 +134,7 @@ void MainWindow::showCSharpSheet()
         m_sheet = new MarkdownView(this);
         m_sheet->setWindowFlag(Qt::Window);
         m_sheet->setAttribute(Qt::WA_DeleteOnClose);
-        m_sheet->resize(scaledByText(760), scaledByText(640));
+        m_sheet->resize(QSize(scaledByText(760), scaledByText(640)).boundedTo(size()));
     }
     //: The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one
     QFile page(tr(":/help/lua-for-csharp.md"));

@@ -32,10 +32,12 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
     m_page->setAccessibleName(tr("The steps of the lab, and what was hard"));
     m_page->setOpenLinks(false);
     m_message->setWordWrap(true);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    // Made in the order in which they stand: else Tab does not come to the last.
+    auto *buttons = new QDialogButtonBox(this);
     m_report = buttons->addButton(tr("&Report…"), QDialogButtonBox::ActionRole);
     m_report->setEnabled(false);
     QPushButton *handIn = buttons->addButton(tr("&Hand in…"), QDialogButtonBox::ActionRole);
+    buttons->addButton(QDialogButtonBox::Close);
     auto *column = new QVBoxLayout(this);
     column->addWidget(m_page, 1);
     column->addWidget(m_progress);
@@ -71,6 +73,7 @@ void ReportDialog::saysWhy(const QString &fault)
 {
     m_progress->hide();
     m_message->setText(fault);
+    m_message->show();
 }
 
 void ReportDialog::showPage()
@@ -83,7 +86,7 @@ void ReportDialog::showPage()
     m_page->setStyleSheet(QStringLiteral("QTextBrowser { background: white; color: #212529; }"));
     m_page->setHtml(page.html);
     m_progress->hide();
-    m_message->clear();
+    m_message->hide();
     m_report->setEnabled(true);
 }
 

@@ -61,6 +61,7 @@ void ShareDialog::send()
     }
     m_send->setEnabled(false);
     m_message->setText(tr("Sending…"));
+    m_message->show();
     // A history of its own: the network takes its time, and the student goes on working. Who
     // closes the dialog does not wait for a server that does not answer.
     m_sending.setFuture(
@@ -78,6 +79,7 @@ void ShareDialog::showState(const QString &message)
                               .arg(QLocale().toString(last.toLocalTime(), QLocale::ShortFormat))
                         : tr("nothing yet"));
     m_message->setText(message);
+    m_message->setVisible(!message.isEmpty());
     m_send->setEnabled(true);
 }
 

@@ -45,6 +45,7 @@ Tour::Tour(QWidget *window, std::vector<Stop> stops)
     setKind(m_next, "primary");
     setKind(m_skip, "link");
     m_next->setDefault(true);
+    m_title->setWordWrap(true);
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     auto *buttons = new QHBoxLayout;

@@ -11,7 +11,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 /// A menu whose keys stand as they are, also where one reads from the right: Qt's have "++Ctrl".
-class Menu final : public QMenu
+class Menu : public QMenu
 {
     Q_OBJECT
 public:

@@ -97,8 +97,7 @@ QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 14px;
 const QString fields = QStringLiteral(R"(
 QLineEdit, QComboBox, QAbstractSpinBox {
     min-height: 24px; padding: 0 6px; border: 1px solid @controlBorder; border-radius: 6px;
-    background: @panel; color: @text; selection-background-color: @accent;
-    selection-color: @onAccent; }
+    background: @panel; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus {
     border: 2px solid @accent; padding: 0 5px; min-height: 22px; }
 QLineEdit:disabled, QComboBox:disabled, QLineEdit:read-only {

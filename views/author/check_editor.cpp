@@ -41,6 +41,7 @@ void CheckEditor::makeLayout()
     m_title = new QLineEdit(this);
     m_id = new QLineEdit(this);
     m_kind = new QComboBox(this);
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_purpose = makeMutedText(this);
     m_circles = new CirclesLine(m_texts, this);
     m_points = new QLineEdit(this);

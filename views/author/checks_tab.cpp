@@ -62,6 +62,7 @@ void ChecksTab::makeLayout()
     auto *scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setWidget(m_editor);
+    scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
     m_script = new CheckScript(m_document, this);
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_splitter->addWidget(m_empty);

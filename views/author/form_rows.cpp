@@ -43,6 +43,7 @@ QScrollArea *scrolled(QWidget *widget)
     auto *scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setWidget(widget);
+    scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
     return scroll;
 }
 

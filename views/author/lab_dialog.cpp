@@ -36,6 +36,8 @@ LabDialog::LabDialog(AuthorDocument &document, Purpose purpose, QWidget *parent)
     makeTitles(form);
     makeFields(form);
     QLabel *note = makeMutedText(this);
+    // Plain text that goes from the right is drawn a space too far to the left, and cut there.
+    note->setTextFormat(isRightToLeft() ? Qt::RichText : Qt::PlainText);
     note->setText(
         copies ? tr("The copy is a lab of its own, so it has an id of its own: who has "
                     "passed a step of the original has not passed that of the copy.")

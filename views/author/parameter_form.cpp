@@ -94,6 +94,7 @@ void ParameterForm::addField(const ParameterInfo &info)
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(field.widget);
     auto *unit = new QLabel(info.unit, row);
+    unit->setHidden(info.unit.isEmpty());
     setKind(unit, "muted");
     line->addWidget(unit);
     line->addStretch(1);

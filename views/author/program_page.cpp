@@ -88,6 +88,7 @@ QWidget *ProgramPage::makeRecognition()
     scroll->setWidgetResizable(true);
     m_remark = new RemarkEditor(scroll);
     scroll->setWidget(m_remark);
+    scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
     return scroll;
 }
 

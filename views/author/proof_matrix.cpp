@@ -59,6 +59,7 @@ ProofMatrix::ProofMatrix(QWidget *parent)
 {
     setObjectName(QStringLiteral("matrix"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setTabKeyNavigation(false); // arrows go from cell to cell
     setSelectionMode(QAbstractItemView::SingleSelection);
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(26);

@@ -83,13 +83,15 @@ QListWidget *makeRowsList(const QString &name, QWidget *parent)
     list->setObjectName(name);
     list->setFrameShape(QFrame::NoFrame);
     setKind(list, "rows");
-    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list->setTextElideMode(Qt::ElideNone); // it scrolls
+    list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     return list;
 }
 
 void wrapRows(QListWidget *list)
 {
     list->setWordWrap(true);
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list->setResizeMode(QListView::Adjust);
     list->setItemDelegate(new WrappedRow(list));
 }

@@ -20,6 +20,7 @@ SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
     , m_purpose(makeMutedText(this))
     , m_values(new ParameterForm(texts, QStringLiteral("scene"), this))
 {
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_kind->setObjectName(QStringLiteral("sceneKind"));
     m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_caption->setBuddy(m_kind);

@@ -6,6 +6,7 @@
 #include "views/author/form_rows.h"
 #include "views/author/scene_text.h"
 #include "views/error_line.h"
+#include "views/flow_layout.h"
 #include "views/inspector/inspector.h"
 #include "views/menu.h"
 #include "views/scene/scene_view.h"
@@ -80,26 +81,30 @@ void SceneTab::makeLayout()
     m_leave = new QPushButton(this);
     m_remove = new QPushButton(this);
     m_which = new QComboBox(this);
+    m_which->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_mover = new QComboBox(this);
+    m_mover->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_templates = new Menu(m_templateButton);
     m_locks = new Menu(m_lockButton);
     m_templateButton->setMenu(m_templates);
     m_lockButton->setMenu(m_locks);
-    auto *top = new QHBoxLayout;
-    top->setSpacing(8);
-    top->setContentsMargins(12, 8, 12, 0);
-    top->addWidget(m_which);
+    auto *choices = new FlowLayout; // with large texts they are more than a row
+    choices->setSpacing(8);
+    choices->addWidget(m_which);
     for (QPushButton *button :
          {m_templateButton, m_fromMoment, m_lockButton, m_asText, m_remove, m_leave}) {
         setKind(button, button->menu() ? "menu" : "small");
-        top->addWidget(button);
+        choices->addWidget(button);
     }
     m_asText->setCheckable(true);
     m_asText->setObjectName(QStringLiteral("asText"));
     setKind(m_leave, "primary");
     m_leave->hide();
-    top->addStretch(1);
-    top->addWidget(m_mover);
+    auto *top = new QHBoxLayout;
+    top->setSpacing(8);
+    top->setContentsMargins(12, 8, 12, 0);
+    top->addLayout(choices, 1);
+    top->addWidget(m_mover, 0, Qt::AlignTop);
     m_mover->setObjectName(QStringLiteral("mover"));
     m_which->setObjectName(QStringLiteral("whichScene"));
 

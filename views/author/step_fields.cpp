@@ -33,6 +33,7 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     , m_extra(new QCheckBox(this))
     , m_moves(new QComboBox(this))
 {
+    m_moves->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_moves->setObjectName(QStringLiteral("stepMoves"));
     for (const char *who : {"either", "program", "laws"})
         m_moves->addItem(QString(), QString::fromLatin1(who));

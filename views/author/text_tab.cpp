@@ -52,7 +52,9 @@ TextTab::~TextTab()
 void TextTab::makeLayout()
 {
     m_part = new QComboBox(this);
+    m_part->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_mode = new QComboBox(this);
+    m_mode->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_figure = new QPushButton(this);
     m_part->setObjectName(QStringLiteral("textPart"));
     setKind(m_figure, "small");

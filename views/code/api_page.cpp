@@ -60,9 +60,10 @@ void ApiPage::makeLayout()
 {
     m_search->setClearButtonEnabled(true);
     m_headings->setFrameShape(QFrame::NoFrame);
-    m_headings->setFixedWidth(listWidth);
+    m_headings->setFixedWidth(scaledByText(listWidth));
     m_headings->setStyleSheet(QStringLiteral("QListView::item { padding: 2px 8px; }"));
-    m_headings->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_headings->setTextElideMode(Qt::ElideNone); // it scrolls
+    m_headings->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_nothing->setContentsMargins(12, 4, 12, 4);
     m_nothing->setWordWrap(true);
     m_nothing->setTextFormat(Qt::PlainText);
