@@ -22,7 +22,10 @@ public:
             {u'a', u'á'}, {u'e', u'é'}, {u'i', u'í'}, {u'o', u'ó'}, {u'u', u'ú'}};
         for (const auto &[plain, accent] : accents)
             accented.replace(QChar(plain), QChar(accent));
-        return QStringLiteral("[%1%2]").arg(accented, QString(text.size() / 3, QChar(u'~')));
+        QString longer(text.size() / 3, QChar(u'~'));
+        for (qsizetype i = 8; i < longer.size(); i += 8)
+            longer[i] = QLatin1Char(' '); // words, which can be wrapped
+        return QStringLiteral("[%1%2]").arg(accented, longer);
     }
     bool isEmpty() const override { return false; }
 };

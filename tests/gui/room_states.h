@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
-#include "tests/gui/pseudo_language.h"
-#include "tests/gui/settled.h"
-#include "views/markdown_view.h"
+#include "tests/gui/spoken_language.h"
 #include "views/values_table.h"
 
 #include <QHash>
@@ -15,8 +14,6 @@
 #include <optional>
 
 namespace cradle::windows {
-
-inline const QString pseudoLanguage = QStringLiteral("pseudo");
 
 /// How somebody may have the window.
 struct RoomState {
@@ -53,14 +50,28 @@ inline std::vector<RoomState> roomStates()
     return all;
 }
 
+/// Each theme, each language, and each that is spoken with large texts.
+inline std::vector<RoomState> fewStates()
+{
+    std::vector<RoomState> all;
+    for (const ThemeChoice theme :
+         {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::HighContrast})
+        all.push_back({.theme = theme});
+    for (const char *language : {"de", "fr", "ar", "pseudo"})
+        all.push_back({.language = QLatin1String(language)});
+    for (const char *language : {"en", "de", "fr", "ar"})
+        all.push_back({.language = QLatin1String(language), .percent = 150});
+    return all;
+}
+
 /// A row of test data for each of them.
-inline void addRoomStates()
+inline void addStates(const std::vector<RoomState> &states)
 {
     QTest::addColumn<RoomState>("state");
     static const QHash<ThemeChoice, const char *> themes{{ThemeChoice::Light, "light"},
                                                          {ThemeChoice::Dark, "dark"},
                                                          {ThemeChoice::HighContrast, "contrast"}};
-    for (const RoomState &state : roomStates())
+    for (const RoomState &state : states)
         QTest::addRow("%s %dx%d %s %s %d %%", state.mode == Mode::Code ? "code" : "explore",
                       state.size.width(), state.size.height(), themes[state.theme],
                       qPrintable(state.language), state.percent)
@@ -79,12 +90,7 @@ public:
         m_open.window.chooseRenderer(Renderer::Raster);
         m_open.window.show();
     }
-    ~StatefulRoom()
-    {
-        QCoreApplication::removeTranslator(&m_pseudo);
-        setLanguage(QStringLiteral("en"));
-        setTextScale(1.0);
-    }
+    ~StatefulRoom() { setTextScale(1.0); }
     StatefulRoom(const StatefulRoom &) = delete;
     StatefulRoom &operator=(const StatefulRoom &) = delete;
 
@@ -93,7 +99,8 @@ public:
 
     void take(const RoomState &state)
     {
-        speak(state.language);
+        m_language.speak(state.language,
+                         [this](const QString &code) { window().chooseLanguage(code); });
         if (window().themeChoice() != state.theme)
             window().chooseTheme(state.theme);
         if (textScale() != state.percent / 100.0)
@@ -124,37 +131,9 @@ public:
     }
 
     /// Waits until no text is still to come and every widget has its place.
-    void calm()
-    {
-        int rounds = 0; // one layout asks for another
-        QByteArray before;
-        const auto isCalm = [&] {
-            settle();
-            QByteArray now = places();
-            rounds = now == before && areTextsComplete() ? rounds + 1 : 0;
-            before.swap(now);
-            return rounds >= 3;
-        };
-        QVERIFY(QTest::qWaitFor(isCalm, 30'000));
-    }
+    void calm() { cradle::calm(window()); }
 
 private:
-    void speak(const QString &language)
-    {
-        if (language == m_language)
-            return;
-        m_language = language;
-        QCoreApplication::removeTranslator(&m_pseudo);
-        const bool isPseudo = language == pseudoLanguage;
-        window().chooseLanguage(isPseudo ? QStringLiteral("en") : language);
-        if (isPseudo)
-            QVERIFY(QCoreApplication::installTranslator(&m_pseudo));
-        QCoreApplication::processEvents();
-        // Also where Qt's own translations are missing, which tell it the direction.
-        QGuiApplication::setLayoutDirection(
-            QLocale(isPseudo ? QStringLiteral("en") : language).textDirection());
-    }
-
     /// What was found is told anew in another language, and is of its own in each mode.
     void check()
     {
@@ -164,25 +143,7 @@ private:
                                  60'000);
     }
 
-    [[nodiscard]] bool areTextsComplete()
-    {
-        const auto texts = window().findChildren<MarkdownView *>();
-        return std::all_of(texts.begin(), texts.end(), [](const MarkdownView *each) {
-            return !each->isVisible() || each->isComplete();
-        });
-    }
-
-    [[nodiscard]] QByteArray places()
-    {
-        QByteArray all;
-        QDataStream stream(&all, QIODevice::WriteOnly);
-        for (const auto *each : window().findChildren<QWidget *>())
-            stream << quintptr(each) << each->geometry() << each->isVisible();
-        return all;
-    }
-
-    PseudoLanguage m_pseudo;
-    QString m_language = QStringLiteral("en");
+    SpokenLanguage m_language;
     OpenWindow m_open;
 };
 
