@@ -26,13 +26,14 @@ public:
     bool moves() const override { return movesThem; }
     std::optional<ProgramError> advance(World &world, double) override
     {
-        for (Circle &circle : world.circles)
-            circle.position.x += 1.0;
+        const Vec2 next = world.circles[0].position + Vec2{1.0, 0.0};
         output.text = QStringLiteral("step\n");
-        output.points = {{QStringLiteral("x"), world.circles[0].position.x}};
-        output.drawings = {{.kind = Drawing::Kind::Point, .from = world.circles[0].position}};
+        output.points = {{QStringLiteral("x"), next.x}};
+        output.drawings = {{.kind = Drawing::Kind::Point, .from = next}};
         if (world.step + 1 == failsIn)
             return ProgramError{.message = QStringLiteral("stop"), .line = 7, .step = failsIn};
+        for (Circle &circle : world.circles)
+            circle.position.x += 1.0;
         return std::nullopt;
     }
     ProgramOutput takeOutput() override { return std::exchange(output, {}); }

@@ -3,7 +3,6 @@
 #include "app/cli/simulate_run.h"
 
 #include "app/cli/subcommand.h"
-#include "model/run/inferred_hits.h"
 #include "model/world/measurements.h"
 #include "model/world/shortest_number.h"
 #include "tasks/text/plain_text.h"
@@ -24,8 +23,17 @@ struct SimulateText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
-/// A step of exact timing is left for a moment after so many events: about 20 ms.
-constexpr std::size_t eventsAtOnce = 16'384;
+std::optional<StudentScript> scriptOf(const SimulateRequest &request)
+{
+    if (!request.program)
+        return std::nullopt;
+    return std::optional<StudentScript>(std::in_place, *request.program);
+}
+
+Totals measured(const Runner &run)
+{
+    return measure(run.world().circles, run.scene().gravity, run.scene().halfWidth);
+}
 
 } // namespace
 
@@ -36,77 +44,44 @@ QString mergedText(double from)
 
 SimulateRun::SimulateRun(const SimulateRequest &request)
     : m_request(request)
-    , m_scene(request.preset)
-    , m_stepper(request.preset)
+    , m_program(scriptOf(request))
+    , m_run(request.preset, m_program ? &*m_program : nullptr)
     , m_tables{{{RunTable::States, request.states, {}},
                 {RunTable::Totals, request.totals, {}},
                 {RunTable::Events, request.events, {}}}}
 {
     for (Table &table : m_tables)
         table.text = headerOf(table.kind);
-    if (request.program)
-        begin(*request.program);
-    m_world = initialWorld(m_scene);
-    addState();
-}
-
-void SimulateRun::begin(const QString &source)
-{
-    m_program.emplace(source);
-    m_error = m_program->begin(m_scene);
     print();
-    // What a program did before it stopped is no scene.
-    if (m_error)
-        m_scene = m_request.preset;
-    m_stepper = Stepper(m_scene);
+    addState();
 }
 
 bool SimulateRun::run(const std::function<bool(double share)> &goesOn)
 {
-    while (!m_error && m_world.step < m_request.steps) {
-        if (!goesOn(static_cast<double>(m_world.step) / static_cast<double>(m_request.steps)))
-            return false;
-        if (!step())
-            continue;
-        m_hitCount += m_hits.size();
-        addHits();
-        if (m_world.step % m_request.every == 0)
-            addState();
-    }
-    return true;
-}
-
-/// \return false if the step is not done: the program cannot go on, or it goes on in the next call
-bool SimulateRun::step()
-{
-    m_hits.clear();
-    if (m_program && m_program->moves()) {
-        stepByProgram();
-        return !m_error;
-    }
-    const double end = static_cast<double>(m_world.step + 1) * m_scene.timestep;
-    return m_stepper.advanceWithin(eventsAtOnce, m_world, m_scene.timestep, end, m_hits);
-}
-
-void SimulateRun::stepByProgram()
-{
-    World next = m_world;
-    m_error = m_program->advance(next, m_scene.timestep);
+    const auto share = [this] {
+        return static_cast<double>(m_run.world().step) / static_cast<double>(m_request.steps);
+    };
+    const Runner::End end =
+        m_run.run({.steps = m_request.steps, .stop = [&] { return !goesOn(share()); }},
+                  [this] { addStep(); });
     print();
-    if (m_error)
-        return;
-    ++next.step;
-    next.time = static_cast<double>(next.step) * m_scene.timestep;
-    inferHits(m_scene, m_world.circles, next.circles, m_scene.timestep, next.step, next.time,
-              m_hits);
-    m_world = std::move(next);
+    return end != Runner::End::Stopped;
+}
+
+void SimulateRun::addStep()
+{
+    print();
+    m_hitCount += m_run.hits().size();
+    addHits();
+    if (m_run.world().step % m_request.every == 0)
+        addState();
 }
 
 void SimulateRun::addState()
 {
     for (Table &table : m_tables) {
         if (!table.path.isEmpty())
-            table.text += rowsOf(table.kind, m_world, m_scene);
+            table.text += rowsOf(table.kind, m_run.world(), m_run.scene());
     }
 }
 
@@ -115,14 +90,17 @@ void SimulateRun::addHits()
     Table &events = m_tables.back();
     if (events.path.isEmpty())
         return;
-    for (const Hit &hit : m_hits)
+    for (const Hit &hit : m_run.hits())
         events.text += rowOf(hit);
 }
 
 /// On standard error, so that a table may go to standard output.
 void SimulateRun::print()
 {
-    QTextStream(stderr) << printable(m_program->takeOutput().text);
+    if (!m_program)
+        return;
+    if (const QString text = m_program->takeOutput().text; !text.isEmpty())
+        QTextStream(stderr) << printable(text);
 }
 
 std::optional<Error> SimulateRun::writeTables() const
@@ -138,11 +116,12 @@ std::optional<Error> SimulateRun::writeTables() const
 
 QByteArray SimulateRun::summaryText() const
 {
-    const Totals t = measure(m_world.circles, m_scene.gravity, m_scene.halfWidth);
+    const Totals t = measured(m_run);
+    const World &world = m_run.world();
     QString text = SimulateText::tr("%1: %2 circles, %3 steps, %4 s, %5 hits\n"
                                     "momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J\n")
-                       .arg(m_scene.name, QString::number(m_world.circles.size()),
-                            QString::number(m_world.step), shortestNumber(m_world.time),
+                       .arg(m_run.scene().name, QString::number(world.circles.size()),
+                            QString::number(world.step), shortestNumber(world.time),
                             QString::number(m_hitCount), shortestNumber(t.momentum.x),
                             shortestNumber(t.momentum.y), shortestNumber(t.kinetic),
                             shortestNumber(t.potential));
@@ -153,19 +132,20 @@ QByteArray SimulateRun::summaryText() const
 
 QByteArray SimulateRun::summaryJson() const
 {
-    const Totals t = measure(m_world.circles, m_scene.gravity, m_scene.halfWidth);
+    const Totals t = measured(m_run);
+    const World &world = m_run.world();
     const auto from = mergedFrom();
     const QJsonObject json{{QStringLiteral("format"), 1},
-                           {QStringLiteral("name"), m_scene.name},
-                           {QStringLiteral("circles"), static_cast<qint64>(m_world.circles.size())},
-                           {QStringLiteral("steps"), m_world.step},
-                           {QStringLiteral("time"), m_world.time},
+                           {QStringLiteral("name"), m_run.scene().name},
+                           {QStringLiteral("circles"), static_cast<qint64>(world.circles.size())},
+                           {QStringLiteral("steps"), world.step},
+                           {QStringLiteral("time"), world.time},
                            {QStringLiteral("hits"), static_cast<qint64>(m_hitCount)},
                            {QStringLiteral("momentum"), QJsonArray{t.momentum.x, t.momentum.y}},
                            {QStringLiteral("kinetic"), t.kinetic},
                            {QStringLiteral("potential"), t.potential},
                            {QStringLiteral("merged_from"), from ? QJsonValue(*from) : QJsonValue()},
-                           {QStringLiteral("complete"), m_world.step >= m_request.steps}};
+                           {QStringLiteral("complete"), world.step >= m_request.steps}};
     return QJsonDocument(json).toJson();
 }
 

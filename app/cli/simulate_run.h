@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/simulate_request.h"
-#include "model/run/stepper.h"
+#include "model/run/runner.h"
 #include "tasks/runs/run_tables.h"
 #include "tasks/script/student_script.h"
 
@@ -25,10 +25,10 @@ public:
     bool run(const std::function<bool(double share)> &goesOn);
 
     /// Why the program stopped.
-    [[nodiscard]] const std::optional<ProgramError> &error() const { return m_error; }
-    [[nodiscard]] double time() const { return m_world.time; } ///< that was reached, s
+    [[nodiscard]] const std::optional<ProgramError> &error() const { return m_run.error(); }
+    [[nodiscard]] double time() const { return m_run.world().time; } ///< that was reached, s
     /// Stepper::mergedFrom()
-    [[nodiscard]] std::optional<double> mergedFrom() const { return m_stepper.mergedFrom(); }
+    [[nodiscard]] std::optional<double> mergedFrom() const { return m_run.mergedFrom(); }
 
     /// Writes the tables that were asked for. \return what could not be written
     [[nodiscard]] std::optional<Error> writeTables() const;
@@ -46,20 +46,14 @@ private:
         QByteArray text;
     };
 
-    void begin(const QString &source);
-    bool step();
-    void stepByProgram();
+    void addStep();
     void addState();
     void addHits();
     void print();
 
     const SimulateRequest &m_request;
-    Preset m_scene; ///< what the program made of the preset
-    Stepper m_stepper;
-    std::optional<StudentScript> m_program{};
-    std::optional<ProgramError> m_error{};
-    World m_world{};
-    std::vector<Hit> m_hits{}; ///< of the step
+    std::optional<StudentScript> m_program;
+    Runner m_run;
     std::size_t m_hitCount = 0;
     std::array<Table, 3> m_tables;
 };

@@ -87,8 +87,12 @@ public:
     [[nodiscard]] virtual bool moves() const = 0;
 
     /// Moves the circles of \p world, which stands at the start of a step, by \p dt s; its step
-    /// and time are left to the caller. After an error its circles are of no use.
+    /// and time are left to the caller. After an error its circles are as they were.
     virtual std::optional<ProgramError> advance(World &world, double dt) = 0;
+
+    /// What it has worked in the run so far, in instructions or what counts as such; the same for
+    /// the same run, on any machine. 0 where nobody counts.
+    [[nodiscard]] virtual qint64 instructions() const { return 0; }
 
     /// What it has shown since this was last asked.
     [[nodiscard]] virtual ProgramOutput takeOutput() = 0;

@@ -49,6 +49,7 @@ public:
     std::optional<ProgramError> begin(Preset &scene) override;
     [[nodiscard]] bool moves() const override { return m_moves; }
     std::optional<ProgramError> advance(World &world, double dt) override;
+    [[nodiscard]] qint64 instructions() const override;
     [[nodiscard]] ProgramOutput takeOutput() override;
 
     /// Where a run through the lines of one update stands.
@@ -66,9 +67,6 @@ public:
     /// Leaves an update that was begun, without its end.
     void dropLines();
 
-    /// The instructions of the run so far, and the work that counts as such; the same for the same
-    /// run, on any machine.
-    [[nodiscard]] qint64 instructions() const;
     /// The numbers that the program keeps with the circles, such as their masses.
     [[nodiscard]] std::vector<CircleField> ownFields() const;
     /// What one update of \p world assigns to the circles, in order, until it ends or fails; of
