@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/runs/observation.h"
 
-#include "model/run/stepper.h"
+#include "model/run/runner.h"
 #include "tasks/script/student_script.h"
 
 #include <algorithm>
@@ -42,39 +42,19 @@ Observation observe(const Variant &variant, const QString *script,
                                                         .quiet = true,
                                                         .locked = variant.locked,
                                                         .stop = isOver});
-        o.error = program->begin(o.variant.preset);
     }
-    World world = initialWorld(o.variant.preset);
-    o.states.append(world);
-    const auto close = [&]() -> Observation & {
-        o.instructions = program ? program->instructions() : 0;
-        if (stopped) // What it was stopped with is no error of its own.
-            o.error.reset();
-        return o;
-    };
-    if (o.error)
-        return close();
-    Stepper stepper(o.variant.preset);
-    std::vector<Hit> hits;
-    const double dt = o.variant.preset.timestep;
-    const auto steps = static_cast<qint64>(std::ceil(variant.duration / dt));
-    for (qint64 k = 0; k < steps && !isOver(); ++k) {
-        if (program && program->instructions() > mostInstructions)
-            break;
-        if (program && program->moves()) {
-            if ((o.error = program->advance(world, dt)))
-                break;
-            ++world.step;
-            world.time = static_cast<double>(world.step) * dt;
-        } else {
-            hits.clear();
-            stepper.advance(world, hits);
-        }
-        o.states.append(world);
-    }
-    if (program && !o.error)
+    Runner runner(variant.preset, program ? &*program : nullptr,
+                  {.recording = &o.states, .tellsHits = false});
+    o.variant.preset = runner.scene();
+    runner.run({.steps = static_cast<qint64>(std::ceil(variant.duration / o.timestep())),
+                .instructions = mostInstructions,
+                .stop = isOver});
+    o.instructions = runner.instructions();
+    if (!stopped) // What it was stopped with is no error of its own.
+        o.error = runner.error();
+    if (program && !runner.error())
         o.fields = program->ownFields();
-    return close();
+    return o;
 }
 
 } // namespace cradle
