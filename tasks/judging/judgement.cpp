@@ -7,13 +7,12 @@
 #include "tasks/judging/check_plan.h"
 #include "tasks/judging/commit_message.h"
 #include "tasks/judging/findings.h"
+#include "tasks/judging/probe.h"
 #include "tasks/judging/remarks.h"
 #include "tasks/questions/answers.h"
 #include "tasks/runs/submission_runs.h"
 #include "tasks/script/locks.h"
 #include "tasks/script/student_script.h"
-
-#include "model/run/stepper.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -52,20 +51,14 @@ int lineOf(const Submission &submission, const Variant &variant, const Fault &fa
 {
     if (!submission.script || fault.step < 1)
         return 0;
-    StudentScript program(*submission.script,
-                          {.pinned = variant.pinned, .quiet = true, .locked = {}});
-    Preset scene = variant.preset;
-    if (program.begin(scene) || !program.moves())
-        return 0;
-    World world = initialWorld(scene);
-    for (; world.step < fault.step - 1; ++world.step) {
-        world.time = static_cast<double>(world.step) * scene.timestep;
-        if (program.advance(world, scene.timestep))
+    Probe probe(submission.program(), {variant.preset, variant.pinned});
+    while (probe.world().step < fault.step - 1) {
+        if (!probe.step())
             return 0;
     }
     int line = 0;
     bool changed = false;
-    for (const Assignment &assignment : program.trace(world, scene.timestep)) {
+    for (const Assignment &assignment : probe.trace()) {
         const bool moves = assignment.field == Assignment::Field::Position
                            || assignment.field == Assignment::Field::Velocity;
         if (!moves || (fault.circle >= 0 && assignment.circle != fault.circle))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/run/stepper.h"
+#include "model/run/runner.h"
 #include "tasks/script/student_script.h"
 
 #include <functional>
@@ -25,19 +25,19 @@ public:
     Probe(const QString *program, const Stage &stage, bool once = false);
 
     /// Whether it runs at all, and has not stopped with an error.
-    [[nodiscard]] bool runs() const { return m_runs; }
+    [[nodiscard]] bool runs() const { return !m_run.error(); }
     /// The scene as the program left it before the first step.
-    [[nodiscard]] const Preset &start() const { return m_scene; }
+    [[nodiscard]] const Preset &start() const { return m_run.scene(); }
     /// The state now.
-    [[nodiscard]] const World &world() const { return m_world; }
+    [[nodiscard]] const World &world() const { return m_run.world(); }
     [[nodiscard]] const Circle &circle(int i) const
     {
-        return m_world.circles[static_cast<std::size_t>(i)];
+        return world().circles[static_cast<std::size_t>(i)];
     }
     /// Goes on from \p world, which has as many circles.
-    void place(const World &world) { m_world = world; }
+    void place(const World &world) { m_run.place(world); }
     /// Makes one step. \return false if the program stopped with an error
-    bool step();
+    bool step() { return m_run.step(); }
     /// What its program has worked so far, in instructions; 0 for laws.
     [[nodiscard]] qint64 instructions() const;
     /// What the next step assigns to the circles, in order; the step is made.
@@ -46,11 +46,10 @@ public:
     [[nodiscard]] std::vector<int> lines();
 
 private:
-    Preset m_scene;
+    [[nodiscard]] bool isProgrammed() const { return m_run.isProgrammed(); }
+
     std::optional<StudentScript> m_program{};
-    std::optional<Stepper> m_laws{};
-    World m_world{};
-    bool m_runs = false;
+    Runner m_run;
 };
 
 } // namespace cradle
