@@ -2,29 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/simulation.h"
 
-#include "model/run/inferred_hits.h"
-
 #include <algorithm>
 
 namespace cradle {
 
 namespace {
 
-/// A step of exact timing goes on in the next frame after so many events: about 20 ms.
-constexpr std::size_t eventsAtOnce = 16'384;
+constexpr int searchFrame = 16; ///< ms, after which what a search has found shows
 
 } // namespace
 
 Simulation::Simulation(const Preset &preset, QObject *parent)
     : QObject(parent)
     , m_preset(preset)
-    , m_scene(preset)
-    , m_stepper(preset)
+    , m_run(preset)
     , m_clock(preset.timestep)
 {
     connect(&m_clock, &SimulationClock::stepDue, this, &Simulation::advance);
     connect(&m_clock, &SimulationClock::frameReady, this, &Simulation::frameReady);
-    m_searchTimer.setInterval(0);
+    m_searchTimer.setInterval(searchFrame);
     connect(&m_searchTimer, &QTimer::timeout, this, &Simulation::searchOn);
     begin();
 }
@@ -56,21 +52,13 @@ void Simulation::setRun(const Preset &preset, Program *program)
 void Simulation::begin()
 {
     endSearch();
-    m_unfinished.reset();
-    m_scene = m_preset;
-    m_error.reset();
-    m_notes.clear();
-    if (m_program) {
-        m_error = m_program->begin(m_scene);
-        m_notes.add(0, 0.0, m_program->takeOutput());
-        // What a program did before it stopped is no scene to show.
-        if (m_error)
-            m_scene = m_preset;
-    }
-    m_stepper = Stepper(m_scene);
-    m_world = initialWorld(m_scene);
     m_recording.clear();
-    m_recording.append(m_world);
+    m_notes.clear();
+    m_run = Runner(m_preset, m_program, {.recording = &m_recording});
+    m_error = m_run.error();
+    m_mergedFrom.reset();
+    if (m_program)
+        m_notes.add(0, 0.0, m_program->takeOutput());
     m_current = 0;
     if (m_shadow)
         beginShadow();
@@ -78,7 +66,8 @@ void Simulation::begin()
 
 void Simulation::beginShadow()
 {
-    m_shadow.emplace(m_scene, isProgrammed() ? m_programLaws.value_or(m_scene.laws) : m_scene.laws);
+    const Laws &own = preset().laws;
+    m_shadow.emplace(preset(), isProgrammed() ? m_programLaws.value_or(own) : own);
     m_shadow->follow(m_recording);
 }
 
@@ -151,7 +140,7 @@ void Simulation::advanceWholly()
 {
     do {
         advance(m_preset.timestep);
-    } while (m_unfinished);
+    } while (m_run.isUnfinished());
 }
 
 void Simulation::stepBack()
@@ -241,50 +230,20 @@ void Simulation::advance(double dt)
         followPace();
 }
 
-/// After frames of any length the time goes on from where it is, never back to a multiple.
-bool Simulation::isOnGrid(double dt) const
-{
-    return dt == m_preset.timestep
-           && m_world.time == static_cast<double>(m_world.step) * m_preset.timestep;
-}
-
 /// \return false if the program cannot go on, or the step goes on in the next call
 bool Simulation::appendStep(double dt)
 {
-    m_hits.clear();
-    if (m_error) {
+    const qint64 step = m_run.world().step + 1;
+    const double end = m_run.endOf(dt);
+    const Runner::Progress progress = m_run.advance(dt, Runner::eventsAtOnce);
+    if (isProgrammed())
+        m_notes.add(step, end, m_program->takeOutput());
+    m_mergedFrom = m_run.mergedFrom();
+    if (progress == Runner::Progress::Failed) {
+        m_error = m_run.error();
         fail(*m_error);
-        return false;
     }
-    if (m_program && m_program->moves())
-        return appendProgramStep(dt);
-    dt = m_unfinished.value_or(dt);
-    const double end = isOnGrid(dt) ? static_cast<double>(m_world.step + 1) * m_preset.timestep
-                                    : m_world.time + dt;
-    const bool done = m_stepper.advanceWithin(eventsAtOnce, m_world, dt, end, m_hits);
-    m_unfinished = done ? std::nullopt : std::optional(dt);
-    if (!done)
-        return false;
-    m_recording.append(m_world, m_hits);
-    return true;
-}
-
-bool Simulation::appendProgramStep(double dt)
-{
-    World next = m_world;
-    m_error = m_program->advance(next, dt);
-    ++next.step;
-    next.time =
-        isOnGrid(dt) ? static_cast<double>(next.step) * m_preset.timestep : m_world.time + dt;
-    m_notes.add(next.step, next.time, m_program->takeOutput());
-    if (m_error) {
-        fail(*m_error);
-        return false;
-    }
-    inferHits(m_scene, m_world.circles, next.circles, dt, next.step, next.time, m_hits);
-    m_world = std::move(next);
-    m_recording.append(m_world, m_hits);
-    return true;
+    return progress == Runner::Progress::Done;
 }
 
 } // namespace cradle

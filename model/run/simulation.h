@@ -3,10 +3,10 @@
 #pragma once
 
 #include "model/run/program_notes.h"
-#include "model/run/recording.h"
+#include "model/run/run_ahead.h"
+#include "model/run/runner.h"
 #include "model/run/shadow_run.h"
 #include "model/run/simulation_clock.h"
-#include "model/run/stepper.h"
 
 #include <QObject>
 #include <QTimer>
@@ -28,14 +28,14 @@ public:
     explicit Simulation(const Preset &preset, QObject *parent = nullptr);
 
     /// The scene that runs: the preset, with what the program set when it was loaded.
-    [[nodiscard]] const Preset &preset() const { return m_scene; }
+    [[nodiscard]] const Preset &preset() const { return m_run.scene(); }
     /// The preset as it was set.
     [[nodiscard]] const Preset &basePreset() const { return m_preset; }
     /// Why the program cannot go on from the newest step, if it cannot.
     [[nodiscard]] const std::optional<ProgramError> &programError() const { return m_error; }
     [[nodiscard]] const ProgramNotes &notes() const { return m_notes; }
     /// Whether a program moves the circles, not the laws.
-    [[nodiscard]] bool isProgrammed() const { return m_program && m_program->moves(); }
+    [[nodiscard]] bool isProgrammed() const { return m_run.isProgrammed(); }
     [[nodiscard]] const Recording &recording() const { return m_recording; }
     /// The moment that is shown: an index into the recording.
     [[nodiscard]] qint64 current() const { return m_current; }
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool pausesAtHits() const { return m_pausesAtHits; }
     /// Since when the contacts of a run of exact timing are merged, as it could not follow each of
     /// them any longer, s; none as long as it is exact.
-    [[nodiscard]] std::optional<double> mergedFrom() const { return m_stepper.mergedFrom(); }
+    [[nodiscard]] std::optional<double> mergedFrom() const { return m_mergedFrom; }
     /// Whether seekNextHit() still looks.
     [[nodiscard]] bool isSearching() const { return m_search.has_value(); }
     /// How much of the minute that seekNextHit() may look through it has seen, 0 to 1.
@@ -78,7 +78,7 @@ public slots:
     void seek(qint64 index); ///< shows a moment of the recording, the nearest that is kept
     void goTo(qint64 step);  ///< pauses; shows that step, computed if it is yet to come
     /// Pauses; runs on to the next hit, or stays if none comes in a minute. What takes long is done
-    /// in parts, between which events are handled; whatever else is asked for ends it.
+    /// on another thread while events are handled; whatever else is asked for ends it.
     void seekNextHit();
     void seekPreviousHit(); ///< pauses; back to the last recorded hit before, else to the start
     void setPausesAtHits(bool on); ///< a run pauses at the step of every hit
@@ -117,31 +117,29 @@ private:
     void endSearchAt(qint64 index);
     void searchOn();
     bool searchStep();
-    /// Whether a step of \p dt s ends at a multiple of the timestep, as all before it did.
-    [[nodiscard]] bool isOnGrid(double dt) const;
+    void takeAhead(const RunAhead::Step &step);
+    void stopAhead();
+    void endSearchUnless(bool found);
     [[nodiscard]] bool showsHit() const; ///< the moment shown is the step of a hit
     [[nodiscard]] bool isNearHit() const;
     void followPace();
     bool appendStep(double dt);
-    bool appendProgramStep(double dt);
     void begin();
     void beginShadow();
     void fail(const ProgramError &error);
 
     Preset m_preset;
-    Preset m_scene; ///< as the program left it when it was loaded
     Program *m_program = nullptr;
-    std::optional<ProgramError> m_error;
     ProgramNotes m_notes;
-    Stepper m_stepper;
-    World m_world; ///< the newest state
     Recording m_recording;
+    Runner m_run; ///< stands at the end of the recording, or ahead of it while m_ahead has it
+    RunAhead m_ahead;
+    std::optional<ProgramError> m_error{}; ///< of the newest step that is recorded, or the next
+    std::optional<double> m_mergedFrom{};  ///< s
     std::optional<Laws> m_programLaws;
     std::optional<ShadowRun> m_shadow; ///< follows the recording
     SimulationClock m_clock;
-    std::vector<Hit> m_hits; ///< of the step that runs
     qint64 m_current = 0;
-    std::optional<double> m_unfinished{}; ///< the step that was begun, s long
     std::optional<Search> m_search{};
     QTimer m_searchTimer;
     bool m_frameTime = false;
