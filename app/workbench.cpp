@@ -69,6 +69,7 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
     connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
     connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
     connect(&m_checker, &Checker::cancelled, this, &Workbench::checkEnded);
+    connect(&m_reference, &ReferenceRun::finished, this, &Workbench::setGhost);
 }
 
 Workbench::~Workbench()

@@ -4,6 +4,7 @@
 
 #include "app/code_session.h"
 #include "app/examples.h"
+#include "app/reference_run.h"
 #include "tasks/judging/checker.h"
 #include "tasks/lab/mode.h"
 #include "tasks/questions/answers.h"
@@ -34,7 +35,8 @@ public:
     [[nodiscard]] CodeSession &code() { return m_code; }
     /// How the student works; a scene without a step can only be explored.
     [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
-    /// The run of the reference in the scene shown, after showMoment(); null if there is none.
+    /// The run of the reference in the scene shown, some time after showMoment(); null if there is
+    /// none.
     [[nodiscard]] const std::shared_ptr<const Recording> &ghost() const { return m_ghost; }
     /// Whether the moment shown is where the check that showMoment() went to went wrong.
     [[nodiscard]] bool showsFault() const
@@ -171,7 +173,8 @@ private:
     Mode m_wantedMode = Mode::Explore;
     Checker m_checker;
     std::optional<CheckReport> m_report;
-    Submission m_judged; ///< what the last check was asked about
+    Submission m_judged;      ///< what the last check was asked about
+    ReferenceRun m_reference; ///< makes the ghost
     std::shared_ptr<const Recording> m_ghost;
     qint64 m_visited = 0;     ///< step of showMoment()
     bool m_runSeen = false;   ///< the run of the work as it is now was shown, beyond its start

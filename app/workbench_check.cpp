@@ -3,7 +3,6 @@
 #include "app/workbench.h"
 
 #include "tasks/lab_report/lab_report.h"
-#include "tasks/runs/observation.h"
 
 #include <QDateTime>
 #include <QRandomGenerator>
@@ -37,6 +36,7 @@ Submission Workbench::submission() const
 
 void Workbench::setGhost(std::shared_ptr<const Recording> ghost)
 {
+    m_reference.cancel();
     if (ghost == m_ghost)
         return;
     m_ghost = std::move(ghost);
@@ -172,17 +172,15 @@ void Workbench::showMoment(const CheckOutcome &outcome)
     showReference(outcome, step);
 }
 
-/// Runs the reference in the same scene, to be seen beside the student's work.
+/// Runs the reference in the same scene, to be seen beside the student's work as soon as it has
+/// run.
 void Workbench::showReference(const CheckOutcome &outcome, qint64 step)
 {
+    setGhost(nullptr); // of another moment
     if (!task() || task()->solution.isEmpty())
         return;
     const double seconds = static_cast<double>(step) * outcome.scene->timestep + ghostSeconds;
-    const Variant variant{outcome.variant, *outcome.scene, seconds, outcome.pinned};
-    Observation reference = observe(variant, &task()->solution);
-    if (!reference.error
-        && reference.circleCount() == static_cast<int>(outcome.scene->circles.size()))
-        setGhost(std::make_shared<const Recording>(std::move(reference.states)));
+    m_reference.start({outcome.variant, *outcome.scene, seconds, outcome.pinned}, task()->solution);
 }
 
 void Workbench::markStale()

@@ -199,7 +199,7 @@ void TestCodeDesk::failureMarksItsLineAndShowsTheReference()
     QVERIFY(!m_open->bench.report()->passed);
     QCOMPARE(editor().suspectLine(), 6);
     QCOMPARE(simulation().current(), 1); // where it first went wrong
-    QVERIFY(m_open->bench.ghost());
+    QTRY_VERIFY(m_open->bench.ghost());
     QVERIFY(std::abs(m_open->bench.ghost()->circles(1)[0].position.x - (-2.0 + 2.0 / 60.0))
             < 1e-12);
     m_open->bench.code().edit(drift);
