@@ -50,6 +50,15 @@ CodeSession::~CodeSession()
 
 void CodeSession::open(const Lab &lab, int index)
 {
+    open(lab, index, m_active, [this](Program *program) {
+        if (m_active)
+            m_simulation.setProgram(program);
+    });
+}
+
+void CodeSession::open(const Lab &lab, int index, bool active,
+                       const std::function<void(Program *program)> &start)
+{
     save();
     keepTyped();
     m_applySoon.stop();
@@ -63,8 +72,11 @@ void CodeSession::open(const Lab &lab, int index)
     watch();
     m_fault = findSyntaxError(m_text);
     m_running = m_fault ? QString() : m_text;
-    run();
+    m_active = active;
+    // The old program lives until the simulation has let go of it.
+    const auto before = std::exchange(m_script, makeScript());
     emit opened(m_text);
+    start(program());
     emit stateChanged();
     emit versionsChanged();
 }
@@ -156,11 +168,16 @@ void CodeSession::apply()
     emit stateChanged();
 }
 
+std::unique_ptr<StudentScript> CodeSession::makeScript() const
+{
+    return std::make_unique<StudentScript>(
+        m_running, StudentScript::Options{.pinned = m_pinned, .timed = true, .locked = m_locked});
+}
+
 /// The old program lives until the simulation has let go of it.
 void CodeSession::run()
 {
-    auto script = std::make_unique<StudentScript>(
-        m_running, StudentScript::Options{.pinned = m_pinned, .timed = true, .locked = m_locked});
+    auto script = makeScript();
     if (m_active)
         m_simulation.setProgram(script.get());
     m_script = std::move(script);

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace cradle {
@@ -28,8 +29,13 @@ public:
     [[nodiscard]] const Workspace &workspace() const { return m_workspace; }
     /// No step is open then.
     void setWorkspace(Workspace workspace);
-    /// Opens the program of a step; \p preset follows it in the simulation.
+    /// Opens the program of a step, in the scene that the simulation has.
     void open(const Lab &lab, int index);
+    /// The same, but \p start alone begins the run, once: it is handed the new program() when the
+    /// session has it, and puts it into the simulation with the scene that belongs to it.
+    /// \param active  from now on
+    void open(const Lab &lab, int index, bool active,
+              const std::function<void(Program *program)> &start);
     /// There is no step, and so no program.
     void close();
 
@@ -94,6 +100,7 @@ signals:
 
 private:
     void run();
+    [[nodiscard]] std::unique_ptr<StudentScript> makeScript() const;
     void endStepping();
     void watch();
     void keepTyped();

@@ -247,13 +247,13 @@ void Workbench::openTaskAt(int index)
     dropReport();
     m_store.lab(m_lab.id).currentTask = task()->id;
     setGhost(nullptr);
-    m_code.setActive(false);  // the old program does not meet the new scene
-    m_document.setLocked({}); // those of the step before
-    m_document.open(task()->preset, progress().edited);
-    m_document.setLocked(task()->locked);
-    m_code.open(m_lab, index);
     m_simulation.setProgramLaws(task()->laws);
-    m_code.setActive(m_wantedMode == Mode::Code);
+    // The old program does not meet the new scene, nor the new one the old scene.
+    m_code.open(m_lab, index, m_wantedMode == Mode::Code, [this](Program *program) {
+        m_document.setLocked({}); // those of the step before
+        m_document.open(task()->preset, progress().edited, program);
+        m_document.setLocked(task()->locked);
+    });
     m_saveSoon.start();
     emit modeChanged();
     emit taskChanged();

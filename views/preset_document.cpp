@@ -52,11 +52,25 @@ PresetDocument::PresetDocument(Simulation &simulation, QObject *parent)
 
 void PresetDocument::open(const Preset &original, const std::optional<Preset> &edited)
 {
+    forgetEdits();
+    m_original = original;
+    m_simulation.setPreset(edited.value_or(original));
+}
+
+void PresetDocument::open(const Preset &original, const std::optional<Preset> &edited,
+                          Program *program)
+{
+    forgetEdits();
+    m_original = original;
+    m_simulation.setRun(edited.value_or(original), program);
+}
+
+/// And a visit.
+void PresetDocument::forgetEdits()
+{
     m_undoStack.clear();
     if (std::exchange(m_own, std::nullopt))
         emit visitingChanged(false);
-    m_original = original;
-    m_simulation.setPreset(edited.value_or(original));
 }
 
 bool PresetDocument::edit(const QString &text, const Preset &changed, const QString &mergeKey)

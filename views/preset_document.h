@@ -28,6 +28,8 @@ public:
     /// Takes \p preset as the one that the step came with, and \p edited (if any) as what the
     /// student has made of it; forgets the undo history.
     void open(const Preset &original, const std::optional<Preset> &edited = std::nullopt);
+    /// The same together with what moves the circles (Simulation::setRun()): one start for both.
+    void open(const Preset &original, const std::optional<Preset> &edited, Program *program);
 
     /// Fixes fields of the preset (tasks/script/locks.h): edits of them are refused with the
     /// reason. Only the way back to the original is open.
@@ -66,6 +68,7 @@ signals:
 
 private:
     friend class PresetEdit;
+    void forgetEdits();
     void apply(const Preset &preset);
 
     Simulation &m_simulation;
