@@ -10391,6 +10391,14 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::Plot</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share</comment>
+        <translation>⁦%1 %⁩</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PlotsChart</name>
     <message>
         <source>Plots</source>
@@ -11749,11 +11757,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
 </context>
 <context>
     <name>cradle::SpeedPlot</name>
-    <message>
-        <source>%1 %</source>
-        <comment>share</comment>
-        <translation>⁦%1 %⁩</translation>
-    </message>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>

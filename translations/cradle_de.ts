@@ -10311,6 +10311,14 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::Plot</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share</comment>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PlotsChart</name>
     <message>
         <source>Plots</source>
@@ -11653,11 +11661,6 @@ Ihre Nummer:</translation>
 </context>
 <context>
     <name>cradle::SpeedPlot</name>
-    <message>
-        <source>%1 %</source>
-        <comment>share</comment>
-        <translation>%1 %</translation>
-    </message>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>

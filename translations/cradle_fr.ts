@@ -10311,6 +10311,14 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::Plot</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share</comment>
+        <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
     <name>cradle::PlotsChart</name>
     <message>
         <source>Plots</source>
@@ -11653,11 +11661,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
 </context>
 <context>
     <name>cradle::SpeedPlot</name>
-    <message>
-        <source>%1 %</source>
-        <comment>share</comment>
-        <translation>%1&#xa0;%</translation>
-    </message>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>

@@ -65,18 +65,18 @@ void TestAccessibleTree::chartsAreSteppedThroughByKeys()
         return plot != nullptr;
     };
     QTRY_VERIFY(find());
-    QVERIFY(plot->toldCurve().isEmpty());
+    QVERIFY(plot->told().isEmpty());
     const auto value = [plot] {
         return QAccessible::queryAccessibleInterface(plot)->text(QAccessible::Value);
     };
     plot->setFocus(Qt::TabFocusReason);
-    const QString first = plot->toldCurve();
+    const QString first = plot->told();
     QVERIFY(first.startsWith(plot->curves().front().label + QStringLiteral(": ")));
     QVERIFY2(value().startsWith(first), qPrintable(value()));
     QTest::keyClick(plot, Qt::Key_Up); // there is none before it
-    QCOMPARE(plot->toldCurve(), first);
+    QCOMPARE(plot->told(), first);
     QTest::keyClick(plot, Qt::Key_Down);
-    const QString second = plot->toldCurve();
+    const QString second = plot->told();
     QVERIFY(second.startsWith(plot->curves()[1].label + QStringLiteral(": ")));
     QVERIFY2(value().startsWith(second), qPrintable(value()));
     // The window's keys go on from the chart: a step, and with it the value told.
@@ -84,9 +84,9 @@ void TestAccessibleTree::chartsAreSteppedThroughByKeys()
     QCOMPARE(open.simulation().current(), qint64{31});
     QTest::keyClick(plot, Qt::Key_N);
     QVERIFY(open.simulation().current() > 31);
-    QTRY_VERIFY(value().startsWith(plot->toldCurve()));
+    QTRY_VERIFY(value().startsWith(plot->told()));
     QTest::keyClick(plot, Qt::Key_Up);
-    QVERIFY(plot->toldCurve().startsWith(plot->curves().front().label));
+    QVERIFY(plot->told().startsWith(plot->curves().front().label));
 }
 
 void TestAccessibleTree::verdictsAreAnnounced()

@@ -78,11 +78,11 @@ void TestChartZoom::wheelZoomsAboutThePointer()
 {
     const TimeWindow::Span before = span();
     const QPointF place(area().left() + 0.25 * area().width(), area().center().y());
-    const double about = m_momentum->plot().timeAt(place.x());
+    const double about = m_momentum->plot().valuesAt(place).x();
     turnWheel(*m_momentum, place, 120);
     settle();
     QVERIFY(span().length() < 0.85 * before.length());
-    QVERIFY(std::abs(m_momentum->plot().timeAt(place.x()) - about) < 1e-9);
+    QVERIFY(std::abs(m_momentum->plot().valuesAt(place).x() - about) < 1e-9);
     turnWheel(*m_momentum, place, -120);
     turnWheel(*m_momentum, place, -120);
     settle();
@@ -100,17 +100,17 @@ void TestChartZoom::zoomIsShared()
 
 void TestChartZoom::controlWheelZoomsTheValues()
 {
-    const ValueSpan before = m_momentum->plot().valueSpan();
+    const ValueSpan before = m_momentum->plot().upSpan();
     const TimeWindow::Span times = span();
-    const ValueSpan others = m_energy->plot().valueSpan();
-    const double about = m_momentum->plot().valueAt(area().center().y());
+    const ValueSpan others = m_energy->plot().upSpan();
+    const double about = m_momentum->plot().valuesAt(area().center()).y();
     turnWheel(*m_momentum, area().center(), 240, Qt::ControlModifier);
     settle();
-    const ValueSpan after = m_momentum->plot().valueSpan();
+    const ValueSpan after = m_momentum->plot().upSpan();
     QVERIFY(after.high - after.low < 0.75 * (before.high - before.low));
-    QVERIFY(std::abs(m_momentum->plot().valueAt(area().center().y()) - about) < 1e-6);
+    QVERIFY(std::abs(m_momentum->plot().valuesAt(area().center()).y() - about) < 1e-6);
     QCOMPARE(span(), times);
-    QCOMPARE(m_energy->plot().valueSpan(), others);
+    QCOMPARE(m_energy->plot().upSpan(), others);
 }
 
 void TestChartZoom::shiftDragZoomsToABox()
@@ -118,24 +118,24 @@ void TestChartZoom::shiftDragZoomsToABox()
     const QPoint from = (area().topLeft() + QPointF(50.0, 20.0)).toPoint();
     const QPoint to = from + QPoint(120, 60);
     const ChartPlot &plot = m_momentum->plot();
-    const TimeWindow::Span times{plot.timeAt(from.x()), plot.timeAt(to.x())};
-    const ValueSpan values{plot.valueAt(to.y()), plot.valueAt(from.y())};
+    const TimeWindow::Span times{plot.valuesAt(from).x(), plot.valuesAt(to).x()};
+    const ValueSpan values{plot.valuesAt(to).y(), plot.valuesAt(from).y()};
     const qint64 shown = m_simulation->current();
     drag(*m_momentum, from, to, Qt::LeftButton, Qt::ShiftModifier);
     settle();
     QVERIFY(std::abs(span().from - times.from) < 1e-9 && std::abs(span().to - times.to) < 1e-9);
-    QCOMPARE(plot.valueSpan(), values);
+    QCOMPARE(plot.upSpan(), values);
     QCOMPARE(m_simulation->current(), shown); // a box is no click
 }
 
 void TestChartZoom::lowBoxIsAStretchOfTime()
 {
-    const ValueSpan values = m_momentum->plot().valueSpan();
+    const ValueSpan values = m_momentum->plot().upSpan();
     const QPoint from = area().center().toPoint();
     drag(*m_momentum, from, from + QPoint(60, 2), Qt::LeftButton, Qt::ShiftModifier);
     settle();
     QCOMPARE(m_window->kind(), TimeWindow::Kind::Zoomed);
-    QCOMPARE(m_momentum->plot().valueSpan(), values);
+    QCOMPARE(m_momentum->plot().upSpan(), values);
 }
 
 void TestChartZoom::middleButtonPans()
@@ -166,7 +166,7 @@ void TestChartZoom::doubleClickEndsTheZoom()
                        area().center().toPoint());
     settle();
     QCOMPARE(m_window->kind(), TimeWindow::Kind::All);
-    QVERIFY(m_momentum->plot().valueSpan().high > 500.0);
+    QVERIFY(m_momentum->plot().upSpan().high > 500.0);
     QCOMPARE(m_simulation->current(), shown); // and does nothing else
 }
 

@@ -243,7 +243,7 @@ void TestCharts::clickAsksForThatTime()
     const QPoint middle = area.center().toPoint();
     QTest::mouseClick(viewport, Qt::LeftButton, {}, middle);
     QCOMPARE(asked.count(), 1);
-    const double end = chart.plot().timeAt(area.right());
+    const double end = chart.plot().valuesAt(area.topRight()).x();
     QVERIFY(end >= 2.0 && end < 2.5);
     QVERIFY(std::abs(asked.takeFirst().at(0).toDouble() - 0.5 * end) < 0.02);
 }
@@ -273,7 +273,7 @@ void TestCharts::pastIsShownBeforeTheMoment()
         simulation.seek(index);
         settle();
         const QRectF area = chart.plot().plotArea();
-        const double from = chart.plot().timeAt(area.left());
+        const double from = chart.plot().valuesAt(area.topLeft()).x();
         const double part = (simulation.time() - from) / TimeWindow::lastSeconds;
         QVERIFY2(part > 0.3 && part < 0.81, qPrintable(QString::number(part)));
     }

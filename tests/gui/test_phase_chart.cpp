@@ -127,7 +127,7 @@ void TestPhaseChart::clickNearTheCurveGoesThere()
 {
     const World then = simulation().recording().world(150);
     const QPointF place = plot().placeOf({then.circles[1].position.x, then.circles[1].velocity.y});
-    QTest::mouseClick(widget(), Qt::LeftButton, {}, place.toPoint());
+    QTest::mouseClick(widget()->viewport(), Qt::LeftButton, {}, place.toPoint());
     QVERIFY2(std::abs(simulation().current() - 150) <= 1,
              qPrintable(QString::number(simulation().current())));
 }
@@ -139,7 +139,7 @@ void TestPhaseChart::wheelZoomsBothAxesAboutThePointer()
     const TimeWindow::Span times = m_open->window.findChild<MomentumChart *>()->plot().timeSpan();
     const QPointF place = plot().plotArea().topLeft() + QPointF(40.0, 30.0);
     const QPointF about = plot().valuesAt(place);
-    turnWheel(widget(), place, 360);
+    turnWheel(widget()->viewport(), place, 360);
     settle();
     // A notch of 120 is a factor of e^−0.2.
     QVERIFY(std::abs(lengthOf(plot().acrossSpan()) / lengthOf(across) - std::exp(-0.6)) < 1e-9);
@@ -153,7 +153,7 @@ void TestPhaseChart::controlWheelZoomsTheVerticalAxis()
 {
     const ValueSpan across = plot().acrossSpan();
     const ValueSpan up = plot().upSpan();
-    turnWheel(widget(), middle(), 120, Qt::ControlModifier);
+    turnWheel(widget()->viewport(), middle(), 120, Qt::ControlModifier);
     settle();
     QCOMPARE(plot().acrossSpan(), across);
     QVERIFY(lengthOf(plot().upSpan()) < 0.9 * lengthOf(up));
@@ -166,12 +166,12 @@ void TestPhaseChart::shiftDragZoomsToABox()
     const QPointF first = plot().valuesAt(from);
     const QPointF last = plot().valuesAt(to);
     const qint64 shown = simulation().current();
-    drag(widget(), from, to, Qt::LeftButton, Qt::ShiftModifier);
+    drag(widget()->viewport(), from, to, Qt::LeftButton, Qt::ShiftModifier);
     settle();
     QCOMPARE(plot().acrossSpan(), (ValueSpan{first.x(), last.x()}));
     QCOMPARE(plot().upSpan(), (ValueSpan{last.y(), first.y()}));
     QCOMPARE(simulation().current(), shown); // a box is no click
-    drag(widget(), from, from + QPoint(3, 40), Qt::LeftButton, Qt::ShiftModifier);
+    drag(widget()->viewport(), from, from + QPoint(3, 40), Qt::LeftButton, Qt::ShiftModifier);
     settle();
     QCOMPARE(plot().acrossSpan(), (ValueSpan{first.x(), last.x()})); // a slip of the hand
 }
@@ -179,7 +179,7 @@ void TestPhaseChart::shiftDragZoomsToABox()
 void TestPhaseChart::middleButtonPans()
 {
     const QPointF held = plot().valuesAt(middle());
-    drag(widget(), middle(), middle() + QPoint(-30, 20), Qt::MiddleButton);
+    drag(widget()->viewport(), middle(), middle() + QPoint(-30, 20), Qt::MiddleButton);
     settle();
     const QPointF now = plot().placeOf(held);
     QVERIFY((now - middle() - QPointF(-30.0, 20.0)).manhattanLength() < 1e-6);
@@ -189,10 +189,10 @@ void TestPhaseChart::doubleClickEndsTheZoom()
 {
     const ValueSpan across = plot().acrossSpan();
     const ValueSpan up = plot().upSpan();
-    turnWheel(widget(), middle(), 480);
+    turnWheel(widget()->viewport(), middle(), 480);
     settle();
     QVERIFY(plot().acrossSpan() != across);
-    QTest::mouseDClick(widget(), Qt::LeftButton, {}, middle());
+    QTest::mouseDClick(widget()->viewport(), Qt::LeftButton, {}, middle());
     settle();
     QCOMPARE(plot().acrossSpan(), across);
     QCOMPARE(plot().upSpan(), up);
@@ -222,7 +222,7 @@ void TestPhaseChart::menuZoomsAndResets()
 
 void TestPhaseChart::otherAxesEndTheZoom()
 {
-    turnWheel(widget(), middle(), 480);
+    turnWheel(widget()->viewport(), middle(), 480);
     settle();
     QVERIFY(plot().picture().across && plot().picture().up);
     m_phase->setAxes({Quantity::Y, 0}, {Quantity::X, 0});
@@ -236,7 +236,7 @@ void TestPhaseChart::timeIsZoomedInAllCharts()
     settle();
     const ValueSpan up = plot().upSpan();
     const double seconds = lengthOf(plot().acrossSpan());
-    turnWheel(widget(), middle(), 240);
+    turnWheel(widget()->viewport(), middle(), 240);
     settle();
     const ChartPlot &others = m_open->window.findChild<MomentumChart *>()->plot();
     QVERIFY(lengthOf(plot().acrossSpan()) < 0.75 * seconds);

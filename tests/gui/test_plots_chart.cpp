@@ -97,7 +97,7 @@ void TestPlotsChart::clickSeeks()
     QTRY_VERIFY(!plots.labels().isEmpty());
     QSignalSpy asked(&plots.chart, &ChartPane::seekRequested);
     const ChartPlot &plot = plots.chart.plot();
-    const auto shownUntil = [&plot] { return plot.timeAt(plot.plotArea().right()); };
+    const auto shownUntil = [&plot] { return plot.valuesAt(plot.plotArea().topRight()).x(); };
     QTRY_VERIFY2(std::abs(shownUntil() - 1.0) < 0.05, qPrintable(QString::number(shownUntil())));
     QTest::mouseClick(plot.viewport(), Qt::LeftButton, {}, plot.plotArea().center().toPoint());
     QCOMPARE(asked.count(), 1);

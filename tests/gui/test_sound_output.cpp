@@ -81,7 +81,7 @@ void TestSoundOutput::returnPlaysTheCurveTold()
         return plot != nullptr;
     };
     QTRY_VERIFY(find());
-    QSignalSpy played(plot, &ChartPlot::curvePlayed);
+    QSignalSpy played(plot, &Plot::played);
     QTest::keyClick(plot, Qt::Key_Return); // no curve was told yet
     QCOMPARE(played.size(), 0);
     plot->setFocus(Qt::TabFocusReason);

@@ -98,8 +98,8 @@ void TestSpeedHistogram::keysGoFromBarToBar()
     Shown shown(equallyFast(8, 1.05));
     shown.simulation.goTo(0);
     auto *plot = shown.histogram.findChild<SpeedPlot *>();
-    QTRY_VERIFY(!plot->isEmpty());
-    QVERIFY(plot->toldBar().isEmpty());
+    QTRY_VERIFY(plot->showsRun());
+    QVERIFY(plot->told().isEmpty());
     // All 64 are as fast: one bar has all of them, and the others none.
     const SpeedPicture picture = shown.picture();
     const auto full = std::find(picture.shares.begin(), picture.shares.end(), 1.0);
@@ -108,15 +108,15 @@ void TestSpeedHistogram::keysGoFromBarToBar()
     for (std::ptrdiff_t i = 0; i <= index; ++i)
         QTest::keyClick(plot, Qt::Key_Down);
     const double low = picture.binWidth * static_cast<double>(index);
-    QVERIFY2(plot->toldBar().contains(QStringLiteral("100.0 %, the curve ")),
-             qPrintable(plot->toldBar()));
+    QVERIFY2(plot->told().contains(QStringLiteral("100.0 %, the curve ")),
+             qPrintable(plot->told()));
     QVERIFY(low <= 1.05 && 1.05 < low + picture.binWidth);
-    QVERIFY(plot->accessibleDescription().startsWith(plot->toldBar() + QStringLiteral(". Not in")));
+    QVERIFY(plot->accessibleDescription().startsWith(plot->told() + QStringLiteral(". Not in")));
     QTest::keyClick(plot, Qt::Key_Up);
-    QVERIFY2(plot->toldBar().contains(QStringLiteral(": 0 %")), qPrintable(plot->toldBar()));
+    QVERIFY2(plot->told().contains(QStringLiteral(": 0 %")), qPrintable(plot->told()));
     for (int i = 0; i < 100; ++i)
         QTest::keyClick(plot, Qt::Key_Up);
-    QVERIFY2(plot->toldBar().startsWith(QLatin1String("0")), qPrintable(plot->toldBar()));
+    QVERIFY2(plot->told().startsWith(QLatin1String("0")), qPrintable(plot->told()));
     QSignalSpy played(&shown.histogram, &SpeedHistogram::curvePlayed);
     QTest::keyClick(plot, Qt::Key_Return);
     QCOMPARE(played.size(), 1);
@@ -226,7 +226,7 @@ void TestSpeedHistogram::chanceAllowsLessForMore()
 void TestSpeedHistogram::gasComesToEquilibrium()
 {
     Shown shown(equallyFast(15, 2.0));
-    QTRY_VERIFY(!shown.histogram.plot().isEmpty());
+    QTRY_VERIFY(shown.histogram.plot().showsRun());
     const auto circlesNow = [&] {
         return shown.simulation.recording().circles(shown.simulation.current());
     };
@@ -248,7 +248,7 @@ void TestSpeedHistogram::barsAreThoseOfTheLastSecond()
     Preset preset = equallyFast(5, 2.05);
     preset.laws = {}; // they keep their speed for ever
     Shown shown(preset);
-    QTRY_VERIFY(!shown.histogram.plot().isEmpty());
+    QTRY_VERIFY(shown.histogram.plot().showsRun());
     const auto onlyBin = [&] {
         const auto &shares = shown.picture().shares;
         return shares.at(static_cast<std::size_t>(2.05 / shown.picture().binWidth));
@@ -267,7 +267,7 @@ void TestSpeedHistogram::tooFewCirclesSayWhatToDo()
 {
     Shown shown(glancing());
     QTRY_VERIFY(shown.histogram.plot().emptyText().contains(QStringLiteral("Example scenes")));
-    QVERIFY(shown.histogram.plot().isEmpty());
+    QVERIFY(!shown.histogram.plot().showsRun());
     QVERIFY(!shown.histogram.plot().accessibleName().isEmpty());
     QVERIFY(!shown.histogram.grab().isNull());
 }

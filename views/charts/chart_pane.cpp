@@ -249,7 +249,7 @@ void ChartPane::redraw()
 void ChartPane::describe()
 {
     QStringList values;
-    if (const QString told = m_plot->toldCurve(); !told.isEmpty())
+    if (const QString told = m_plot->told(); !told.isEmpty())
         values.append(told);
     for (const auto &[text, place] : m_plot->labels())
         values.append(text);

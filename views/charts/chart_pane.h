@@ -58,7 +58,7 @@ public slots:
 signals:
     void seekRequested(double time); ///< s: a click or a drag in the chart
     void pinRequested();
-    void curvePlayed(const std::vector<double> &values); ///< see ChartPlot
+    void curvePlayed(const std::vector<double> &values); ///< see Plot::played()
     void runRequested();                     ///< to go on, after a click that meant something else
     void failed(const cradle::Error &error); ///< a file could not be written
 
@@ -113,7 +113,6 @@ private:
     [[nodiscard]] double end() const; ///< of all curves, s
     [[nodiscard]] TimeWindow::Span whole() const;
     void zoomTo(const std::optional<ValueSpan> &values);
-    void zoomValues(double factor, double about);
 
     /// The moment before a click, to which a double click goes back: it only ends the zoom.
     struct BeforeClick {

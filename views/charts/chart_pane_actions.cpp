@@ -21,7 +21,7 @@ constexpr double keyZoom = 1.5; ///< of a press of a key
 
 void ChartPane::wirePlot()
 {
-    connect(m_plot, &ChartPlot::pickingBegan, this, &ChartPane::keepMoment);
+    connect(m_plot, &Plot::pickingBegan, this, &ChartPane::keepMoment);
     connect(m_plot, &ChartPlot::timePicked, this, [this](double time) {
         m_window->setHeld(true);
         emit seekRequested(time);
@@ -33,41 +33,37 @@ void ChartPane::wirePlot()
         if (frame >= recording.first() && frame <= recording.last())
             emit seekRequested(recording.time(frame));
     });
-    connect(m_plot, &ChartPlot::pickingEnded, this, [this] {
+    connect(m_plot, &Plot::pickingEnded, this, [this] {
         m_window->setHeld(false);
         m_throttle->request();
     });
-    connect(m_plot, &ChartPlot::timeZoomed, this, [this](double factor, double about) {
-        m_window->zoomBy(factor, about, m_plot->timeSpan(), whole());
+    connect(m_plot, &Plot::zoomed, this, [this](QPointF about, double factor, bool upOnly) {
+        if (!upOnly)
+            m_window->zoomBy(factor, about.x(), m_plot->timeSpan(), whole());
+        else if (const auto values = zoomed(m_plot->upSpan(), factor, about.y()))
+            zoomTo(values);
     });
-    connect(m_plot, &ChartPlot::valuesZoomed, this, &ChartPane::zoomValues);
-    connect(m_plot, &ChartPlot::boxChosen, this,
-            [this](const TimeWindow::Span &times, const std::optional<ValueSpan> &values) {
+    connect(m_plot, &Plot::boxChosen, this,
+            [this](const ValueSpan &times, const std::optional<ValueSpan> &values) {
                 if (values)
                     zoomTo(values);
-                m_window->zoomTo(times, whole());
+                m_window->zoomTo({times.low, times.high}, whole());
             });
-    connect(m_plot, &ChartPlot::panned, this, [this](double seconds, double values) {
+    connect(m_plot, &Plot::panned, this, [this](QPointF way) {
         if (m_valueZoom)
-            zoomTo(ValueSpan{m_valueZoom->low + values, m_valueZoom->high + values});
-        m_window->panBy(seconds, m_plot->timeSpan(), whole());
+            zoomTo(ValueSpan{m_valueZoom->low + way.y(), m_valueZoom->high + way.y()});
+        m_window->panBy(way.x(), m_plot->timeSpan(), whole());
     });
-    connect(m_plot, &ChartPlot::resetRequested, this, &ChartPane::resetByClick);
-    connect(m_plot, &ChartPlot::curveTold, this, &ChartPane::describe);
-    connect(m_plot, &ChartPlot::curvePlayed, this, &ChartPane::curvePlayed);
-    connect(m_plot, &ChartPlot::resized, this, &ChartPane::redraw);
+    connect(m_plot, &Plot::resetRequested, this, &ChartPane::resetByClick);
+    connect(m_plot, &Plot::toldChanged, this, &ChartPane::describe);
+    connect(m_plot, &Plot::played, this, &ChartPane::curvePlayed);
+    connect(m_plot, &Plot::resized, this, &ChartPane::redraw);
 }
 
 void ChartPane::zoomTo(const std::optional<ValueSpan> &values)
 {
     m_valueZoom = values;
     m_throttle->request();
-}
-
-void ChartPane::zoomValues(double factor, double about)
-{
-    if (const auto values = zoomed(m_plot->valueSpan(), factor, about))
-        zoomTo(values);
 }
 
 void ChartPane::zoomIn()

@@ -21,7 +21,8 @@ namespace cradle {
 
 namespace {
 
-constexpr double reach = 12.0; ///< px from the curve that a click means it
+constexpr double reach = 12.0;       ///< px from the curve that a click means it
+constexpr double leastColumns = 160; ///< of pixels, before the plot has its size
 
 bool isPlace(Quantity quantity)
 {
@@ -190,13 +191,14 @@ void PhaseChart::redraw()
         m_window->choose({first, last}, std::max(last, pinnedEnd()), m_simulation.time());
     PhasePicture picture;
     addPinned(picture, span.from, span.to);
-    PhasePicture::Curve curve;
-    curve.pen = QPen(colour(), 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+    PlotLine curve{.pen = {colour(), 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin},
+                   .isOverTime = isOverTime()};
     picture.up = m_upZoom;
     picture.across = m_acrossZoom;
     if (isOverTime()) {
         picture.across = ValueSpan{span.from, span.to};
-        curve.points = m_overTime.decimate(span.from, span.to, std::max(1, m_plot->width()));
+        const double width = std::max<double>(m_plot->plotArea().width(), leastColumns);
+        curve.points = m_overTime.decimate(span.from, span.to, static_cast<int>(width));
     }
     for (const Sample &sample : m_samples) {
         if (sample.time >= span.from && sample.time <= span.to)
@@ -228,8 +230,8 @@ void PhaseChart::addPinned(PhasePicture &picture, double from, double to) const
     if (!m_pins)
         return;
     for (const PinnedRun &run : m_pins->runs()) {
-        PhasePicture::Curve curve;
-        curve.pen = QPen(theme().mutedText, 1.0, pinDash(run.number));
+        PlotLine curve{.pen = {theme().mutedText, 1.0, pinDash(run.number)},
+                       .isOverTime = isOverTime()};
         const Recording &recording = run.recording;
         const qint64 oldest = recording.last() - mostSteps + 1;
         for (qint64 i = std::max(recording.first(), oldest); i <= recording.last(); ++i) {

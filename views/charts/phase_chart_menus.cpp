@@ -118,18 +118,22 @@ void PhaseChart::resetByClick()
 
 void PhaseChart::wirePlot()
 {
-    connect(m_plot, &PhasePlot::pickingBegan, this, &PhaseChart::keepMoment);
-    connect(m_plot, &PhasePlot::picked, this, &PhaseChart::seekNear);
-    connect(m_plot, &PhasePlot::zoomed, this, &PhaseChart::zoomBy);
-    connect(m_plot, &PhasePlot::panned, this, &PhaseChart::panBy);
-    connect(m_plot, &PhasePlot::resetRequested, this, &PhaseChart::resetByClick);
+    connect(m_plot, &Plot::pickingBegan, this, &PhaseChart::keepMoment);
+    connect(m_plot, &Plot::picked, this, &PhaseChart::seekNear);
+    connect(m_plot, &Plot::zoomed, this, [this](QPointF about, double factor, bool upOnly) {
+        zoomBy(about, upOnly ? 1.0 : factor, factor);
+    });
+    connect(m_plot, &Plot::panned, this, &PhaseChart::panBy);
+    connect(m_plot, &Plot::resetRequested, this, &PhaseChart::resetByClick);
+    connect(m_plot, &Plot::resized, this, &PhaseChart::redraw);
     connect(m_plot, &PhasePlot::playRequested, this, &PhaseChart::play);
-    connect(m_plot, &PhasePlot::boxChosen, this,
-            [this](const ValueSpan &across, const ValueSpan &up) {
-                m_upZoom = up;
+    connect(m_plot, &Plot::boxChosen, this,
+            [this](const ValueSpan &across, const std::optional<ValueSpan> &up) {
+                if (up)
+                    m_upZoom = up;
                 if (isOverTime())
                     m_window->zoomTo({across.low, across.high}, whole());
-                else
+                else if (up)
                     m_acrossZoom = across;
                 m_throttle->request();
             });

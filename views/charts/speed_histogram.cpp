@@ -52,8 +52,9 @@ SpeedHistogram::SpeedHistogram(const Simulation &simulation, QWidget *parent)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     connect(m_throttle, &FrameThrottle::due, this, &SpeedHistogram::redraw);
-    connect(m_plot, &SpeedPlot::barTold, this, &SpeedHistogram::describe);
-    connect(m_plot, &SpeedPlot::barsPlayed, this, &SpeedHistogram::curvePlayed);
+    connect(m_plot, &Plot::toldChanged, this, &SpeedHistogram::describe);
+    connect(m_plot, &Plot::played, this, &SpeedHistogram::curvePlayed);
+    connect(m_plot, &Plot::resized, this, &SpeedHistogram::redraw);
     setHeadingFont();
     setKind(m_heading, "heading");
     setKind(m_sentence, "muted");
@@ -89,8 +90,8 @@ void SpeedHistogram::redraw()
 /// First the bar that the keys are at, then how far all are from equilibrium.
 void SpeedHistogram::describe()
 {
-    const QString whole = m_plot->isEmpty() ? m_plot->emptyText() : sentence();
-    const QString told = m_plot->isEmpty() ? QString() : m_plot->toldBar();
+    const QString whole = m_plot->showsRun() ? sentence() : m_plot->emptyText();
+    const QString told = m_plot->showsRun() ? m_plot->told() : QString();
     m_plot->setAccessibleDescription(told.isEmpty() ? whole : told + QStringLiteral(". ") + whole);
 }
 

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {344, 240}; }
 
 signals:
-    void curvePlayed(const std::vector<double> &shares); ///< see SpeedPlot::barsPlayed()
+    void curvePlayed(const std::vector<double> &shares); ///< see Plot::played()
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/speed_plot.h"
 
-#include "views/charts/nice_scale.h"
 #include "views/charts/number_text.h"
-#include "views/charts/plot_focus.h"
 #include "views/charts/speed_distribution.h"
 #include "views/text_direction.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>
-#include <QKeyEvent>
-#include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -21,49 +16,52 @@ namespace cradle {
 
 namespace {
 
-constexpr int textPixels = 11;
-constexpr double leftRoom = 46.0;   ///< px for the shares
-constexpr double rightRoom = 14.0;  ///< px
-constexpr double topRoom = 16.0;    ///< px: for the text over a bar that is cut off
-constexpr double axisRoom = 22.0;   ///< px for the speeds below the plot
-constexpr double tickHeight = 36.0; ///< px from one share to the next, at least
-constexpr double tickWidth = 44.0;  ///< px from one speed to the next, at least
-constexpr double swatch = 10.0;     ///< px
+constexpr double swatch = 10.0; ///< px
 /// The axis of shares ends at this many times the top of the curve.
 constexpr double headroom = 2.0;
 
-/// The middle of the pixel, where a line of one pixel is sharp.
-double sharp(double x)
+QColor barColour()
 {
-    return std::floor(x) + 0.5;
+    QColor fill = theme().kinetic;
+    fill.setAlphaF(0.45F);
+    return fill;
 }
 
 } // namespace
 
+/// Over the lines there is room for the text over a bar that is cut off.
 SpeedPlot::SpeedPlot(QWidget *parent)
-    : QWidget(parent)
+    : Plot({.topRoom = 16.0, .tickHeight = 36.0, .isPicked = false}, parent)
 {
-    setLayoutDirection(Qt::LeftToRight);
-    setFocusPolicy(Qt::TabFocus);
 }
 
 void SpeedPlot::showPicture(const SpeedPicture &picture)
 {
-    if (picture == m_picture)
-        return;
     m_picture = picture;
-    m_emptyText.clear();
-    update();
+    const double top = maxwellDensity(picture.spread, picture.spread) * picture.binWidth;
+    const double highest = headroom * top;
+    layOut({.scale = {0.0, lastSpeed(), 1.0}, .unit = tr("m/s")},
+           {.scale = {0.0, highest, niceStep(highest / std::max(1, rows()))}, .isShare = true});
+    showLines({curve()});
 }
 
-void SpeedPlot::showEmpty(const QString &text)
+PlotLine SpeedPlot::curve() const
 {
-    m_picture = {};
-    m_emptyText = text;
-    update();
+    PlotLine line{.points = {{0.0, 0.0}}, .pen = QPen(theme().text, 2.0)};
+    const int columns = std::max(1, static_cast<int>(plotArea().width()));
+    for (int column = 2; column <= columns; column += 2) {
+        const double speed = lastSpeed() * column / columns;
+        line.points.append({speed, maxwellDensity(speed, m_picture.spread) * m_picture.binWidth});
+    }
+    return line;
 }
 
-QString SpeedPlot::toldBar() const
+double SpeedPlot::lastSpeed() const
+{
+    return m_picture.binWidth * static_cast<double>(m_picture.shares.size());
+}
+
+QString SpeedPlot::told() const
 {
     if (m_told < 0 || m_told >= static_cast<int>(m_picture.shares.size()))
         return {};
@@ -77,145 +75,43 @@ QString SpeedPlot::toldBar() const
              percent(m_picture.shares[static_cast<std::size_t>(m_told)]), percent(curve));
 }
 
-void SpeedPlot::keyPressEvent(QKeyEvent *event)
+bool SpeedPlot::tellNext(int direction)
 {
-    const int way = wayOf(*event);
-    if (isEmpty() || (way == 0 && !asksToHear(*event))) {
-        event->ignore(); // the window's keys go from moment to moment
-    } else if (way == 0) {
-        emit barsPlayed(m_picture.shares);
-    } else {
-        m_told = std::clamp(m_told + way, 0, static_cast<int>(m_picture.shares.size()) - 1);
-        update();
-        emit barTold();
-    }
+    m_told = std::clamp(m_told + direction, 0, static_cast<int>(m_picture.shares.size()) - 1);
+    emit toldChanged();
+    return true;
 }
 
-double SpeedPlot::lastSpeed() const
+void SpeedPlot::drawUnder(QPainter &painter) const
 {
-    return m_picture.binWidth * static_cast<double>(m_picture.shares.size());
-}
-
-double SpeedPlot::xOf(double speed) const
-{
-    return m_area.left() + speed / lastSpeed() * m_area.width();
-}
-
-double SpeedPlot::yOf(double share) const
-{
-    return m_area.bottom() - share / m_highest * m_area.height();
-}
-
-void SpeedPlot::layOut()
-{
-    m_area = QRectF(leftRoom * textScale(), topRoom * textScale(),
-                    width() - leftRoom * textScale() - rightRoom,
-                    height() - topRoom * textScale() - axisRoom * textScale());
-    const double top = maxwellDensity(m_picture.spread, m_picture.spread) * m_picture.binWidth;
-    m_highest = headroom * top;
-    m_tickStep = niceStep(m_highest / std::max(1.0, m_area.height() / (tickHeight * textScale())));
-}
-
-void SpeedPlot::paintEvent(QPaintEvent *)
-{
-    QPainter painter(this);
-    painter.setLayoutDirection(layoutDirection());
-    painter.fillRect(rect(), theme().panel);
-    if (isEmpty()) {
-        painter.setPen(theme().mutedText);
-        painter.setLayoutDirection(directionOf(m_emptyText));
-        painter.drawText(QRectF(rect()).adjusted(16.0, 0.0, -16.0, -16.0),
-                         Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
-        if (hasFocus())
-            drawPlotFocus(painter, rect(), {}, {});
-        return;
-    }
-    QFont small = font();
-    small.setPixelSize(scaledByText(textPixels));
-    painter.setFont(small);
-    layOut();
-    drawAxes(painter);
-    drawBars(painter);
-    drawCurve(painter);
-    drawLegend(painter);
-    if (hasFocus())
-        drawPlotFocus(painter, rect(), m_area.topLeft(), toldBar());
-}
-
-void SpeedPlot::drawAxes(QPainter &painter) const
-{
-    const Theme &colours = theme();
+    const QRectF area = plotArea();
     const QFontMetricsF metrics(painter.font());
-    for (const double share : AxisScale{0.0, m_highest, m_tickStep}.ticks()) {
-        const double y = sharp(yOf(share));
-        painter.setPen(share == 0.0 ? colours.border : colours.grid);
-        painter.drawLine(QPointF(m_area.left(), y), QPointF(m_area.right(), y));
-        const QString text = tr("%1 %", "share").arg(tickNumber(100.0 * share, 100.0 * m_tickStep));
-        const double x = m_area.left() - 8.0 - metrics.horizontalAdvance(text);
-        painter.setPen(colours.mutedText);
-        painter.drawText(QPointF(x, y + std::round(0.5 * metrics.capHeight())), text);
-    }
-    const double axis = sharp(m_area.bottom());
-    const double baseline = axis + 6.0 + std::ceil(metrics.ascent());
-    const double step = niceStep(lastSpeed() * tickWidth * textScale()
-                                 / std::max(tickWidth * textScale(), m_area.width()));
-    const std::vector<double> speeds = AxisScale{0.0, lastSpeed(), step}.ticks();
-    for (const double speed : speeds) {
-        QString text = tickNumber(speed, step);
-        if (speed == speeds.back())
-            text += QChar::Nbsp + tr("m/s");
-        const double advance = metrics.horizontalAdvance(text);
-        const double x = std::min(xOf(speed) - 0.5 * advance, width() - advance - 2.0);
-        painter.setPen(colours.border);
-        painter.drawLine(QPointF(sharp(xOf(speed)), axis), QPointF(sharp(xOf(speed)), axis + 3.0));
-        painter.setPen(colours.mutedText);
-        painter.drawText(QPointF(std::round(x), baseline), text);
-    }
-}
-
-void SpeedPlot::drawBars(QPainter &painter) const
-{
-    QColor fill = theme().kinetic;
-    fill.setAlphaF(0.45F);
-    const QFontMetricsF metrics(painter.font());
-    double textFrom = m_area.left();
+    double textFrom = area.left();
     for (std::size_t bin = 0; bin < m_picture.shares.size(); ++bin) {
         const double share = m_picture.shares[bin];
         const double left = std::round(xOf(m_picture.binWidth * static_cast<double>(bin)));
         const double right = std::round(xOf(m_picture.binWidth * static_cast<double>(bin + 1)));
-        const double top = std::max(m_area.top(), yOf(share));
-        painter.fillRect(QRectF(left + 1.0, top, right - left - 1.0, m_area.bottom() - top), fill);
-        if (share <= m_highest)
+        const double top = std::max(area.top(), yOf(share));
+        painter.fillRect(QRectF(left + 1.0, top, right - left - 1.0, area.bottom() - top),
+                         barColour());
+        if (share <= upSpan().high)
             continue;
-        const QString text = tr("%1 %", "share").arg(std::lround(100.0 * share));
+        const QString text = Plot::tr("%1 %", "share").arg(std::lround(100.0 * share));
         const double advance = metrics.horizontalAdvance(text);
         const double x = 0.5 * (left + right - advance);
         if (x < textFrom) // there is no room beside the one before
             continue;
         painter.setPen(theme().mutedText);
-        painter.drawText(QPointF(std::round(x), m_area.top() - 4.0), text);
+        painter.drawText(QPointF(std::round(x), area.top() - 4.0), text);
         textFrom = x + advance + 4.0;
     }
 }
 
-void SpeedPlot::drawCurve(QPainter &painter) const
-{
-    QPainterPath path(QPointF(xOf(0.0), yOf(0.0)));
-    const int columns = std::max(1, static_cast<int>(m_area.width()));
-    for (int column = 2; column <= columns; column += 2) {
-        const double speed = lastSpeed() * column / columns;
-        const double share = maxwellDensity(speed, m_picture.spread) * m_picture.binWidth;
-        path.lineTo(xOf(speed), yOf(share));
-    }
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme().text, 2.0));
-    painter.drawPath(path);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-}
-
 /// At the top right, where the curve is low.
-void SpeedPlot::drawLegend(QPainter &painter) const
+void SpeedPlot::drawOver(QPainter &painter) const
 {
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const QRectF area = plotArea();
     const QFontMetricsF metrics(painter.font());
     QStringList lines{m_picture.barsText, m_picture.curveText};
     if (m_picture.shareBeyond > 0.0)
@@ -223,21 +119,19 @@ void SpeedPlot::drawLegend(QPainter &painter) const
     double widest = 0.0;
     for (const QString &line : lines)
         widest = std::max(widest, metrics.horizontalAdvance(line));
-    const double left = std::round(m_area.right() - widest);
+    const double left = std::round(area.right() - widest);
     const double height = std::ceil(metrics.height());
     QColor behind = theme().panel;
     behind.setAlphaF(0.8F);
-    painter.fillRect(QRectF(left - swatch - 8.0, m_area.top(), widest + swatch + 8.0,
+    painter.fillRect(QRectF(left - swatch - 8.0, area.top(), widest + swatch + 8.0,
                             height * static_cast<double>(lines.size())),
                      behind);
-    QColor fill = theme().kinetic;
-    fill.setAlphaF(0.45F);
     for (qsizetype i = 0; i < lines.size(); ++i) {
-        const double top = m_area.top() + static_cast<double>(i) * height;
+        const double top = area.top() + static_cast<double>(i) * height;
         const double middle = std::round(top + 0.5 * height);
         const QRectF mark(left - swatch - 6.0, middle - 0.5 * swatch, swatch, swatch);
         if (i == 0)
-            painter.fillRect(mark, fill);
+            painter.fillRect(mark, barColour());
         else if (i == 1)
             painter.fillRect(QRectF(mark.left(), middle - 1.0, swatch, 2.0), theme().text);
         painter.setPen(theme().mutedText);
