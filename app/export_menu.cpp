@@ -18,8 +18,7 @@ struct MenuText {
 };
 
 /// A submenu that is filled when it is opened, so that it knows what can be done.
-template <typename Chart>
-void addExportOf(Menu *exports, const QString &name, Chart *chart)
+void addExportOf(Menu *exports, const QString &name, PlotPane *chart)
 {
     Menu *formats = exports->addMenu(name);
     QObject::connect(formats, &QMenu::aboutToShow, chart, [chart, formats] {

@@ -18,26 +18,19 @@ namespace cradle {
 void MainWindow::wireCharts()
 {
     Simulation *simulation = &m_workbench.simulation();
-    for (ChartPane *chart : findChildren<ChartPane *>()) {
-        chart->share(m_timeWindow, m_pins);
-        connect(chart, &ChartPane::seekRequested, simulation, [simulation](double time) {
+    for (PlotPane *pane : findChildren<PlotPane *>()) {
+        pane->share(m_timeWindow, m_pins);
+        connect(pane, &PlotPane::seekRequested, simulation, [simulation](double time) {
             simulation->seek(simulation->recording().indexAt(time));
         });
-        connect(chart, &ChartPane::curvePlayed, this,
+        connect(pane, &PlotPane::curvePlayed, this,
                 [this](const std::vector<double> &values) { play(samplesOfCurve(values)); });
-        connect(chart, &ChartPane::runRequested, simulation, &Simulation::start);
-        connect(chart, &ChartPane::pinRequested, this, &MainWindow::pinRun);
-        connect(chart, &ChartPane::failed, this, &MainWindow::report);
+        connect(pane, &PlotPane::runRequested, simulation, &Simulation::start);
+        connect(pane, &PlotPane::pinRequested, this, &MainWindow::pinRun);
+        connect(pane, &PlotPane::failed, this, &MainWindow::report);
     }
-    m_phase->share(m_timeWindow, m_pins);
-    connect(m_phase, &PhaseChart::seekRequested, simulation,
-            [simulation](double time) { simulation->seek(simulation->recording().indexAt(time)); });
-    connect(m_phase, &PhaseChart::curvePlayed, this,
-            [this](const std::vector<double> &values) { play(samplesOfCurve(values)); });
     connect(m_speeds, &SpeedHistogram::curvePlayed, this,
             [this](const std::vector<double> &shares) { play(samplesOfCurve(shares)); });
-    connect(m_phase, &PhaseChart::runRequested, simulation, &Simulation::start);
-    connect(m_phase, &PhaseChart::failed, this, &MainWindow::report);
     connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });
     connect(&m_workbench, &Workbench::taskChanged, this, [this] { m_pins.clear(); });
     connect(m_scene, &SceneView::newRunRequested, this, &MainWindow::startNewRunHere);
@@ -104,9 +97,8 @@ void MainWindow::exportRun(RunTable table)
 
 void MainWindow::resetCharts()
 {
-    for (ChartPane *chart : findChildren<ChartPane *>())
-        chart->resetZoom();
-    m_phase->resetZoom();
+    for (PlotPane *pane : findChildren<PlotPane *>())
+        pane->resetZoom();
 }
 
 } // namespace cradle

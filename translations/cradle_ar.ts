@@ -7943,31 +7943,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>عرض التشغيل كله</translation>
     </message>
     <message>
-        <source>Zoom, pin and export</source>
-        <translation>تكبير وتثبيت وتصدير</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>تكبير (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>تصغير (&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>إعادة التكبير الأصلي (&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Pin this run</source>
-        <translation>تثبيت هذا التشغيل (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <comment>a kept run</comment>
-        <translation>إزالة ⁨%1⁩</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>الزمن</translation>
     </message>
@@ -10296,10 +10271,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>بدلالة</translation>
     </message>
     <message>
-        <source>Zoom and export</source>
-        <translation>تكبير وتصدير</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>quantity, unit</comment>
         <translation>%1 (%2)</translation>
@@ -10311,18 +10282,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>All together</source>
         <translation>الكل معًا</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>تكبير (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>تصغير (&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>إعادة التكبير الأصلي (&amp;R)</translation>
     </message>
     <message>
         <source>%1, circle %2</source>
@@ -10396,6 +10355,34 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <source>%1 %</source>
         <comment>share</comment>
         <translation>⁦%1 %⁩</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PlotPane</name>
+    <message>
+        <source>Zoom, pin and export</source>
+        <translation>تكبير وتثبيت وتصدير</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>تكبير (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>تصغير (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>إعادة التكبير الأصلي (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>تثبيت هذا التشغيل (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <comment>a kept run</comment>
+        <translation>إزالة ⁨%1⁩</translation>
     </message>
 </context>
 <context>

@@ -7895,34 +7895,9 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>%1 über der Zeit</translation>
     </message>
     <message>
-        <source>Zoom, pin and export</source>
-        <translation>Zoomen, anheften und exportieren</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>kept run: curve</comment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>&amp;Vergrößern</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Ver&amp;kleinern</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>&amp;Zoom zurücksetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Pin this run</source>
-        <translation>Diesen Lauf an&amp;heften</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <comment>a kept run</comment>
-        <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>time</source>
@@ -10233,22 +10208,6 @@ Ihre Nummer:</translation>
         <translation>über</translation>
     </message>
     <message>
-        <source>Zoom and export</source>
-        <translation>Zoomen und exportieren</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>&amp;Vergrößern</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Ver&amp;kleinern</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>&amp;Zoom zurücksetzen</translation>
-    </message>
-    <message>
         <source>%1, circle %2</source>
         <comment>quantity, of</comment>
         <translation>%1, Kreis %2</translation>
@@ -10316,6 +10275,34 @@ Ihre Nummer:</translation>
         <source>%1 %</source>
         <comment>share</comment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PlotPane</name>
+    <message>
+        <source>Zoom, pin and export</source>
+        <translation>Zoomen, anheften und exportieren</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>&amp;Zoom zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>Diesen Lauf an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <comment>a kept run</comment>
+        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>

@@ -7895,31 +7895,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Montrer toute l&apos;exécution</translation>
     </message>
     <message>
-        <source>Zoom, pin and export</source>
-        <translation>Zoomer, épingler et exporter</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>Zoom &amp;avant</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Zoom a&amp;rrière</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>Réin&amp;itialiser le zoom</translation>
-    </message>
-    <message>
-        <source>&amp;Pin this run</source>
-        <translation>É&amp;pingler cette exécution</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <comment>a kept run</comment>
-        <translation>Retirer&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>temps</translation>
     </message>
@@ -10220,10 +10195,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>en fonction de</translation>
     </message>
     <message>
-        <source>Zoom and export</source>
-        <translation>Zoomer et exporter</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>quantity, unit</comment>
         <translation>%1 (%2)</translation>
@@ -10235,18 +10206,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>All together</source>
         <translation>Tous ensemble</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>Zoom &amp;avant</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Zoom a&amp;rrière</translation>
-    </message>
-    <message>
-        <source>&amp;Reset zoom</source>
-        <translation>Réin&amp;itialiser le zoom</translation>
     </message>
     <message>
         <source>%1, circle %2</source>
@@ -10316,6 +10275,34 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <source>%1 %</source>
         <comment>share</comment>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::PlotPane</name>
+    <message>
+        <source>Zoom, pin and export</source>
+        <translation>Zoomer, épingler et exporter</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom &amp;avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>Réin&amp;itialiser le zoom</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this run</source>
+        <translation>É&amp;pingler cette exécution</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <comment>a kept run</comment>
+        <translation>Retirer&#xa0;: %1</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,6 @@
 #include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
 #include "views/circle_name.h"
-#include "views/menu.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
@@ -18,80 +17,53 @@
 
 namespace cradle {
 
-namespace {
+ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *parent)
+    : ChartPane(simulation, curves, new ChartPlot, parent)
+{
+}
 
-QuietButton *addChoice(QButtonGroup *group, QHBoxLayout *line)
+ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, ChartPlot *plot,
+                     QWidget *parent)
+    : PlotPane(simulation, plot, parent)
+    , m_curves(curves)
+    , m_legend(new PinLegend)
+    , m_plot(plot)
+{
+    auto *group = new QButtonGroup(this);
+    m_lastButton = addChoice(group);
+    m_allButton = addChoice(group);
+    m_allButton->setChecked(true);
+    m_heading->installEventFilter(this);
+    m_header->insertSpacing(1, 8);
+    m_column->insertWidget(1, m_legend);
+    setTabOrder(m_lastButton, m_allButton);
+    setTabOrder(m_allButton, m_moreButton);
+    setTabOrder(m_moreButton, m_plot);
+    for (const auto &[button, kind] : {std::pair{m_lastButton, TimeWindow::Kind::LastSeconds},
+                                       std::pair{m_allButton, TimeWindow::Kind::All}}) {
+        connect(button, &QuietButton::clicked, this, [this, shown = kind] {
+            m_valueZoom.reset();
+            m_window->show(shown);
+        });
+    }
+    connect(m_window, &TimeWindow::changed, this, &ChartPane::followWindow);
+    connect(&simulation, &Simulation::restarted, this, [this] { m_range.reset(); });
+    wirePlot();
+    ChartPane::setHeadingFont();
+}
+
+QuietButton *ChartPane::addChoice(QButtonGroup *group)
 {
     auto *button = new QuietButton;
     button->setCheckable(true);
     group->addButton(button);
-    line->addWidget(button);
+    m_header->insertWidget(m_header->count() - 1, button);
     return button;
-}
-
-} // namespace
-
-ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *parent)
-    : QWidget(parent)
-    , m_simulation(simulation)
-    , m_curves(curves)
-    , m_heading(new QLabel)
-    , m_header(new QHBoxLayout)
-    , m_legend(new PinLegend)
-    , m_plot(new ChartPlot)
-    , m_throttle(new FrameThrottle(simulation, this))
-    , m_window(new TimeWindow(this))
-{
-    auto *group = new QButtonGroup(this);
-    m_heading->setTextFormat(Qt::PlainText);
-    m_heading->installEventFilter(this);
-    m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_header->setContentsMargins(14, 8, 8, 0);
-    m_header->setSpacing(0);
-    m_header->addWidget(m_heading, 1);
-    m_header->addSpacing(8);
-    m_lastButton = addChoice(group, m_header);
-    m_allButton = addChoice(group, m_header);
-    m_allButton->setChecked(true);
-    m_moreButton = new QuietButton;
-    m_moreButton->setText(QStringLiteral("⋯"));
-    auto *menu = new Menu(m_moreButton);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
-        menu->clear();
-        fillMenu(*menu);
-    });
-    m_moreButton->setMenu(menu, false);
-    m_header->addWidget(m_moreButton);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins({});
-    column->setSpacing(4);
-    column->addLayout(m_header);
-    column->addWidget(m_legend);
-    column->addWidget(m_plot, 1);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-
-    connect(m_lastButton, &QuietButton::clicked, this, [this] {
-        m_valueZoom.reset();
-        m_window->show(TimeWindow::Kind::LastSeconds);
-    });
-    connect(m_allButton, &QuietButton::clicked, this, [this] {
-        m_valueZoom.reset();
-        m_window->show(TimeWindow::Kind::All);
-    });
-    connect(m_window, &TimeWindow::changed, this, &ChartPane::followWindow);
-    connect(m_throttle, &FrameThrottle::due, this, &ChartPane::redraw);
-    connect(&simulation, &Simulation::restarted, this, [this] { m_range.reset(); });
-    wirePlot();
-    setHeadingFont();
-    setKind(m_heading, "heading");
 }
 
 void ChartPane::share(TimeWindow &window, PinnedRuns &pins)
 {
-    delete m_window;
-    m_window = &window;
-    m_pins = &pins;
+    PlotPane::share(window, pins);
     connect(m_window, &TimeWindow::changed, this, &ChartPane::followWindow);
     connect(m_pins, &PinnedRuns::changed, this, [this] {
         showLegend();
@@ -107,7 +79,6 @@ void ChartPane::followWindow()
     m_allButton->setChecked(m_window->kind() == TimeWindow::Kind::All);
     m_lastButton->setChecked(m_window->kind() == TimeWindow::Kind::LastSeconds);
     group->setExclusive(true);
-    m_throttle->request();
 }
 
 void ChartPane::setTexts(const QString &heading, const QString &unit, const QString &empty)
@@ -124,14 +95,13 @@ void ChartPane::setTexts(const QString &heading, const QString &unit, const QStr
 
 void ChartPane::retranslate()
 {
+    PlotPane::retranslate();
     m_lastButton->setText(tr("%1 s").arg(TimeWindow::lastSeconds));
     m_lastButton->setToolTip(tr("Show the last %1 seconds").arg(TimeWindow::lastSeconds));
     m_lastButton->setAccessibleName(m_lastButton->toolTip());
     m_allButton->setText(tr("all", "the whole run"));
     m_allButton->setToolTip(tr("Show the whole run"));
     m_allButton->setAccessibleName(m_allButton->toolTip());
-    m_moreButton->setToolTip(tr("Zoom, pin and export"));
-    m_moreButton->setAccessibleName(m_moreButton->toolTip());
     showLegend();
 }
 
@@ -146,18 +116,6 @@ void ChartPane::selectionChanged()
 {
     m_range.reset();
     m_throttle->request();
-}
-
-void ChartPane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        m_throttle->request();
-    } else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        setHeadingFont();
-        m_throttle->request();
-    }
 }
 
 void ChartPane::setHeadingFont()

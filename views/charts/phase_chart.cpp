@@ -9,10 +9,8 @@
 #include "views/menu.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -32,69 +30,44 @@ bool isPlace(Quantity quantity)
 } // namespace
 
 PhaseChart::PhaseChart(const Simulation &simulation, QWidget *parent)
-    : QWidget(parent)
-    , m_simulation(simulation)
-    , m_window(new TimeWindow(this))
-    , m_heading(new QLabel)
+    : PhaseChart(simulation, new PhasePlot, parent)
+{
+}
+
+PhaseChart::PhaseChart(const Simulation &simulation, PhasePlot *plot, QWidget *parent)
+    : PlotPane(simulation, plot, parent)
     , m_against(new QLabel)
     , m_upButton(new QuietButton)
     , m_acrossButton(new QuietButton)
-    , m_moreButton(new QuietButton)
-    , m_plot(new PhasePlot)
-    , m_throttle(new FrameThrottle(simulation, this))
+    , m_plot(plot)
 {
-    setKind(m_heading, "heading");
-    m_heading->setFont(headingFont());
-    m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setKind(m_against, "muted");
-    auto *header = new QHBoxLayout;
-    header->setContentsMargins(14, 8, 8, 0);
-    header->setSpacing(2);
-    header->addWidget(m_heading, 1);
-    header->addWidget(m_upButton);
-    header->addWidget(m_against);
-    header->addWidget(m_acrossButton);
-    header->addWidget(m_moreButton);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins({});
-    column->setSpacing(4);
-    column->addLayout(header);
-    column->addWidget(m_plot, 1);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-
-    const auto addMenu = [this](QuietButton *button, bool arrow, auto fill) {
+    m_header->setSpacing(2);
+    m_header->insertWidget(1, m_upButton);
+    m_header->insertWidget(2, m_against);
+    m_header->insertWidget(3, m_acrossButton);
+    setTabOrder(m_upButton, m_acrossButton);
+    setTabOrder(m_acrossButton, m_moreButton);
+    setTabOrder(m_moreButton, m_plot);
+    for (auto *button : {m_upButton, m_acrossButton}) {
         auto *menu = new Menu(button);
-        connect(menu, &QMenu::aboutToShow, this, [menu, fill] {
+        PhaseVariable &axis = button == m_upButton ? m_up : m_across;
+        connect(menu, &QMenu::aboutToShow, this, [this, menu, &axis] {
             qDeleteAll(menu->findChildren<Menu *>(Qt::FindDirectChildrenOnly));
             menu->clear();
-            fill(*menu);
+            fillAxisMenu(*menu, axis);
         });
-        button->setMenu(menu, arrow);
-    };
-    addMenu(m_upButton, true, [this](Menu &menu) { fillAxisMenu(menu, m_up); });
-    addMenu(m_acrossButton, true, [this](Menu &menu) { fillAxisMenu(menu, m_across); });
-    addMenu(m_moreButton, false, [this](Menu &menu) { fillMenu(menu); });
-    m_moreButton->setText(QStringLiteral("⋯"));
-    connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
+        button->setMenu(menu, true);
+    }
     wirePlot();
-    connect(m_throttle, &FrameThrottle::due, this, &PhaseChart::redraw);
     connect(&simulation, &Simulation::restarted, this, [this] {
         suggest();
         reset();
     });
     connect(&simulation, &Simulation::shadowChanged, this, &PhaseChart::reset);
     suggest();
-    retranslate();
-}
-
-void PhaseChart::share(TimeWindow &window, PinnedRuns &pins)
-{
-    delete m_window;
-    m_window = &window;
-    m_pins = &pins;
-    connect(m_window, &TimeWindow::changed, m_throttle, &FrameThrottle::request);
-    connect(m_pins, &PinnedRuns::changed, m_throttle, &FrameThrottle::request);
+    setHeadingFont();
+    PhaseChart::retranslate();
 }
 
 void PhaseChart::setAxes(const PhaseVariable &up, const PhaseVariable &across)
@@ -278,24 +251,12 @@ void PhaseChart::seekNear(QPointF pixel)
         emit seekRequested(*nearest);
 }
 
-void PhaseChart::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        m_heading->setFont(headingFont());
-        m_throttle->request();
-    }
-}
-
 void PhaseChart::retranslate()
 {
+    PlotPane::retranslate();
     setWindowTitle(tr("Phase"));
     m_heading->setText(tr("Phase").toUpper());
     m_against->setText(tr("against"));
-    m_moreButton->setToolTip(tr("Zoom and export"));
-    m_moreButton->setAccessibleName(m_moreButton->toolTip());
     changed();
 }
 

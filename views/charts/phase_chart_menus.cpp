@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Menus of PhaseChart: what is drawn, how near, and what leaves it.
+// What PhaseChart draws, how near, and what leaves it.
 #include "views/charts/phase_chart.h"
 
 #include "model/world/shortest_number.h"
@@ -10,19 +10,15 @@
 #include "views/menu.h"
 #include "views/theme.h"
 
-#include <QContextMenuEvent>
 #include <QPainter>
 
 #include <algorithm>
-
-#include <utility>
 
 namespace cradle {
 
 namespace {
 
 constexpr int mostListed = 20;       ///< circles in a menu
-constexpr double keyZoom = 1.5;      ///< of a choice in the menu
 constexpr qint64 playedValues = 400; ///< of a curve that is heard
 
 } // namespace
@@ -59,8 +55,9 @@ void PhaseChart::fillAxisMenu(Menu &menu, PhaseVariable &axis)
     }
 }
 
-ChartPicture PhaseChart::picture() const
+ChartPicture PhaseChart::picture()
 {
+    redraw(); // which may be due
     return {m_plot->size(), tr("%1 against %2").arg(textOf(m_up), textOf(m_across)),
             [plot = m_plot](QPainter &painter) {
                 painter.fillRect(plot->rect(), theme().panel);
@@ -68,7 +65,7 @@ ChartPicture PhaseChart::picture() const
             }};
 }
 
-QByteArray PhaseChart::table() const
+QByteArray PhaseChart::table()
 {
     const Recording &recording = m_simulation.recording();
     const auto header = [](const PhaseVariable &axis) {
@@ -93,39 +90,10 @@ QByteArray PhaseChart::table() const
     return rows;
 }
 
-void PhaseChart::addExports(QMenu &menu)
-{
-    ChartExports exports{this, [this] { return picture(); }, [this] { return table(); },
-                         [this](const Error &error) { emit failed(error); }};
-    addExportActions(menu, exports, m_simulation.recording().last() > 0);
-}
-
-void PhaseChart::keepMoment()
-{
-    m_beforeClick = BeforeClick{m_simulation.time(), m_simulation.isRunning()};
-}
-
-/// The first of the two clicks has gone to a moment, as a single one does.
-void PhaseChart::resetByClick()
-{
-    if (const auto before = std::exchange(m_beforeClick, std::nullopt)) {
-        emit seekRequested(before->time);
-        if (before->ran)
-            emit runRequested();
-    }
-    resetZoom();
-}
-
 void PhaseChart::wirePlot()
 {
-    connect(m_plot, &Plot::pickingBegan, this, &PhaseChart::keepMoment);
     connect(m_plot, &Plot::picked, this, &PhaseChart::seekNear);
-    connect(m_plot, &Plot::zoomed, this, [this](QPointF about, double factor, bool upOnly) {
-        zoomBy(about, upOnly ? 1.0 : factor, factor);
-    });
     connect(m_plot, &Plot::panned, this, &PhaseChart::panBy);
-    connect(m_plot, &Plot::resetRequested, this, &PhaseChart::resetByClick);
-    connect(m_plot, &Plot::resized, this, &PhaseChart::redraw);
     connect(m_plot, &PhasePlot::playRequested, this, &PhaseChart::play);
     connect(m_plot, &Plot::boxChosen, this,
             [this](const ValueSpan &across, const std::optional<ValueSpan> &up) {
@@ -140,18 +108,18 @@ void PhaseChart::wirePlot()
 }
 
 /// Times are zoomed in all charts together and without the values, as in the others.
-void PhaseChart::zoomBy(QPointF about, double across, double up)
+void PhaseChart::zoomBy(QPointF about, double factor, bool upOnly)
 {
-    if (isOverTime() && across != 1.0) {
-        m_window->zoomBy(across, about.x(), timesShown(), whole());
+    if (isOverTime() && !upOnly) {
+        m_window->zoomBy(factor, about.x(), timesShown(), whole());
         return;
     }
-    const auto right = zoomed(m_plot->acrossSpan(), across, about.x());
-    const auto high = zoomed(m_plot->upSpan(), up, about.y());
+    const auto right = zoomed(m_plot->acrossSpan(), upOnly ? 1.0 : factor, about.x());
+    const auto high = zoomed(m_plot->upSpan(), factor, about.y());
     if (!right || !high)
         return;
     m_upZoom = high;
-    if (across != 1.0)
+    if (!upOnly)
         m_acrossZoom = right;
     m_throttle->request();
 }
@@ -220,14 +188,15 @@ TimeWindow::Span PhaseChart::whole() const
                              std::max(recording.time(recording.last()), pinnedEnd()));
 }
 
-void PhaseChart::zoomIn()
+QPointF PhaseChart::placeShown() const
 {
-    zoomBy(pointAt(m_simulation.current()).value_or(QPointF()), 1.0 / keyZoom, 1.0 / keyZoom);
+    return pointAt(m_simulation.current()).value_or(QPointF());
 }
 
-void PhaseChart::zoomOut()
+bool PhaseChart::isZoomed() const
 {
-    zoomBy(pointAt(m_simulation.current()).value_or(QPointF()), keyZoom, keyZoom);
+    return m_acrossZoom || m_upZoom
+           || (isOverTime() && m_window->kind() == TimeWindow::Kind::Zoomed);
 }
 
 void PhaseChart::resetZoom()
@@ -237,24 +206,6 @@ void PhaseChart::resetZoom()
     if (isOverTime())
         m_window->reset();
     m_throttle->request();
-}
-
-void PhaseChart::fillMenu(QMenu &menu)
-{
-    const bool isZoomed =
-        m_acrossZoom || m_upZoom || (isOverTime() && m_window->kind() == TimeWindow::Kind::Zoomed);
-    menu.addAction(tr("Zoom &in"), this, &PhaseChart::zoomIn)->setEnabled(m_plot->showsRun());
-    menu.addAction(tr("Zoom &out"), this, &PhaseChart::zoomOut)->setEnabled(m_plot->showsRun());
-    menu.addAction(tr("&Reset zoom"), this, &PhaseChart::resetZoom)->setEnabled(isZoomed);
-    menu.addSeparator();
-    addExports(menu);
-}
-
-void PhaseChart::contextMenuEvent(QContextMenuEvent *event)
-{
-    Menu menu(this);
-    fillMenu(menu);
-    menu.exec(event->globalPos());
 }
 
 } // namespace cradle
