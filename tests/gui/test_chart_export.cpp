@@ -30,6 +30,7 @@ private slots:
     void statesAreThoseOfTheRecording();
     void totalsAndEventsAreThoseOfTheRecording();
     void pngIsOpened();
+    void phasePictureIsOfNowUnseen();
     void svgIsParsed();
     void zoomedSvgStaysInItsPlot();
     void pictureIsCopied();
@@ -166,6 +167,27 @@ void TestChartExport::totalsAndEventsAreThoseOfTheRecording()
         QVERIFY(row[0].toDouble() == recording.hits()[i].time);
         QVERIFY(row[6].toDouble() == recording.hits()[i].impulse);
     }
+}
+
+/// Its tab was never opened.
+void TestChartExport::phasePictureIsOfNowUnseen()
+{
+    PhaseChart &phase = m_open->window.phaseChart();
+    QVERIFY(!phase.isVisible());
+    QMenu *menu = exportMenu(phase.windowTitle());
+    QVERIFY(menu);
+    QVERIFY(actionNamed(*menu, QStringLiteral("PNG"))->isEnabled());
+    QImage image(phase.picture().size, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    phase.picture().paint(painter);
+    painter.end();
+    int coloured = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            coloured += image.pixelColor(x, y).hsvSaturation() > 128 ? 1 : 0;
+    }
+    QVERIFY2(coloured > 50, qPrintable(QString::number(coloured)));
 }
 
 void TestChartExport::pngIsOpened()

@@ -37,6 +37,7 @@ private slots:
     void middleButtonPans();
     void doubleClickEndsTheZoom();
     void menuZoomsAndResets();
+    void menuKeepsTheRun();
     void otherAxesEndTheZoom();
     void timeIsZoomedInAllCharts();
     void keysTellTheMomentAndLetItBeHeard();
@@ -196,6 +197,20 @@ void TestPhaseChart::doubleClickEndsTheZoom()
     settle();
     QCOMPARE(plot().acrossSpan(), across);
     QCOMPARE(plot().upSpan(), up);
+}
+
+void TestPhaseChart::menuKeepsTheRun()
+{
+    const auto trigger = [this](const char *name) {
+        QMenu menu;
+        m_phase->fillMenu(menu);
+        QAction *action = actionNamed(menu, QLatin1String(name));
+        return action && action->isEnabled() && (action->trigger(), true);
+    };
+    QVERIFY(trigger("Pin this run"));
+    QCOMPARE(m_open->window.pins().runs().size(), std::size_t{1});
+    QVERIFY(trigger("Remove"));
+    QVERIFY(m_open->window.pins().runs().empty());
 }
 
 void TestPhaseChart::menuZoomsAndResets()
