@@ -5,6 +5,7 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/arrangement_dialog.h"
+#include "views/menu.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

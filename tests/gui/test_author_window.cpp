@@ -9,6 +9,7 @@
 #include "tasks/reading/lab_archive.h"
 #include "views/code/code_editor.h"
 #include "views/markdown_view.h"
+#include "views/menu.h"
 
 #include <Qsci/qsciscintilla.h>
 
