@@ -54,11 +54,10 @@ double directionOf(Vec2 v)
     return std::atan2(v.y, v.x) * 180.0 / scenes::pi;
 }
 
-/// The circle that is shot: the other drifts, more slowly than any shot of shots().
+/// The circle that is shot, by the scene's name: the other drifts.
 std::size_t shotOf(const Variant &variant)
 {
-    const auto &c = variant.preset.circles;
-    return length(c[0].body.velocity) > length(c[1].body.velocity) ? 0 : 1;
+    return variant.name.startsWith(QLatin1String("circle 1")) ? 0 : 1;
 }
 
 } // namespace
@@ -70,12 +69,18 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
     for (qint64 seed = 1; seed <= 10; ++seed) {
         const auto variants = makeVariants(two(), floating, seed);
         QCOMPARE(variants.size(), std::size_t{24});
+        std::size_t slow = 0;
         for (const Variant &variant : variants) {
             const auto &c = variant.preset.circles;
             const std::size_t shot = shotOf(variant);
             QVERIFY(length(c[1 - shot].body.velocity) > 0.2);
-            QVERIFY(length(c[shot].body.velocity) >= 1.0 - 1e-12);
-            QVERIFY(length(c[shot].body.velocity) <= 4.0 + 1e-12);
+            const double speed = length(c[shot].body.velocity);
+            // One of each circle is so slow that a program could take it for rest.
+            if (speed < 0.5)
+                ++slow;
+            else
+                QVERIFY2(speed >= 1.0 - 1e-12 && speed <= 4.0 + 1e-12, qPrintable(variant.name));
+            QVERIFY(speed >= 0.15);
             quadrants.insert(static_cast<int>((directionOf(c[shot].body.velocity) + 180.0) / 90.0));
             const Observation o = observe(variant);
             for (qint64 k = 0; k <= o.steps(); ++k) {
@@ -85,6 +90,7 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
                 QVERIFY2(other == c[1 - shot].body.velocity, "what drifts comes to a wall");
             }
         }
+        QCOMPARE(slow, std::size_t{2});
     }
     QCOMPARE(quadrants.size(), std::size_t{4});
 }
@@ -132,7 +138,7 @@ void TestShotScenes::everyShotComesToAWallInTime()
             for (qint64 k = 0; k < 7 * o.steps() / 10; ++k) {
                 const Vec2 kick =
                     o.circle(0, k + 1).velocity - o.circle(0, k).velocity - o.timestep() * gravity;
-                turned = turned || length(kick) > 0.5;
+                turned = turned || length(kick) > 0.1; // of 0.15 m/s and more
             }
             QVERIFY2(turned, qPrintable(variant.name));
         }
@@ -160,6 +166,8 @@ void TestShotScenes::slowHitsDivideAStep()
         std::vector<double> moments[2]; // at the floor and at the ceiling, in steps
         for (const Variant &variant : makeVariants(scene({Circle{}}), slow, seed)) {
             const Circle &c = variant.preset.circles[0].body;
+            if (c.velocity.y == 0.0) // to a wall beside
+                continue;
             const bool up = c.velocity.y > 0.0;
             const double gap = 4.0 - c.radius - std::abs(c.position.y);
             // With the velocity that gravity will have given it after three steps.
