@@ -12,7 +12,6 @@ namespace cradle {
 namespace {
 
 constexpr qint64 mostBytes = 64 * 1024 * 1024; ///< of a page or a drawing
-constexpr std::size_t mostChangedLines = 1500; ///< of a step's program; the whole lab has 300
 
 } // namespace
 
