@@ -91,6 +91,7 @@ void restoreWall(RepairList &repairs, std::size_t i)
     if (token.kind != ProgramToken::Kind::Name || i == 0 || after == i
         || !(repairs.is(i - 1, "(") || repairs.is(i - 1, ","))
         || !(repairs.is(after, ")") || repairs.is(after, ","))
+        || !(repairs.is(after - 1, "radius") || token.text.startsWith(u'r'))
         || !repairs.program().row(token.line).contains(QLatin1String("square.")))
         return;
     for (const char *wall :

@@ -132,21 +132,6 @@ void copyFactor(RepairList &repairs, std::size_t i)
                 + source.mid(tokens[two].start, tokens[end - 1].end() - tokens[two].start));
 }
 
-/// A term of a sum that counts twice, with e or half.
-void scaleTerm(RepairList &repairs, std::size_t i)
-{
-    if (!beginsSum(repairs, i) && !isSum(repairs, i - (i > 0)))
-        return;
-    const ProgramToken &first = repairs.tokens()[i];
-    if (first.kind == ProgramToken::Kind::Number || repairs.program().afterOperand(i) == i)
-        return;
-    const std::size_t after = afterProduct(repairs, i);
-    if (!isSum(repairs, after) && !(i > 0 && isSum(repairs, i - 1)))
-        return;
-    for (const char *factor : {"2 * ", "restitution * "})
-        repairs.replace(first.line, first.start, first.start, QLatin1String(factor));
-}
-
 /// A value that was worked out for this and then forgotten.
 void useForgotten(RepairList &repairs, std::size_t i)
 {
@@ -168,8 +153,8 @@ void countOther(RepairList &repairs, std::size_t i)
         repairs.replace(token, QString::number(value + 1));
         repairs.replace(token, QString::number(value - 1));
     }
-    if (token.kind == ProgramToken::Kind::Name && token.text.size() == 1 && i > 0
-        && (repairs.is(i - 1, ",") || repairs.is(i - 1, "("))
+    const bool isIndex = token.is("i") || token.is("j") || token.is("k");
+    if (isIndex && i > 0 && (repairs.is(i - 1, ",") || repairs.is(i - 1, "("))
         && (repairs.is(i + 1, ")") || repairs.is(i + 1, ","))) {
         repairs.insertAfter(token, QStringLiteral(" - 1"));
         repairs.insertAfter(token, QStringLiteral(" + 1"));
@@ -184,14 +169,23 @@ void repairFactors(RepairList &repairs, std::size_t i)
     dropFactors(repairs, i);
     gatherSum(repairs, i);
     countOther(repairs, i);
-}
-
-void repairMissingFactors(RepairList &repairs, std::size_t i)
-{
     copyFactor(repairs, i);
     useForgotten(repairs, i);
-    scaleTerm(repairs, i);
     shareSum(repairs, i);
+}
+
+void scaleTerm(RepairList &repairs, std::size_t i)
+{
+    if (!beginsSum(repairs, i) && !isSum(repairs, i - (i > 0)))
+        return;
+    const ProgramToken &first = repairs.tokens()[i];
+    if (first.kind == ProgramToken::Kind::Number || repairs.program().afterOperand(i) == i)
+        return;
+    const std::size_t after = afterProduct(repairs, i);
+    if (!isSum(repairs, after) && !(i > 0 && isSum(repairs, i - 1)))
+        return;
+    for (const char *factor : {"2 * ", "restitution * "})
+        repairs.replace(first.line, first.start, first.start, QLatin1String(factor));
 }
 
 } // namespace cradle

@@ -13,9 +13,11 @@ class RepairList
 {
 public:
     /// \param rebounds  whether e is of the step: else it is 1, and that is tried as such
-    RepairList(const ProgramLines &program, bool rebounds)
+    /// \param most  repairs that are taken
+    RepairList(const ProgramLines &program, bool rebounds, std::size_t most)
         : m_program(program)
         , m_rebounds(rebounds)
+        , m_most(most)
     {
     }
 
@@ -44,6 +46,7 @@ private:
 
     const ProgramLines &m_program;
     bool m_rebounds;
+    std::size_t m_most;
     std::vector<Repair> m_repairs{};
     std::vector<Repair> m_twins{}; ///< in several lines alike
     QSet<QString> m_known{};
@@ -61,10 +64,11 @@ void repairStatements(RepairList &repairs, std::size_t i);
 void repairScales(RepairList &repairs, std::size_t i);
 /// What is meant for another circle, part or direction, at token \p i.
 void repairExchanges(RepairList &repairs, std::size_t i);
-/// Several factors or a first term too many, a bracket or a count that is wrong, at token \p i.
+/// Several factors or a first term too many, a bracket or a count that is wrong, a factor that
+/// stands elsewhere in the program, at token \p i.
 void repairFactors(RepairList &repairs, std::size_t i);
-/// A factor that stands elsewhere in the program, at token \p i.
-void repairMissingFactors(RepairList &repairs, std::size_t i);
+/// A term of a sum, twice or with e, at token \p i.
+void scaleTerm(RepairList &repairs, std::size_t i);
 /// What the line says of two, said the other way round or at once; a way out, not taken.
 void repairOrder(RepairList &repairs, int line);
 /// The line left out.

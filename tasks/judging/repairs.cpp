@@ -11,9 +11,6 @@ namespace cradle {
 
 namespace {
 
-/// Of 400 faults of one line, as students make them, 98 in 100 are mended by one of so many.
-constexpr std::size_t mostRepairs = 520;
-
 constexpr QLatin1String restitution("restitution");
 
 struct Edit {
@@ -27,7 +24,7 @@ struct Edit {
 void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &text)
 {
     const QString &source = m_program.source();
-    if (m_repairs.size() >= mostRepairs || source.mid(from, to - from) == text
+    if (m_repairs.size() >= m_most || source.mid(from, to - from) == text
         || (!m_rebounds && text.contains(restitution)))
         return;
     QString changed = source;
@@ -65,17 +62,18 @@ void RepairList::add(const QString &source, int line, bool alone)
 
 std::vector<Repair> RepairList::take()
 {
-    const std::size_t room = std::min(m_twins.size(), mostRepairs - m_repairs.size());
+    const std::size_t room = std::min(m_twins.size(), m_most - m_repairs.size());
     std::move(m_twins.begin(), m_twins.begin() + static_cast<std::ptrdiff_t>(room),
               std::back_inserter(m_repairs));
     return std::move(m_repairs);
 }
 
 std::vector<Repair> repairsOf(const QString &source, const QString &reference,
-                              const std::vector<int> &lines)
+                              const std::vector<int> &lines, std::size_t most)
 {
     const ProgramLines program(source);
-    RepairList repairs(program, source.contains(restitution) || reference.contains(restitution));
+    RepairList repairs(program, source.contains(restitution) || reference.contains(restitution),
+                       most);
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairWords(repairs, i);
@@ -90,7 +88,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairOmissions(repairs, i);
-            repairMissingFactors(repairs, i);
+            scaleTerm(repairs, i);
             repairScales(repairs, i);
         }
         dropLine(repairs, line);

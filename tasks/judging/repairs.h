@@ -19,9 +19,9 @@ struct Repair {
 /// or one statement: what students forget, exchange or get the wrong way round, undone. Such as
 /// cannot be read are among them.
 /// \param reference  who names no restitution there and here has none to put in
-/// \param lines  in which something may be changed, in that order; no more than some hundred
-///               repairs are made
+/// \param lines  in which something may be changed, in that order
+/// \param most  of them
 [[nodiscard]] std::vector<Repair> repairsOf(const QString &source, const QString &reference,
-                                            const std::vector<int> &lines);
+                                            const std::vector<int> &lines, std::size_t most);
 
 } // namespace cradle
