@@ -21,11 +21,6 @@ constexpr double stillElastic = 1e-9;
 constexpr int collapse = 30;
 constexpr double samePlace = 1e-4;
 
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
-
 } // namespace
 
 /// For the solver of contacts. Where hits lose nothing, energy is to be kept; with so many a heap

@@ -17,11 +17,6 @@ constexpr double touching = 1e-9;
 constexpr double repaired = 0.1;
 constexpr double mostRepaired = 1e-4;
 
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
-
 } // namespace
 
 void ContinuousStep::findRestingPairs()
@@ -31,7 +26,7 @@ void ContinuousStep::findRestingPairs()
         return;
     const auto &circles = m_world->circles;
     for (std::size_t i = 0; i < circles.size(); ++i) {
-        for (const std::uint32_t j : neighboursOf(i)) {
+        for (const std::uint32_t j : m_neighbours.of(i)) {
             if (j < i)
                 continue;
             const Vec2 d = circles[j].position - circles[i].position;
@@ -105,7 +100,7 @@ void ContinuousStep::findPiles()
     while (!m_pile.empty()) {
         const std::size_t i = m_pile.back();
         m_pile.pop_back();
-        for (const std::uint32_t j : neighboursOf(i)) {
+        for (const std::uint32_t j : m_neighbours.of(i)) {
             const std::pair<int, int> pair = std::minmax(static_cast<int>(i), static_cast<int>(j));
             if (!m_bodies[j].touched || !staysClose(contactOf(pair))
                 || closingSpeed(contactOf(pair)) < -gain)

@@ -24,11 +24,6 @@ constexpr double rounding = 1e-9;
 /// The order of the heap of events.
 constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
 
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
-
 } // namespace
 
 void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits)
@@ -84,12 +79,37 @@ void ContinuousStep::begin()
     }
     fastest = std::sqrt(fastest);
     m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
-    m_places.clear();
-    for (const Circle &c : m_world->circles)
-        m_places.push_back(c.position);
-    findNeighbours(fastest);
+    m_neighbours.find(m_world->circles, length(m_rules->gravity), m_dt);
     findRestingPairs();
     findAccelerations();
+}
+
+/// Looks again for neighbours if a body has become faster than was foreseen.
+void ContinuousStep::foreseeSpeeds()
+{
+    double fastest = 0.0;
+    for (const std::size_t i : m_touched)
+        fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
+    if (!m_neighbours.foresee(std::sqrt(fastest)))
+        return;
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+        touch(i);
+}
+
+/// What rests on a body that is hit is split at the hit, too: the forces between them change.
+void ContinuousStep::touchRestingNeighbours()
+{
+    bool grown = true;
+    while (grown) {
+        grown = false;
+        for (const auto &[a, b] : m_resting) {
+            if (m_bodies[at(a)].touched != m_bodies[at(b)].touched) {
+                touch(at(a));
+                touch(at(b));
+                grown = true;
+            }
+        }
+    }
 }
 
 /// Notes that the events of a body must be found again.
@@ -146,7 +166,7 @@ void ContinuousStep::findEvents()
             findWallEvents(i);
         if (m_rules->laws.circles == CircleLaw::None)
             continue;
-        for (const std::uint32_t j : neighboursOf(i)) {
+        for (const std::uint32_t j : m_neighbours.of(i)) {
             if (j > i || !m_bodies[j].touched)
                 findPairEvent(std::min<std::size_t>(i, j), std::max<std::size_t>(i, j));
         }

@@ -4,7 +4,7 @@
 
 #include "model/contacts/collision_detection.h"
 #include "model/contacts/contact_solver.h"
-#include "model/contacts/disc_grid.h"
+#include "model/continuous/continuous_neighbours.h"
 #include "model/world/rules.h"
 #include "model/world/world.h"
 
@@ -54,10 +54,10 @@ private:
         std::uint32_t versionB = 0;
     };
 
+    [[nodiscard]] static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
     // Motion and events: continuous_step.cpp
     void begin();
-    void findNeighbours(double fastest);
-    [[nodiscard]] std::span<const std::uint32_t> neighboursOf(std::size_t body) const;
     void foreseeSpeeds();
     void touch(std::size_t body);
     void findEvents();
@@ -102,15 +102,11 @@ private:
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
     double m_dt = 0.0;
-    double m_now = 0.0;           ///< s into the step
-    double m_slow = 0.0;          ///< m/s; closing speeds up to this are rest
-    bool m_lossy = false;         ///< circles rebound slower than they meet
-    double m_foreseenSpeed = 0.0; ///< m/s; for up to this the neighbours are all
+    double m_now = 0.0;   ///< s into the step
+    double m_slow = 0.0;  ///< m/s; closing speeds up to this are rest
+    bool m_lossy = false; ///< circles rebound slower than they meet
+    ContinuousNeighbours m_neighbours;
     std::vector<Body> m_bodies;
-    std::vector<Vec2> m_places;                  ///< at the start of the step, m
-    DiscGrid m_grid;                             ///< of the places
-    std::vector<std::uint32_t> m_firstNeighbour; ///< of each body in m_neighbours, and the end
-    std::vector<std::uint32_t> m_neighbours;
     std::vector<double> m_inverseMasses;
     std::vector<std::size_t> m_touched; ///< bodies, in order once a moment is taken
     std::vector<Event> m_events;        ///< that lie inside the step, a heap, the earliest first
