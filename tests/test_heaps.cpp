@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/continuous/sleeping_islands.h"
 #include "model/world/measurements.h"
 #include "model/world/random.h"
 #include "tests/scenes.h"
@@ -20,6 +21,7 @@ private slots:
     void aHeapNeitherOverlapsNorGainsEnergy_data();
     void aHeapNeitherOverlapsNorGainsEnergy();
     void aHeapFallsAsleep();
+    void whatShakesInItsPlaceIsStill();
     void aSleepingHeapWakesWhenItIsHit();
 };
 
@@ -170,6 +172,23 @@ void TestHeaps::aHeapFallsAsleep()
     const std::vector<Circle> asleep = run.world.circles;
     run.steps(60);
     QVERIFY(run.world.circles == asleep);
+}
+
+/// The errors of a large pile's pushes shake its circles; a slow fall is no such error.
+void TestHeaps::whatShakesInItsPlaceIsStill()
+{
+    constexpr double reach = 0.004;
+    SleepingIslands islands;
+    islands.start(3);
+    for (int step = 1; step <= 40; ++step) {
+        const double shaken = step % 2 == 0 ? 0.9 * reach : 0.0;
+        QCOMPARE(islands.countStill(0, true, {0, shaken}, reach), step);
+        // A fifth of the reach in a step: in the sixth step after it began it is out of reach.
+        const int creeping = islands.countStill(1, true, {0.2 * reach * step, 0}, 0.99 * reach);
+        QCOMPARE(creeping, 1 + (step - 1) % 5);
+        // Fast in every tenth step.
+        QCOMPARE(islands.countStill(2, step % 10 != 0, {}, reach), step % 10);
+    }
 }
 
 /// A circle thrown up keeps to its parabola while a heap below falls asleep; it wakes the heap when

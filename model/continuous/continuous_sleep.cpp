@@ -11,25 +11,35 @@ namespace cradle {
 
 namespace {
 
-/// Of the speed that gravity gives in a step: what is slower in a pile lies, for its pushes are not
-/// found more exactly. A circle on its way down gets faster than that long before it may sleep.
-constexpr double lying = 0.05;
-/// s for which it does so before it sleeps.
+/// s for which a pile lies before it sleeps.
 constexpr double untilSleep = 0.5;
 constexpr double mostStill = 250.0; ///< steps
+/// Of the speed that gravity gives in a step: what has come no farther meanwhile than at so much
+/// lies. That is the error of its pushes, which, one upon the other, are off by as many times more
+/// as there are more rows than in a pile of 1,000. It is the way that tells, for the errors of
+/// thousands never all are small in one moment, but they go to and fro.
+constexpr double lying = 0.05;
+constexpr double fewRows = 32.0;
+/// Of the same: the error shakes a circle to and fro at no more than this, what falls does not.
+constexpr double shaking = 0.5;
+/// Of the same: what a rounding leaves to one that lies without a pile.
+constexpr double roundedSpeed = 1e-9;
 
 } // namespace
 
 /// Groups of this step all of whose members have been at rest for long enough sleep from now on.
 void ContinuousSolver::layToSleep()
 {
-    const double slow = lying * m_gravity * m_dt;
+    const double gain = m_gravity * m_dt;
     const double steps = std::clamp(untilSleep / m_dt, 1.0, mostStill);
     for (std::uint32_t i = 0; i < m_members.size(); ++i) {
         Member &group = m_members[groupOf(i)];
-        const double speed = length(m_members[i].after.velocity);
-        const bool still = isPile(group.size) ? speed <= slow : speed == 0.0;
-        if (m_sleep.countStill(m_ids[m_members[i].slot], still) < steps)
+        const Motion &after = m_members[i].after;
+        const bool pile = isPile(group.size);
+        const double rows = pile ? std::sqrt(static_cast<double>(group.size)) : 0.0;
+        const double reach = lying * gain * untilSleep * std::max(1.0, rows / fewRows);
+        const bool slow = length(after.velocity) <= (pile ? shaking : roundedSpeed) * gain;
+        if (m_sleep.countStill(m_ids[m_members[i].slot], slow, after.position, reach) < steps)
             group.restless = true;
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> tired; // group, circle

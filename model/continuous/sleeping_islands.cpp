@@ -12,14 +12,21 @@ void SleepingIslands::start(std::size_t count)
     m_count = 0;
     m_islandOf.assign(count, awake);
     m_stillFor.assign(count, 0);
+    m_stillAt.assign(count, Vec2{});
     m_islands.clear();
 }
 
-int SleepingIslands::countStill(std::uint32_t circle, bool still)
+int SleepingIslands::countStill(std::uint32_t circle, bool slow, Vec2 place, double reach)
 {
     constexpr int most = 255;
     std::uint8_t &steps = m_stillFor[circle];
-    steps = still ? static_cast<std::uint8_t>(std::min(steps + 1, most)) : 0;
+    Vec2 &start = m_stillAt[circle];
+    if (!slow || steps == 0 || lengthSquared(place - start) > reach * reach) {
+        start = place;
+        steps = slow ? 1 : 0;
+    } else {
+        steps = static_cast<std::uint8_t>(std::min(steps + 1, most));
+    }
     return steps;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/world/vec2.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,9 +26,10 @@ public:
         return m_count > 0 && m_islandOf[circle] != awake;
     }
 
-    /// Counts a step in which a circle was at rest, or was not. \return for how many it now has
-    /// been in a row, at most 255
-    int countStill(std::uint32_t circle, bool still);
+    /// Counts a step after which a circle is at \p place (m), and slow or not. \return for how many
+    /// in a row it now has been slow and no farther than \p reach (m) from where it was when that
+    /// began, at most 255
+    int countStill(std::uint32_t circle, bool slow, Vec2 place, double reach);
     /// Lays circles that are awake to sleep, as one island.
     void lay(std::span<const std::uint32_t> circles);
     /// Wakes the island of a circle that sleeps. \return its circles
@@ -38,6 +41,7 @@ private:
     std::size_t m_count = 0;
     std::vector<std::uint32_t> m_islandOf; ///< of each circle
     std::vector<std::uint8_t> m_stillFor;  ///< of each circle, steps
+    std::vector<Vec2> m_stillAt;           ///< where it was when that began, m
     std::vector<std::vector<std::uint32_t>> m_islands;
 };
 
