@@ -226,7 +226,7 @@ void ContinuousSolver::widen(std::size_t index)
     if (m_rules.laws.circles == CircleLaw::None)
         return;
     const Vec2 place = m_motions[member.slot].position;
-    const double travel = driftIn(m_dt, member.fastest);
+    const double travel = m_skin.travel(m_dt, member.fastest);
     const double reach = m_radii[member.slot] + travel;
     const auto consider = [&](Slot other, double otherTravel) {
         const double near = reach + m_radii[other] + otherTravel;
@@ -235,23 +235,24 @@ void ContinuousSolver::widen(std::size_t index)
     };
     // Most are farther than even the fastest could come. Where this one was kicked harder than the
     // grid knows, others that were, too, may come from farther than it knows.
-    double farthest = driftAfter(m_index + 1);
-    double foreseen = driftIn(m_dt, m_fastest + m_gravity * static_cast<double>(m_index) * m_dt);
-    if (member.fastest > m_fastest) {
-        const double kicked = driftIn(m_dt, m_kicked);
-        farthest = std::max(farthest, driftAfter(m_index) + kicked);
+    double farthest = m_skin.driftAfter(m_index + 1);
+    double foreseen =
+        m_skin.travel(m_dt, m_skin.fastest() + m_gravity * static_cast<double>(m_index) * m_dt);
+    if (member.fastest > m_skin.fastest()) {
+        const double kicked = m_skin.travel(m_dt, m_kicked);
+        farthest = std::max(farthest, m_skin.driftAfter(m_index) + kicked);
         foreseen = std::max(foreseen, kicked);
     }
     const double far = reach + m_smallRadius + foreseen;
     const auto look = [&](Slot begin, Slot end) {
         for (Slot other = begin; other < end; ++other) {
             if (lengthSquared(m_motions[other].position - place) <= far * far)
-                consider(other, driftIn(m_dt, fastestOf(other)));
+                consider(other, m_skin.travel(m_dt, fastestOf(other)));
         }
     };
     m_grid.visitRuns(place, reach + m_smallRadius + farthest, look);
     for (auto giant = static_cast<Slot>(m_small); giant < m_motions.size(); ++giant)
-        consider(giant, driftIn(m_dt, fastestOf(giant)));
+        consider(giant, m_skin.travel(m_dt, fastestOf(giant)));
 }
 
 } // namespace cradle

@@ -76,7 +76,7 @@ bool ContinuousSolver::reachesWall(Slot slot, double speed) const
     const Vec2 place = m_motions[slot].position;
     return m_rules.laws.walls == WallLaw::Reflect
            && std::max(std::abs(place.x), std::abs(place.y)) + m_radii[slot]
-                      + driftIn(m_dt, speed + m_gravity * m_dt)
+                      + m_skin.travel(m_dt, speed + m_gravity * m_dt)
                   >= m_rules.halfWidth;
 }
 

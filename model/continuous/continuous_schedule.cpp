@@ -29,7 +29,7 @@ Path ContinuousSolver::pathOf(Slot slot) const
 void ContinuousSolver::putDown(double time, Slot a, Slot b)
 {
     const double steps = std::max(0.0, time / m_dt - rounding);
-    if (steps < static_cast<double>(m_steps - m_index))
+    if (steps < static_cast<double>(m_skin.steps() - m_index))
         m_due[m_index + static_cast<std::size_t>(steps)].push_back({a, b});
 }
 
@@ -42,7 +42,7 @@ void ContinuousSolver::sieve(Slot a, Slot begin, Slot end, double slack, Visit v
     Slot near[most];
     const Motion first = m_motions[a];
     const double radius = m_radii[a] + slack;
-    const double span = 2.0 * static_cast<double>(m_steps - m_index) * m_dt;
+    const double span = 2.0 * static_cast<double>(m_skin.steps() - m_index) * m_dt;
     while (begin < end) {
         const Slot stop = std::min(end, begin + most);
         Slot count = 0;
@@ -64,7 +64,7 @@ void ContinuousSolver::sieve(Slot a, Slot begin, Slot end, double slack, Visit v
 /// What gravity and different integrators can add to a straight way from now on, m.
 double ContinuousSolver::slack(bool disturbed) const
 {
-    const double span = static_cast<double>(m_steps - m_index) * m_dt;
+    const double span = static_cast<double>(m_skin.steps() - m_index) * m_dt;
     double bends = m_alike ? 0.0 : m_gravity * m_dt * (span + m_dt);
     if (m_sleep.count() > 0) // they do not fall with the others
         bends += m_gravity * span * (0.5 * span + m_dt);
@@ -78,7 +78,7 @@ void ContinuousSolver::scheduleAll()
         due.clear();
     const auto small = static_cast<Slot>(m_small);
     const auto all = static_cast<Slot>(m_motions.size());
-    const double span = static_cast<double>(m_steps) * m_dt;
+    const double span = static_cast<double>(m_skin.steps()) * m_dt;
     const double bends = slack(false);
     for (Slot a = 0; a < all; ++a) {
         scheduleWalls(a);
@@ -88,9 +88,11 @@ void ContinuousSolver::scheduleAll()
             sieve(a, begin, end, bends, [&](Slot b) { schedulePair(a, b, false); });
         };
         if (a < small) {
-            const double travel = driftIn(span, std::sqrt(lengthSquared(m_motions[a].velocity)));
+            const double travel =
+                m_skin.travel(span, std::sqrt(lengthSquared(m_motions[a].velocity)));
             m_grid.visitRunsAfter(a, m_motions[a].position,
-                                  m_radii[a] + m_smallRadius + m_drift + std::min(m_drift, travel),
+                                  m_radii[a] + m_smallRadius + m_skin.width()
+                                      + std::min(m_skin.width(), travel),
                                   look);
         }
         look(std::max(a + 1, small), all);
@@ -110,10 +112,11 @@ void ContinuousSolver::scheduleAround(Slot slot)
                 schedulePair(slot, b, true);
         });
     };
-    const double span = static_cast<double>(m_steps - m_index) * m_dt;
-    const double travel = driftIn(span, std::sqrt(lengthSquared(m_motions[slot].velocity)));
+    const double span = static_cast<double>(m_skin.steps() - m_index) * m_dt;
+    const double travel = m_skin.travel(span, std::sqrt(lengthSquared(m_motions[slot].velocity)));
     m_grid.visitRuns(m_motions[slot].position,
-                     m_radii[slot] + m_smallRadius + m_drift + std::min(2.0 * m_drift, travel),
+                     m_radii[slot] + m_smallRadius + m_skin.width()
+                         + std::min(2.0 * m_skin.width(), travel),
                      look);
     look(static_cast<Slot>(m_small), static_cast<Slot>(m_motions.size()));
 }
@@ -147,7 +150,7 @@ void ContinuousSolver::schedulePair(Slot a, Slot b, bool disturbed)
     }
     const double approach = -dot(d, v);
     const double gap = lengthSquared(d) - reach * reach;
-    const double span = static_cast<double>(m_steps - m_index) * m_dt;
+    const double span = static_cast<double>(m_skin.steps() - m_index) * m_dt;
     // Their distance at s is at least √(d² − 2 s approach).
     if (gap >= 2.0 * span * approach)
         return;
@@ -166,11 +169,11 @@ void ContinuousSolver::scheduleWalls(Slot slot)
         return;
     const Motion &motion = m_motions[slot];
     const double room = m_rules.halfWidth - m_radii[slot];
-    const double safe = room - 2.0 * m_drift;
+    const double safe = room - 2.0 * m_skin.width();
     if (std::abs(motion.position.x) < safe && std::abs(motion.position.y) < safe)
         return;
     const double bend = 0.5 * m_gravity * m_dt * m_dt;
-    const double span = static_cast<double>(m_steps - m_index) * m_dt;
+    const double span = static_cast<double>(m_skin.steps() - m_index) * m_dt;
     const Vec2 g = m_rules.gravity;
     // From step to step every integrator is on a parabola.
     const Vec2 v = motion.velocity + (m_dt * (pathCurvature(m_integrators[m_ids[slot]]) - 0.5)) * g;

@@ -81,7 +81,8 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
         diameters += 2.0 * c.radius;
     m_freePath = diameters > 0.0 ? span * span / (2.0 * std::sqrt(2.0) * diameters) : infinity;
     findMeanSpeed();
-    m_skin = skinShare * span / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
+    m_skinWidth =
+        skinShare * span / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
     m_resting.clear();
     m_places.assign(count, 0);
     m_members.clear();
@@ -112,7 +113,7 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
     if (m_sleep.count() == m_motions.size() && dt == m_dt)
         return;
     // Sort all into the grid anew, and put down who may first meet in which of the next steps.
-    if (dt != m_dt || m_index >= m_steps)
+    if (dt != m_dt || m_index >= m_skin.steps())
         sort(dt);
     // Gather who meets in this step, as far as free flight tells.
     findGroups();
@@ -134,12 +135,12 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
 void ContinuousSolver::scheduleMembers()
 {
     for (const Member &member : m_members) {
-        limitSteps(member.fastest);
-        if (m_index < m_steps)
+        m_skin.note(member.fastest, m_index);
+        if (m_index < m_skin.steps())
             scheduleAround(member.slot);
     }
     for (const Candidates &pair : m_inVain) {
-        if (m_index >= m_steps)
+        if (m_index >= m_skin.steps())
             break;
         if (pair.b == wall)
             scheduleWalls(pair.a);
@@ -206,48 +207,8 @@ void ContinuousSolver::sort(double dt)
     findMeanSpeed();
     m_dt = dt;
     m_index = 0;
-    m_steps = mostSteps;
-    m_driftStep = 0;
-    m_drifted = 0.0;
-    m_fastest = -1.0;
-    fastest = std::sqrt(fastest);
-    m_drift = std::max(m_skin, driftIn(dt, fastest));
-    limitSteps(fastest);
-    m_steps = std::max<std::size_t>(m_steps, 1);
+    m_skin.start(dt, m_gravity, m_skinWidth, std::sqrt(fastest));
     scheduleAll();
-}
-
-/// How far a circle of \p speed (m/s) can come in \p time s, whatever its integrator, m.
-double ContinuousSolver::driftIn(double time, double speed) const
-{
-    return time * (speed + m_gravity * (m_dt + 0.5 * time));
-}
-
-/// How far at most a circle may be from where it was sorted so many steps ago, m.
-double ContinuousSolver::driftAfter(std::size_t steps) const
-{
-    const double since = static_cast<double>(steps - m_driftStep) * m_dt;
-    return std::min(m_drift, m_drifted + driftIn(since, m_fastest));
-}
-
-/// Takes note that a circle may now have \p speed (m/s): the sort is good for as many steps as no
-/// circle can leave the skin.
-void ContinuousSolver::limitSteps(double speed)
-{
-    const double since = static_cast<double>(m_index - m_driftStep) * m_dt;
-    if (speed <= m_fastest + m_gravity * since)
-        return;
-    // The latest step may have been flown at the new speed already.
-    m_drifted +=
-        driftIn(since, std::max(m_fastest, 0.0)) + (m_index > 0 ? driftIn(m_dt, speed) : 0.0);
-    m_driftStep = m_index;
-    m_fastest = speed;
-    const double left = std::max(0.0, m_drift - m_drifted);
-    const double push = speed + m_gravity * m_dt;
-    const double reach = push + std::sqrt(push * push + 2.0 * m_gravity * left);
-    const double steps = reach > 0.0 ? 2.0 * left / (reach * m_dt) : infinity;
-    if (steps < static_cast<double>(m_steps - m_index))
-        m_steps = m_index + static_cast<std::size_t>(steps);
 }
 
 void ContinuousSolver::read(std::span<Circle> circles) const

@@ -6,6 +6,7 @@
 #include "model/continuous/continuous_step.h"
 #include "model/continuous/pile_step.h"
 #include "model/continuous/sleeping_islands.h"
+#include "model/continuous/sort_skin.h"
 #include "model/exact/exact_solver.h"
 
 #include <array>
@@ -22,7 +23,7 @@ namespace cradle {
 ///  - Between two disturbances the centres of a pair approach each other in a straight line from
 ///    step to step, whatever their integrators, so the first step of a meeting is a quadratic;
 ///    what bends inside a step is added to the reach.
-///  - The grid is used only as long as no circle can be farther than `m_drift` (the skin) from
+///  - The grid is used only as long as no circle can be farther than the skin (SortSkin) from
 ///    where it was sorted. A circle that is kicked faster than that allows is noticed, searches
 ///    its whole way of the step, and the next step sorts anew.
 ///  - Circles that meet in a step are taken from its start as one group. If a member then leaves
@@ -51,7 +52,6 @@ public:
 private:
     using Slot = std::uint32_t;
     static constexpr Slot wall = 0xffffffffU; ///< as a partner: any of the four
-    static constexpr std::size_t mostSteps = 64;
     /// Closing speeds below this share of the speeds may be rest; the whole solver sees to them.
     static constexpr double leastClosing = 1e-6;
     static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -99,9 +99,6 @@ private:
     void advancePart(double dt, double time, std::vector<Hit> &hits);
     void findMeanSpeed();
     void flyFreely();
-    void limitSteps(double speed);
-    [[nodiscard]] double driftIn(double time, double speed) const;
-    [[nodiscard]] double driftAfter(std::size_t steps) const;
     [[nodiscard]] Motion freely(Slot slot) const;
 
     // When who can meet: continuous_schedule.cpp
@@ -152,13 +149,9 @@ private:
     qint64 m_stepNumber = 0;
     double m_freePath = 0;  ///< mean, m
     double m_meanSpeed = 0; ///< at the latest sort, m/s
-    double m_skin = 0;      ///< the drift that is worth while, m
-    double m_drift = 0;     ///< how far a circle may be from where it was sorted, m
-    double m_fastest = 0;   ///< when m_drifted was counted, m/s
-    double m_drifted = 0;   ///< at most, by step m_driftStep, m
-    std::size_t m_driftStep = 0;
+    double m_skinWidth = 0; ///< that is worth while, m
+    SortSkin m_skin;
     std::size_t m_index = 0;  ///< steps since the sort
-    std::size_t m_steps = 0;  ///< that the sort is good for
     std::size_t m_small = 0;  ///< circles in the grid; the few giants follow them
     double m_smallRadius = 0; ///< the largest in the grid, m
     DiscGrid m_grid;
@@ -178,11 +171,12 @@ private:
     SleepingIslands m_sleep;
     std::vector<Slot> m_slotOf; ///< if any sleep
 
-    std::array<std::vector<Candidates>, mostSteps> m_due; ///< who may first meet in each step
-    std::vector<Candidates> m_resting;                    ///< stay in touch from step to step
-    std::vector<Member> m_members;                        ///< of this step
-    double m_kicked = 0;                                  ///< the fastest of them, m/s
-    std::vector<Candidates> m_inVain;                     ///< did not meet after all
+    std::array<std::vector<Candidates>, SortSkin::mostSteps>
+        m_due;                         ///< who may first meet in each step
+    std::vector<Candidates> m_resting; ///< stay in touch from step to step
+    std::vector<Member> m_members;     ///< of this step
+    double m_kicked = 0;               ///< the fastest of them, m/s
+    std::vector<Candidates> m_inVain;  ///< did not meet after all
     std::vector<Place> m_order;
     std::vector<std::pair<double, std::uint32_t>> m_sequence; ///< of the hits found, by time
     std::vector<Found> m_found;
