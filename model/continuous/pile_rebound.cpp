@@ -45,6 +45,8 @@ PileRebound findRebound(const Pile &pile, const PileMotion &motion, PileEnds &en
     rebound.impulses.reserve(motion.contacts.size());
     std::vector<PileContact> contacts;
     std::vector<std::uint32_t> contactOf; // of each of these in the motion
+    contacts.reserve(motion.contacts.size());
+    contactOf.reserve(motion.contacts.size());
     const double e = pile.rules.restitution;
     bool any = false;
     for (std::uint32_t k = 0; k < motion.contacts.size(); ++k) {
