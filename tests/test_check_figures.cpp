@@ -26,6 +26,8 @@ void TestCheckFigures::figuresAreShort_data()
     QTest::newRow("a fifteenth") << 1.0 / 15.0 << QStringLiteral("0.06667");
     QTest::newRow("few digits") << -0.5 << QStringLiteral("-0.5");
     QTest::newRow("noise") << 3e-17 << QStringLiteral("0");
+    QTest::newRow("just noise") << 9e-13 << QStringLiteral("0");
+    QTest::newRow("just none") << -1.1e-12 << QStringLiteral("-1.1e-12");
     QTest::newRow("below a thousand") << 261.3805 << QStringLiteral("261.4");
     QTest::newRow("an energy") << 25632.712 << QStringLiteral("25633");
     QTest::newRow("a rounded thousand") << 999.99 << QStringLiteral("1000");

@@ -80,6 +80,28 @@ Observation losesEnergy(double error)
     return headOn(0.0, error, -error);
 }
 
+/// They come with 2 and −1 m/s and swap velocities, but for \p error.
+Observation bothMove(double error)
+{
+    const Circle one{.position = {-0.6, 0.0}, .velocity = {2.0, 0.0}};
+    const Circle two{.velocity = {-1.0, 0.0}};
+    return observed(scene({one, two}), 0.5, [=](Circles &c, double dt) {
+        for (Circle &each : c)
+            each.position += dt * each.velocity;
+        if (c[1].position.x - c[0].position.x < 0.4 && c[0].velocity.x > 1.0) {
+            c[0].velocity.x = -1.0;
+            c[1].velocity.x = 2.0 + error;
+        }
+    });
+}
+
+Observation startsTooWide(double error)
+{
+    Circle wide = thrown;
+    wide.radius += error;
+    return observed(scene({wide}), 0.1, [](Circles &, double) {});
+}
+
 } // namespace
 
 using Wrong = Observation (*)(double);
@@ -87,8 +109,8 @@ using Wrong = Observation (*)(double);
 Q_DECLARE_METATYPE(Wrong)
 Q_DECLARE_METATYPE(cradle::CheckSpec)
 
-/// Every check bears what roundings do and nothing more: half of its tolerance is right, twice as
-/// much is wrong.
+/// Every check bears what roundings do and nothing more: a fifth less than its tolerance is right,
+/// a fifth more is wrong.
 class TestCheckTolerances : public QObject
 {
     Q_OBJECT
@@ -125,6 +147,12 @@ void TestCheckTolerances::toleranceHasTwoSides_data()
     row("touches", check("touches", {0, 1}), tooEarly, 1e-9);
     // Of m 2 m/s, and of ½ m (2 m/s)², which changes by 2 m/s times m and the error.
     row("conserves momentum", check("conserves", {0, 1}), leavesTooFast, 2e-9);
+    row("conserves momentum, both move", check("conserves", {0, 1}), bothMove, 3e-9);
+    // The change of the energy is 2 m/s m times the error, of ½ m (2² + 1²) (m/s)².
+    row("conserves energy, both move",
+        check("conserves", {0, 1}, {{QStringLiteral("energy"), true}}), bothMove, 1.25e-9);
+    row("start", check("start", {0}, {{QStringLiteral("radius"), thrown.radius}}), startsTooWide,
+        1e-9 * (1.0 + thrown.radius));
     row("conserves energy", check("conserves", {0, 1}, {{QStringLiteral("energy"), true}}),
         losesEnergy, 1e-9);
 }
@@ -135,8 +163,8 @@ void TestCheckTolerances::toleranceHasTwoSides()
     QFETCH(Wrong, program);
     QFETCH(double, borne);
     VERIFY_ACCEPTED(judge(spec, program(0.0)));
-    VERIFY_ACCEPTED(judge(spec, program(0.5 * borne)));
-    QVERIFY(judge(spec, program(2.0 * borne)).has_value());
+    VERIFY_ACCEPTED(judge(spec, program(0.8 * borne)));
+    QVERIFY(judge(spec, program(1.2 * borne)).has_value());
 }
 
 QTEST_APPLESS_MAIN(TestCheckTolerances)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
+#include "tasks/checks/motion.h"
 
 #include "tests/contact_programs.h"
 #include "tests/scenes.h"
@@ -23,6 +24,8 @@ private slots:
     void wrongProgramLosesMomentumOrEnergy();
     void missingHitsAreCounted();
     void hitAtAWallIsNotACollision();
+    void onlyWhoStaysInsidePartsInside_data();
+    void onlyWhoStaysInsidePartsInside();
     void passingThroughIsSeen();
     void handWorkedVelocitiesAreAsked();
     void energyLossIsSeen();
@@ -138,16 +141,35 @@ void TestChecksContacts::missingHitsAreCounted()
 
 void TestChecksContacts::hitAtAWallIsNotACollision()
 {
-    // Circle 1 turns round at the right wall; circle 2 rests on the other side.
-    const Circle one{.position = {3.0, 0.0}, .velocity = {3.0, 0.0}};
-    const Observation o =
-        observed(scene({one, {.position = {-3.0, 0.0}}}), 1.0, [](Circles &c, double h) {
-            move(c, h);
-            if (c[0].position.x > 3.8)
-                c[0].velocity.x = -3.0;
-        });
+    // One turns round at the right wall; the other rests on the other side.
+    const Circle moving{.position = {3.0, 0.0}, .velocity = {3.0, 0.0}};
+    const Circle resting{.position = {-3.0, 0.0}};
+    const auto turn = [](Circles &c, double h) {
+        move(c, h);
+        for (Circle &each : c) {
+            if (each.position.x > 3.8)
+                each.velocity.x = -3.0;
+        }
+    };
     const QJsonObject none{{QStringLiteral("contacts"), 0}};
-    VERIFY_ACCEPTED(judge(check("collides", {0, 1}, none), o));
+    for (const Preset &preset : {scene({moving, resting}), scene({resting, moving})})
+        VERIFY_ACCEPTED(judge(check("collides", {0, 1}, none), observed(preset, 1.0, turn)));
+}
+
+/// Who goes back, or is put rim to rim, no longer overlaps when they part.
+void TestChecksContacts::onlyWhoStaysInsidePartsInside_data()
+{
+    QTest::addColumn<int>("way");
+    for (int way = 0; way < static_cast<int>(std::size(rightWays)); ++way)
+        QTest::newRow(rightWays[way].name) << way;
+}
+
+void TestChecksContacts::onlyWhoStaysInsidePartsInside()
+{
+    QFETCH(int, way);
+    const Observation o =
+        meeting([&](Circles &c, double h) { rightWays[way].step(c, 1.0, h); }, 1.0, 0.0, 0.0, 0.2);
+    QCOMPARE(motion::leavesInside(o, 0, 1, {}), way == 2);
 }
 
 void TestChecksContacts::passingThroughIsSeen()

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_library.h"
+
+#include "tests/check_faults.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::programs::faults;
+
+/// What the checks of circle against circle say, where it can be worked out by hand.
+class TestContactFaults : public QObject
+{
+    Q_OBJECT
+private slots:
+    void faultIsSaidToTheLetter_data();
+    void faultIsSaidToTheLetter();
+};
+
+namespace {
+
+/// 1 kg at 1 m/s, which overlaps the resting 1 kg by 0.05 m after the first step.
+std::vector<Circle> headOn()
+{
+    return {{.position = {-0.45, 0}, .velocity = {1, 0}, .density = kilogram},
+            {.position = {0, 0}, .density = kilogram}};
+}
+
+/// Rims 1.6 m from each other.
+std::vector<Circle> apart()
+{
+    return {{.position = {-1, 0}, .velocity = {1, 0}}, {.position = {1, 0}}};
+}
+
+/// Both have these velocities from that step on.
+std::vector<Change> leave(Vec2 a, Vec2 b, int step = 2)
+{
+    return {{step, [a, b](Circles &c) {
+                 c[0].velocity = a;
+                 c[1].velocity = b;
+             }}};
+}
+
+CheckSpec pair(const char *kind, const QJsonObject &parameters = {})
+{
+    return check(kind, {0, 1}, parameters);
+}
+
+/// One array of two velocities.
+QJsonObject velocities(Vec2 a, Vec2 b)
+{
+    QJsonArray list;
+    list.append(json(a));
+    list.append(json(b));
+    return {{QStringLiteral("velocities"), list}};
+}
+
+void addCollisions()
+{
+    addRow("one turns too early", pair("collides"), drift(apart(), leave({1, 0}, {0, 1}, 3)),
+           "At step 3 circle 2 changed its velocity although it touched neither a wall nor the "
+           "other circle: their rims were still 1.3 m apart",
+           3, 0.0, 1.3, "m");
+    addRow("both turn too early", pair("collides"), drift(apart(), leave({-1, 0}, {1, 0}, 3)),
+           "At step 3 the circles changed their velocities although their rims were still 1.3 m "
+           "apart; they should touch first, at a distance of r₁ + r₂",
+           3, 0.0, 1.3, "m");
+    addRow("hit again while they part", pair("collides"),
+           drift({{.position = {-0.05, 0}, .velocity = {-1, 0}},
+                  {.position = {0.05, 0}, .velocity = {1, 0}}},
+                 leave({1, 0}, {-1, 0})),
+           "At step 2 the circles were already moving apart with 2 m/s and were hit again; "
+           "circles that move apart should be left alone",
+           2);
+    addRow("both go on with half", pair("collides"), drift(headOn(), leave({0.5, 0}, {0.5, 0})),
+           "At step 2 circle 1 left the hit with (0.5, 0) m/s and circle 2 with (0.5, 0) m/s; "
+           "along the line of centres (1, 0) it should be (0, 0) and (1, 0) m/s",
+           2, 0.0, 0.5, "m/s");
+    addRow("one goes aside", pair("collides"), drift(headOn(), leave({0, 0.3}, {1, 0})),
+           "At step 2 circle 1 left the hit with (0, 0.3) m/s and circle 2 with (1, 0) m/s; along "
+           "the line of centres (1, 0) it should be (0, 0) and (1, 0) m/s",
+           2, 0.0, 0.3, "m/s");
+    addRow("no answer", pair("collides"), drift(headOn(), {}),
+           "At step 1 the circles have run into each other and go on as if nothing had happened; "
+           "they should answer as soon as their distance is r₁ + r₂",
+           1);
+    addRow("too few", pair("collides", {{QStringLiteral("contacts"), 2}}),
+           drift(headOn(), leave({0, 0}, {1, 0})),
+           "Hits that the circles answered: 1; at least 2 is right", 0, 2.0, 1.0);
+    addRow("none", pair("collides"), drift(apart(), {}),
+           "The circles did not meet, so there is no hit to judge", 0, 1.0, 0.0);
+    addRow("leaps away", pair("collides"),
+           drift(headOn(), {{2,
+                             [](Circles &c) {
+                                 c[0].velocity = {};
+                                 c[1] = {.position = {2, 0}, .velocity = {1, 0}};
+                             }}}),
+           "At step 2 circle 2 moved by 2 m at once; with its velocity it comes 0.1 m far", 2, 0.1,
+           2.0, "m");
+    addRow("parts too fast", pair("rebounds"), drift(headOn(), leave({0, 0}, {1, 0}), 1.0, {}, 0.5),
+           "At step 2 the circles met with 1 m/s along the line of centres and parted with 1 m/s; "
+           "e times as much, with e = 0.5, is 0.5 m/s",
+           2, 0.5, 1.0, "m/s");
+}
+
+} // namespace
+
+void TestContactFaults::faultIsSaidToTheLetter_data()
+{
+    addColumns();
+    addCollisions();
+    addRow("momentum lost", pair("conserves"), drift(headOn(), leave({0.5, 0}, {0, 0.4})),
+           "At step 2 the hit changed the total momentum from (1, 0) to (0.5, 0.4) kg m/s; it "
+           "should stay",
+           2, 1.0, 0.5, "kg m/s");
+    addRow("momentum gained aside", pair("conserves"), drift(headOn(), leave({0.9, 0}, {0, 0.4})),
+           "At step 2 the hit changed the total momentum from (1, 0) to (0.9, 0.4) kg m/s; it "
+           "should stay",
+           2, 0.0, 0.4, "kg m/s");
+    // ½ 1 kg (1 m/s)², then twice ½ 1 kg (½ m/s)².
+    addRow("energy lost", pair("conserves", {{QStringLiteral("energy"), true}}),
+           drift(headOn(), leave({0.5, 0}, {0.5, 0})),
+           "At step 2 the hit changed the kinetic energy from 0.5 to 0.25 J; it should stay", 2,
+           0.5, 0.25, "J");
+    addRow("nothing to conserve", pair("conserves"), drift(apart(), {}),
+           "The circles never hit each other; they should", 0);
+    addRow("the first leaves with another velocity", pair("after_contact", velocities({}, {1, 0})),
+           drift(headOn(), leave({0.5, 0}, {0.5, 0})),
+           "At step 2 circle 1 left the first hit with (0.5, 0) m/s; (0, 0) m/s is right", 2, 0.0,
+           0.5, "m/s");
+    addRow("the second does", pair("after_contact", velocities({0.5, 0}, {0.5, 0.2})),
+           drift(headOn(), leave({0.5, 0}, {0.5, 0})),
+           "At step 2 circle 2 left the first hit with (0.5, 0) m/s; (0.5, 0.2) m/s is right", 2,
+           0.2, 0.0, "m/s");
+    addRow("no energy lost", pair("loses_energy"), drift(headOn(), leave({0, 0}, {1, 0})),
+           "At step 2 the kinetic energy was 0.5 J before the hit and 0.5 J after it; with e below "
+           "1 it should be less",
+           2, 0.5, 0.5, "J");
+    // Under 1 m/s² both have fallen for two steps before, and for three after it.
+    addRow("kicked as they should pass", pair("passes_through"),
+           drift(apart(), {{3, [](Circles &c) { c[1].velocity.x = 1.0; }}}, 1.0, {0, -1}),
+           "At step 3 the velocity of circle 2 changed from (0, -0.2) to (1, -0.3) m/s; the "
+           "circles should pass through each other unchanged",
+           3);
+}
+
+void TestContactFaults::faultIsSaidToTheLetter()
+{
+    COMPARE_FAULT();
+}
+
+QTEST_APPLESS_MAIN(TestContactFaults)
+#include "test_contact_faults.moc"
