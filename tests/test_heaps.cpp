@@ -22,7 +22,10 @@ private slots:
     void aHeapNeitherOverlapsNorGainsEnergy();
     void aHeapFallsAsleep();
     void whatShakesInItsPlaceIsStill();
+    void aHeapSleepsAfterHalfASecond();
+    void aSleepingHeapWakesWhenItIsHit_data();
     void aSleepingHeapWakesWhenItIsHit();
+    void aRowOfSlidersNeverSleeps();
 };
 
 namespace {
@@ -191,12 +194,50 @@ void TestHeaps::whatShakesInItsPlaceIsStill()
     }
 }
 
+/// What lies still does so for half a second, thirty steps, before it sleeps; not for a step less.
+void TestHeaps::aHeapSleepsAfterHalfASecond()
+{
+    Run run(rows(40, 20, 0.15, 0.02));
+    const double lying = 0.05 * g * dt;
+    int still = 0;
+    do {
+        run.steps(1);
+        if (fastestOf(run) > 0.0)
+            still = fastestOf(run) <= lying ? still + 1 : 0;
+    } while (fastestOf(run) > 0.0 && run.world.step < 480);
+    QCOMPARE(fastestOf(run), 0.0);
+    QCOMPARE(still, 29);
+}
+
+/// Without friction they go on for ever, however fast.
+void TestHeaps::aRowOfSlidersNeverSleeps()
+{
+    for (const double speed : {0.25, 1.0}) {
+        Preset preset = rows(4, 100, 0.1, 0.1);
+        for (PresetCircle &c : preset.circles)
+            c.body.velocity = {speed, 0.0};
+        Run run(preset);
+        run.steps(120);
+        for (std::size_t i = 0; i < 4; ++i) {
+            QCOMPARE(run[i].velocity.x, speed);
+            COMPARE_NEAR(run[i].position.x, preset.circles[i].body.position.x + speed * 2.0, 1e-9);
+        }
+    }
+}
+
+void TestHeaps::aSleepingHeapWakesWhenItIsHit_data()
+{
+    QTest::addColumn<double>("up");
+    for (const double up : {2.0, 2.5, 3.0, 4.0, 7.0})
+        QTest::addRow("%g m/s", up) << up;
+}
+
 /// A circle thrown up keeps to its parabola while a heap below falls asleep; it wakes the heap when
 /// it comes down on it, and not before.
 void TestHeaps::aSleepingHeapWakesWhenItIsHit()
 {
     Preset preset = rows(100, 100, 0.039, 0.001);
-    constexpr double up = 7.0;
+    QFETCH(double, up);
     preset.circles.push_back(circle({0.1, 0.5}, {0.3, up}, 0.2));
     Run run(preset);
     bool slept = false;
@@ -219,6 +260,12 @@ void TestHeaps::aSleepingHeapWakesWhenItIsHit()
     }
     QVERIFY(slept);
     QVERIFY(woke);
+    // Who woke does not fall through the floor.
+    for (int step = 0; step < 60; ++step) {
+        run.steps(1);
+        const double overlap = deepestOverlap(run.world.circles);
+        QVERIFY2(overlap <= 1e-3, QByteArray::number(overlap).constData());
+    }
 }
 
 QTEST_APPLESS_MAIN(TestHeaps)
