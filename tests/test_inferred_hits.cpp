@@ -23,6 +23,7 @@ private slots:
     void circleInACornerHitsBothWalls();
     void hitKnowsVelocitiesAndLoss();
     void hitsAreAppended();
+    void missingGravityIsNoHit();
 };
 
 namespace {
@@ -239,6 +240,17 @@ void TestInferredHits::hitsAreAppended()
     QCOMPARE(hits.size(), std::size_t{2});
     QCOMPARE(hits[1].step, 7);
     QCOMPARE(hits[1].time, 0.25);
+}
+
+/// A program that leaves gravity out for a step has hit nothing, however fast it flies to the wall.
+void TestInferredHits::missingGravityIsNoHit()
+{
+    for (const double speed : {0.5, 3.0}) {
+        Preset preset = scene({circle({0, 4 - 0.21}, {0, speed})}, discrete);
+        preset.gravity = {0, -g};
+        const auto drift = [](std::vector<Circle> &c) { c[0].position += dt * c[0].velocity; };
+        QCOMPARE(toText(hitsOfStep(preset, drift)), QByteArray());
+    }
 }
 
 QTEST_APPLESS_MAIN(TestInferredHits)

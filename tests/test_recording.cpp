@@ -157,6 +157,10 @@ void TestRecording::aCrowdKeepsItsNewestFrames()
     QVERIFY(recording.last() - recording.first() >= 100);
     QVERIFY(recording.last() - recording.first() < 300);
     QVERIFY(recording.world(999) == frame(999, 50));
+    // A full one, beside that which begins.
+    QCOMPARE(recordingOf(129, 50, 1).first(), qint64{0});
+    QCOMPARE(recordingOf(256, 50, 1).first(), qint64{0});
+    QCOMPARE(recordingOf(257, 50, 1).first(), qint64{128});
 }
 
 void TestRecording::hitsAreDroppedWithTheirFrames()
@@ -171,6 +175,8 @@ void TestRecording::hitsAreDroppedWithTheirFrames()
         }
         QCOMPARE(recording.droppedHits() + static_cast<qint64>(recording.hits().size()),
                  (i + 7) / 10);
+        // Ten steps apart each is a contact of its own.
+        QCOMPARE(recording.droppedEncounters(), recording.droppedHits());
     }
     QVERIFY(recording.droppedHits() > 0);
     QVERIFY(!recording.hits().empty());

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/scenes.h"
+
+using namespace cradle;
+using namespace cradle::scenes;
+
+namespace {
+
+constexpr Laws exact{WallLaw::Reflect, CircleLaw::Impulse, Timing::Exact};
+
+} // namespace
+
+/// Who only touches, and who meets two at once, in exact timing.
+class TestExactMeetings : public QObject
+{
+    Q_OBJECT
+private slots:
+    void aGrazeIsNoHit_data();
+    void aGrazeIsNoHit();
+    void aBreakIsSolvedAsOne_data();
+    void aBreakIsSolvedAsOne();
+};
+
+void TestExactMeetings::aGrazeIsNoHit_data()
+{
+    QTest::addColumn<bool>("first");
+    QTest::newRow("the first passes") << true;
+    QTest::newRow("the second passes") << false;
+}
+
+/// Rims that only touch do not push, and who has passed meets what comes after.
+void TestExactMeetings::aGrazeIsNoHit()
+{
+    QFETCH(bool, first);
+    const PresetCircle passing = circle({-1, 0}, {1, 0}, 0.25);
+    const PresetCircle other = circle({0, 0.5}, {0, 0}, 0.25);
+    Run run(first ? scene({passing, other}, exact) : scene({other, passing}, exact));
+    const Circle &c = run[first ? 0 : 1];
+    run.steps(120);
+    QCOMPARE(c.velocity.x, 1.0);
+    QCOMPARE(run.hits.size(), std::size_t{0});
+    // 4.75 m to the right wall, then back: 10 s in all.
+    run.steps(480);
+    QCOMPARE(run.hits.size(), std::size_t{1});
+    COMPARE_NEAR(run.hits[0].time, 4.75, 1e-12);
+    COMPARE_NEAR(c.position.x, 3.75 - 5.25, 1e-12);
+}
+
+void TestExactMeetings::aBreakIsSolvedAsOne_data()
+{
+    QTest::addColumn<double>("degrees");
+    for (const double degrees : {0.0, 30.0, 77.0, 180.0, 245.0})
+        QTest::addRow("%g degrees", degrees) << degrees;
+}
+
+/// One of 1 m/s meets two of its mass at once, ±30° from its way: along either normal, as in
+/// test_contact_solver, J/m = (2/5) √3 m/s. To the side they go with 0.4 √3/2 m/s.
+void TestExactMeetings::aBreakIsSolvedAsOne()
+{
+    QFETCH(double, degrees);
+    const double angle = degrees * pi / 180.0;
+    const Vec2 way{std::cos(angle), std::sin(angle)};
+    const Vec2 side = perpendicular(way);
+    const double share = std::sqrt(0.75);
+    Run run(scene({circle(-0.5 * way, way), circle((0.4 * share) * way + 0.2 * side),
+                   circle((0.4 * share) * way - 0.2 * side)},
+                  exact));
+    run.steps(60);
+    const auto verify = [&](Vec2 velocity, double along, double aside) {
+        COMPARE_NEAR(dot(velocity, way), along, 1e-9);
+        COMPARE_NEAR(dot(velocity, side), aside, 1e-9);
+    };
+    verify(run[0].velocity, -0.2, 0.0);
+    verify(run[1].velocity, 0.6, 0.4 * share);
+    verify(run[2].velocity, 0.6, -0.4 * share);
+    QCOMPARE(run.hits.size(), std::size_t{2});
+    QCOMPARE(run.hits[0].time, run.hits[1].time);
+}
+
+QTEST_APPLESS_MAIN(TestExactMeetings)
+#include "test_exact_meetings.moc"
