@@ -19,6 +19,7 @@ class TestContinuousStep : public QObject
 {
     Q_OBJECT
 private slots:
+    void unlikeIntegratorsMeetWithinAStep();
     void glancingContactOfTheLab_data();
     void glancingContactOfTheLab();
     void restOfTheStepIsSpentAfterTheHit();
@@ -263,6 +264,20 @@ void TestContinuousStep::noCirclesIsAWorldToo()
     run.steps(3);
     QCOMPARE(run.world.step, qint64{3});
     QCOMPARE(run.world.time, 3.0 * dt);
+}
+
+/// Let go above each other, the upper by symplectic Euler, the lower by Euler: in the first step
+/// only the upper falls, by g h², five times what is between them. It is stopped at the rim.
+void TestContinuousStep::unlikeIntegratorsMeetWithinAStep()
+{
+    constexpr double gap = 5e-4;
+    Preset preset = scene({circle({0, 0.4 + gap}, {}, 0.2, Integrator::SymplecticEuler),
+                           circle({0, 0}, {}, 0.2, Integrator::Euler)},
+                          lawsOf(CircleLaw::Impulse));
+    preset.gravity = {0, -g};
+    Run run(preset);
+    run.steps(1);
+    QVERIFY(length(run[0].position - run[1].position) >= 0.4 - 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestContinuousStep)

@@ -81,6 +81,7 @@ class TestContinuousWalls : public QObject
 {
     Q_OBJECT
 private slots:
+    void aStepOfNoTimeChangesNothing();
     void wallsFoldTheStraightLine_data();
     void wallsFoldTheStraightLine();
     void wallTakesItsShareOfTheNormalPart_data();
@@ -243,6 +244,26 @@ void TestContinuousWalls::mirroredScenesStayMirrored()
         COMPARE_NEAR(asymmetry(run.world, start, acrossX), 0.0, 0.0);
     }
     QVERIFY(run.hits.size() >= 4);
+}
+
+/// A step of 0 s leaves everything as it was, and so do all after it.
+void TestContinuousWalls::aStepOfNoTimeChangesNothing()
+{
+    Preset preset =
+        scene({circle({0, 3}, {1, 0}), circle({2, 3}, {-1, 0})}, lawsOf(CircleLaw::Impulse));
+    preset.gravity = {0, -g};
+    preset.restitution = 0.5;
+    Run plain(preset);
+    Run halted(preset);
+    plain.steps(10);
+    halted.steps(10);
+    halted.stepper.advanceBy(halted.world, 0.0, halted.hits);
+    QVERIFY(halted.world.circles == plain.world.circles);
+    QCOMPARE(halted.world.time, plain.world.time);
+    plain.steps(100);
+    halted.steps(100);
+    QVERIFY(halted.world.circles == plain.world.circles);
+    QCOMPARE(halted.hits.size(), plain.hits.size());
 }
 
 QTEST_APPLESS_MAIN(TestContinuousWalls)

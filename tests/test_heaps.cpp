@@ -18,6 +18,7 @@ class TestHeaps : public QObject
 private slots:
     void momentumFollowsGravityAlone();
     void hitsFollowNewtonsLaw();
+    void whatTouchesHitsAtOnce();
     void aHeapNeitherOverlapsNorGainsEnergy_data();
     void aHeapNeitherOverlapsNorGainsEnergy();
     void aHeapFallsAsleep();
@@ -122,6 +123,35 @@ void TestHeaps::hitsFollowNewtonsLaw()
         COMPARE_NEAR(after, 0.5 * before, 0.01);
         COMPARE_NEAR(before, fall, 2.0 * g * dt);
         COMPARE_NEAR(hit.time, 0.01 / fall, 1e-3);
+        // What it and gravity give in the step is the change of the velocity.
+        const double change = run[static_cast<std::size_t>(hit.a)].velocity.y + fall;
+        COMPARE_NEAR(hit.impulse, mass(run[0]) * (change + g * dt), 1e-9);
+    }
+}
+
+/// Each lies on the floor and has another right upon it, which comes down: only that rebounds.
+void TestHeaps::whatTouchesHitsAtOnce()
+{
+    Preset preset = rows(50, 50, 0.078, 0.002);
+    constexpr double fall = 2.0;
+    for (std::size_t i = 0; i < 50; ++i) {
+        PresetCircle upper = preset.circles[i];
+        upper.body.position.y += 2.0 * 0.078;
+        upper.body.velocity = {0, -fall};
+        preset.circles.push_back(upper);
+    }
+    Run run(preset);
+    run.steps(1);
+    QCOMPARE(run.hits.size(), std::size_t{50});
+    for (const Hit &hit : run.hits) {
+        QCOMPARE(hit.b, hit.a + 50);
+        // m (1 + e) u, and what it bears of its weight; half of it by the mean of u and u'.
+        COMPARE_NEAR(hit.impulse, mass(run[0]) * (1.5 * fall + g * dt), 1e-6);
+        COMPARE_NEAR(hit.loss, 0.5 * hit.impulse * (fall - 0.5 * fall), 1e-6);
+    }
+    for (std::size_t i = 0; i < 50; ++i) {
+        COMPARE_NEAR(run[i].velocity.y, 0.0, 0.01);
+        COMPARE_NEAR(run[50 + i].velocity.y, 0.5 * fall, g * dt);
     }
 }
 

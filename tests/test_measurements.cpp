@@ -112,8 +112,8 @@ void TestMeasurements::hitsSayWhatTheyTook_data()
     QTest::addColumn<int>("timing");
     QTest::addColumn<double>("restitution");
     QTest::addColumn<double>("loss"); // J; 2 kg at 4 m/s against 6 kg at rest, ½ m v² = 16 J
-    for (const Timing timing : {Timing::Discrete, Timing::Continuous}) {
-        const QByteArray name = timing == Timing::Discrete ? "discrete" : "continuous";
+    for (const Timing timing : {Timing::Discrete, Timing::Continuous, Timing::Exact}) {
+        const QByteArray name = shortName(timing);
         const auto row = [&](const char *what, CircleLaw law, double e, double loss) {
             QTest::newRow(name + ' ' + what) << int(law) << int(timing) << e << loss;
         };
