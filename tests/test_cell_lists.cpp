@@ -61,6 +61,7 @@ private slots:
     void aBoxHoldsWhatLiesInIt();
     void allAreListedOnceRowByRow();
     void placesOutsideBelongToTheEdge();
+    void roundingAtTheEdgesMissesNobody();
 };
 
 void TestCellLists::nearMissesNobody_data()
@@ -161,6 +162,30 @@ void TestCellLists::placesOutsideBelongToTheEdge()
     cells.divide({1.0, 1.0}, {1.0, 1.0}, 2, 0.0);
     cells.insert(things.data(), 0, {1.0, 1.0});
     QCOMPARE(cells.edgesOf(things[0].link), 15U);
+}
+
+/// Those a reach apart are found wherever the edges of cells lie between them: what rounding does
+/// to a place is less than what cells are wider than the reach.
+void TestCellLists::roundingAtTheEdgesMissesNobody()
+{
+    for (int steps = 1; steps <= 60; ++steps) {
+        const double width = reach * steps;
+        for (int i = 0; i < steps; ++i) {
+            for (const double shift : {0.0, -1e-16, -4e-16, 4e-16}) {
+                CellLists cells;
+                std::vector<Thing> things(2);
+                cells.divide({-4.0, -4.0}, {-4.0 + width, -4.0 + width}, 10'000, reach);
+                const double x = -4.0 + reach * i + shift;
+                things[0].place = {x, -4.0};
+                things[1].place = {x + reach, -4.0};
+                cells.insert(things.data(), 0, things[0].place);
+                cells.insert(things.data(), 1, things[1].place);
+                std::vector<std::uint32_t> found(things.size() + 1);
+                QCOMPARE(cells.near(things.data(), 0, found.data()), std::size_t{1});
+                QCOMPARE(cells.near(things.data(), 1, found.data()), std::size_t{1});
+            }
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestCellLists)

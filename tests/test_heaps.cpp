@@ -258,7 +258,7 @@ void TestHeaps::aRowOfSlidersNeverSleeps()
 void TestHeaps::aSleepingHeapWakesWhenItIsHit_data()
 {
     QTest::addColumn<double>("up");
-    for (const double up : {2.0, 2.5, 3.0, 4.0, 7.0})
+    for (const double up : {1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.5, 3.0, 4.0, 7.0})
         QTest::addRow("%g m/s", up) << up;
 }
 
