@@ -26,6 +26,7 @@ private slots:
     void returnFromTheWallTellsMemoryFromDirection();
     void pauseAfterAHitIsNamed_data();
     void pauseAfterAHitIsNamed();
+    void leapAfterAHitIsNamed();
 };
 
 namespace {
@@ -206,6 +207,18 @@ void TestContactLaw::pauseAfterAHitIsNamed()
     pauses.start = QStringLiteral("last = -100");
     QCOMPARE(bench.contact(written(pauses, structures[0])),
              QStringList(text("A hit soon after another is not answered")));
+}
+
+/// The one that a hit puts far from its path is named.
+void TestContactLaw::leapAfterAHitIsNamed()
+{
+    const LawBench step(task(QStringLiteral("L42T14")));
+    for (const int circle : {1, 2}) {
+        const QString hit =
+            hitOf({"leap", "", circle == 1 ? "p.position = vec(0, 3)" : "q.position = vec(0, 3)"});
+        const QStringList said = step.contact(written(withHit(hit), structures[1]));
+        QCOMPARE(said.value(0), QStringLiteral("A hit puts circle %1 somewhere else").arg(circle));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestContactLaw)

@@ -21,6 +21,8 @@ private slots:
     void faultIsNamed();
     void ownSceneShowsACopyThatIsTooOld();
     void hitInTheFirstStepIsNoFall();
+    void methodsAreNotAlike();
+    void followerHasALeader();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
@@ -241,6 +243,40 @@ void TestFlightLaw::hitInTheFirstStepIsNoFall()
         .hit = QStringLiteral("if (q.position - p.position):length() < 0.4 then "
                               "p.velocity, q.velocity = vec(0, 0), vec(0, 0) end")};
     QCOMPARE(step.flight(written(program, structures[3])), QStringList());
+}
+
+/// Two programs fly alike if they go by one method; methods differ by what gravity adds to a step.
+void TestFlightLaw::methodsAreNotAlike()
+{
+    const LawBench step = bench("L42T17");
+    std::vector<QString> programs;
+    for (const QString &move : {euler, symplectic, verlet})
+        programs.push_back(written({.move = move}, structures[3]));
+    for (const QString &a : programs) {
+        for (const QString &b : programs) {
+            const MeasuredLaws first(&a, step.ground);
+            const MeasuredLaws second(&b, step.ground);
+            QCOMPARE(first.flight().isLike(second.flight()), a == b);
+        }
+    }
+}
+
+/// A circle that moves on by the velocity of another has that for its leader.
+void TestFlightLaw::followerHasALeader()
+{
+    const LawBench step = bench("L42T17");
+    const QString program =
+        QStringLiteral("function on_update(h) "
+                       "circle1.velocity = circle1.velocity + gravity * h "
+                       "circle2.velocity = circle2.velocity + gravity * h "
+                       "circle2.position = circle2.position + circle1.velocity * h "
+                       "circle1.position = circle1.position + circle1.velocity * h end");
+    const MeasuredLaws own(&program, step.ground);
+    for (const Vec2 gravity : step.ground.gravities) {
+        const auto &flights = own.flight().at(gravity, step.ground.timesteps.front());
+        QCOMPARE(flights[0].leader, -1);
+        QCOMPARE(flights[1].leader, 0);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

@@ -27,6 +27,7 @@ private slots:
     void aSleepingHeapWakesWhenItIsHit_data();
     void aSleepingHeapWakesWhenItIsHit();
     void aRowOfSlidersNeverSleeps();
+    void aStepOfNoTimeChangesNothing();
 };
 
 namespace {
@@ -243,16 +244,30 @@ void TestHeaps::aHeapSleepsAfterHalfASecond()
 void TestHeaps::aRowOfSlidersNeverSleeps()
 {
     for (const double speed : {0.25, 1.0}) {
-        Preset preset = rows(4, 100, 0.1, 0.1);
+        Preset preset = rows(40, 40, 0.05, 0.05);
         for (PresetCircle &c : preset.circles)
             c.body.velocity = {speed, 0.0};
         Run run(preset);
         run.steps(120);
-        for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t i = 0; i < 20; ++i) { // the others have come to the wall
             QCOMPARE(run[i].velocity.x, speed);
             COMPARE_NEAR(run[i].position.x, preset.circles[i].body.position.x + speed * 2.0, 1e-9);
         }
     }
+}
+
+void TestHeaps::aStepOfNoTimeChangesNothing()
+{
+    const Preset preset = rows(40, 20, 0.15, 0.02);
+    Run plain(preset);
+    Run halted(preset);
+    plain.steps(10);
+    halted.steps(10);
+    halted.stepper.advanceBy(halted.world, 0.0, halted.hits);
+    QVERIFY(halted.world.circles == plain.world.circles);
+    plain.steps(50);
+    halted.steps(50);
+    QVERIFY(halted.world.circles == plain.world.circles);
 }
 
 void TestHeaps::aSleepingHeapWakesWhenItIsHit_data()
