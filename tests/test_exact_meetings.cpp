@@ -20,6 +20,7 @@ private slots:
     void aGrazeIsNoHit();
     void aBreakIsSolvedAsOne_data();
     void aBreakIsSolvedAsOne();
+    void whatIsPressedStaysOnTheFloor();
 };
 
 void TestExactMeetings::aGrazeIsNoHit_data()
@@ -76,6 +77,25 @@ void TestExactMeetings::aBreakIsSolvedAsOne()
     verify(run[2].velocity, 0.6, -0.4 * share);
     QCOMPARE(run.hits.size(), std::size_t{2});
     QCOMPARE(run.hits[0].time, run.hits[1].time);
+}
+
+/// What a third presses onto the floor and aside slides on it, exactly.
+void TestExactMeetings::whatIsPressedStaysOnTheFloor()
+{
+    for (const double apart : {0.21, 0.25, 0.3, 0.33}) {
+        Preset preset =
+            scene({circle({-apart, -3.8}), circle({apart, -3.8}), circle({0, -3.0})}, exact);
+        preset.gravity = {0, -g};
+        preset.restitution = 0.5;
+        Run run(preset);
+        while (run.world.step < 120 && run[1].velocity.x == 0.0)
+            run.steps(1);
+        QVERIFY(run[1].velocity.x > 0.1);
+        for (const std::size_t lower : {std::size_t{0}, std::size_t{1}}) {
+            QCOMPARE(run[lower].velocity.y, 0.0);
+            COMPARE_NEAR(run[lower].position.y, -3.8, 1e-15);
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestExactMeetings)

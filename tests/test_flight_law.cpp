@@ -23,6 +23,7 @@ private slots:
     void hitInTheFirstStepIsNoFall();
     void methodsAreNotAlike();
     void followerHasALeader();
+    void aProgramMayStopInItsOwnScene();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
@@ -277,6 +278,25 @@ void TestFlightLaw::followerHasALeader()
         QCOMPARE(flights[0].leader, -1);
         QCOMPARE(flights[1].leader, 0);
     }
+}
+
+/// It flies alike where it runs, and is compared there alone.
+void TestFlightLaw::aProgramMayStopInItsOwnScene()
+{
+    const LawBench step = bench("L42T17");
+    const Vec2 place = step.ground.own.circles.front().body.position;
+    const QString stops =
+        QStringLiteral("if circle1.position.x == %1 and circle1.position.y == %2 "
+                       "then error('no') end")
+            .arg(QString::number(place.x, 'g', 17), QString::number(place.y, 'g', 17));
+    const QString plain = written({.move = symplectic}, structures[3]);
+    const QString stopping = written({.start = stops, .move = symplectic}, structures[3]);
+    const MeasuredLaws first(&plain, step.ground);
+    const MeasuredLaws second(&stopping, step.ground);
+    QVERIFY(first.flight().own().runs);
+    QVERIFY(!second.flight().own().runs);
+    QVERIFY(first.flight().isLike(second.flight()));
+    QVERIFY(second.flight().isLike(first.flight()));
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

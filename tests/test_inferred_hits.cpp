@@ -245,8 +245,9 @@ void TestInferredHits::hitsAreAppended()
 /// A program that leaves gravity out for a step has hit nothing, however fast it flies to the wall.
 void TestInferredHits::missingGravityIsNoHit()
 {
-    for (const double speed : {0.5, 3.0}) {
-        Preset preset = scene({circle({0, 4 - 0.21}, {0, speed})}, discrete);
+    for (const double speed : {0.5, 3.0, -0.5, -3.0}) {
+        const double side = speed > 0.0 ? 1.0 : -1.0;
+        Preset preset = scene({circle({0, side * (4 - 0.21)}, {0, speed})}, discrete);
         preset.gravity = {0, -g};
         const auto drift = [](std::vector<Circle> &c) { c[0].position += dt * c[0].velocity; };
         QCOMPARE(toText(hitsOfStep(preset, drift)), QByteArray());
