@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/continuous/continuous_step.h"
 
+#include "model/world/measurements.h"
+
 #include "tests/continuous_scenes.h"
 #include "tests/falls.h"
 #include "tests/scenes.h"
@@ -24,6 +26,7 @@ private slots:
     void aRestingCircleSlidesOnTheFloor();
     void gravityAsideHoldsAtTheWall();
     void aPlasticHitIsOneHit();
+    void elasticHopsAreNoRest();
     void aPlasticHitAgainstTheWallEndsAtOnce();
     void pilingUpAtAWallWithoutGravityDoesNotOverlap();
     void anOverlapShrinksSlowly();
@@ -188,6 +191,24 @@ void TestContinuousRest::threeThatStickTogetherDoNotOverlap()
         }
     }
     QVERIFY2(run.hits.size() <= 500, QByteArray::number(qint64(run.hits.size())).constData());
+}
+
+/// With e = 1 even a hop that is over within a step is a hop: what falls 0.1 mm onto a circle that
+/// lies on the floor keeps its energy.
+void TestContinuousRest::elasticHopsAreNoRest()
+{
+    constexpr double height = 1e-4;
+    Preset preset =
+        scene({circle({0, -3.8}), circle({0, -3.4 + height})}, lawsOf(CircleLaw::Impulse));
+    preset.gravity = {0, -g};
+    Run run(preset);
+    const double start = measure(run.world.circles, preset.gravity, halfWidth).total();
+    for (int step = 0; step < 60; ++step) {
+        run.steps(1);
+        const double now = measure(run.world.circles, preset.gravity, halfWidth).total();
+        COMPARE_NEAR(now, start, 1e-8 * mass(run[0]) * g * height);
+    }
+    QVERIFY(run.hits.size() > 60);
 }
 
 QTEST_APPLESS_MAIN(TestContinuousRest)
