@@ -75,7 +75,7 @@ void MainWindow::present(bool presents)
         return;
     if (presents) {
         m_beforePresenting = {m_theme, textScale(), isFullScreen()};
-        applyTheme(ThemeChoice::HighContrast); // first: it sets the style sheet anew
+        applyTheme(ThemeChoice::HighContrast);
         setTextScale(std::max(presentedText, textScale()));
         showSceneAlone(true);
         showFullScreen(true);

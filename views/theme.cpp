@@ -95,6 +95,30 @@ QFont textFont()
     return font;
 }
 
+/// Sets font and style sheet of the application. Widgets with a font of their own keep it, \p ratio
+/// times as large: they do not follow the application's, and a new style sheet puts back what it
+/// found when they were made.
+void styleAnew(double ratio)
+{
+    std::vector<std::pair<QPointer<QWidget>, QFont>> own;
+    for (QWidget *widget : QApplication::allWidgets()) {
+        if (!widget->testAttribute(Qt::WA_SetFont))
+            continue;
+        QFont font = widget->font();
+        if (font.pixelSize() > 0)
+            font.setPixelSize(static_cast<int>(std::lround(ratio * font.pixelSize())));
+        else
+            font.setPointSizeF(ratio * font.pointSizeF());
+        own.emplace_back(widget, font);
+    }
+    QApplication::setFont(textFont());
+    qApp->setStyleSheet(styleSheetOf(*current)); // else it keeps the fonts that it has resolved
+    for (const auto &[widget, font] : own) {
+        if (widget)
+            widget->setFont(font);
+    }
+}
+
 } // namespace
 
 const Theme &Theme::lightTheme()
@@ -247,12 +271,10 @@ void applyTheme(ThemeChoice choice)
                                                   : &Theme::lightTheme();
     if (previous == current)
         return;
-    if (!previous) {
+    if (!previous)
         QApplication::setStyle(QStringLiteral("fusion"));
-        QApplication::setFont(textFont());
-    }
     QApplication::setPalette(paletteOf(*current));
-    qApp->setStyleSheet(styleSheetOf(*current));
+    styleAnew(1.0);
 }
 
 void setTextScale(double scale)
@@ -261,26 +283,8 @@ void setTextScale(double scale)
     if (ratio == 1.0)
         return;
     scaleOfText *= ratio;
-    // Fonts of their own do not follow that of the application.
-    std::vector<std::pair<QPointer<QWidget>, QFont>> own;
-    for (QWidget *widget : QApplication::allWidgets()) {
-        if (!widget->testAttribute(Qt::WA_SetFont))
-            continue;
-        QFont font = widget->font();
-        if (font.pixelSize() > 0)
-            font.setPixelSize(static_cast<int>(std::lround(ratio * font.pixelSize())));
-        else
-            font.setPointSizeF(ratio * font.pointSizeF());
-        own.emplace_back(widget, font);
-    }
-    if (current) {
-        QApplication::setFont(textFont());
-        qApp->setStyleSheet(styleSheetOf(*current)); // else it keeps the fonts that it has resolved
-    }
-    for (const auto &[widget, font] : own) {
-        if (widget)
-            widget->setFont(font);
-    }
+    if (current)
+        styleAnew(ratio);
 }
 
 double textScale()

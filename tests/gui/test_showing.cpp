@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <map>
+
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -90,6 +92,12 @@ void TestShowing::sceneAloneAndBack()
 void TestShowing::presentationAndBack()
 {
     const QFont before = QApplication::font();
+    std::map<const QLabel *, QFont> headings;
+    for (const auto *label : m_open->window.findChildren<QLabel *>()) {
+        if (label->property("kind") == QStringLiteral("heading"))
+            headings[label] = label->font();
+    }
+    QVERIFY(headings.size() > 3);
     m_open->window.present(true);
     QVERIFY(m_open->window.isFullScreen());
     QVERIFY(m_open->window.isSceneAlone());
@@ -113,6 +121,8 @@ void TestShowing::presentationAndBack()
     QVERIFY(!m_open->window.isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF());
     QCOMPARE(&theme(), &Theme::lightTheme());
+    for (const auto &[label, font] : headings)
+        QVERIFY2(label->font() == font, qPrintable(label->text()));
     QVERIFY(!m_open->settings.contains(QStringLiteral("textSize")));
 }
 
