@@ -3,6 +3,8 @@
 #include "tests/gui/open_code.h"
 #include "views/code/code_colours.h"
 
+#include <Qsci/qsciscintilla.h>
+
 #include <QImage>
 #include <QScrollBar>
 #include <QWheelEvent>
@@ -30,6 +32,7 @@ private slots:
     void zoomsByKeyAndWheel();
     void commentsAndUncomments();
     void everyColourCanBeRead();
+    void foldsAreMarkedByArrows();
 };
 
 void TestCodeEditor::typingIsAnEditAndSetTextIsNone()
@@ -246,6 +249,22 @@ void TestCodeEditor::everyColourCanBeRead()
                  {c.background, c.errorLine, c.suspectLine, c.executingLine, c.selection})
                 QVERIFY(contrast(text, behind) >= 4.5);
         }
+    }
+}
+
+/// Of every program, and not only after the colours changed.
+void TestCodeEditor::foldsAreMarkedByArrows()
+{
+    for (const char *program : {"a", "b", "a"}) {
+        m_open->editor().openDocument(s(program), s("if x then\nend\n"));
+        const auto *area = m_open->window.findChild<QsciScintilla *>();
+        QVERIFY(area);
+        const auto drawn = [area](unsigned long marker) {
+            return area->SendScintilla(QsciScintilla::SCI_MARKERSYMBOLDEFINED, marker);
+        };
+        QCOMPARE(drawn(QsciScintilla::SC_MARKNUM_FOLDER), long(QsciScintilla::SC_MARK_ARROW));
+        QCOMPARE(drawn(QsciScintilla::SC_MARKNUM_FOLDEROPEN),
+                 long(QsciScintilla::SC_MARK_ARROWDOWN));
     }
 }
 

@@ -85,8 +85,8 @@ void LuaArea::showDocument(const QsciDocument &document)
     clearAnnotations();
     setDocument(document);
     setUpDocument();
+    setFolding(PlainFoldStyle, foldMargin); // with marks of its own: the look comes after
     applyLook();
-    setFolding(PlainFoldStyle, foldMargin);
 }
 
 void LuaArea::setUpMargins()
