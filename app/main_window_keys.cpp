@@ -31,15 +31,29 @@ namespace cradle {
 
 namespace {
 
-void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows)
+QString keys(const QKeySequence &sequence)
+{
+    return isolated(sequence.toString(QKeySequence::NativeText));
+}
+
+/// What stands in a menu within a menu is named with it: there are two that zoom in. Menus of
+/// buttons have no name.
+void addKeys(const QList<QAction *> &actions, std::vector<KeyRow> &rows, const QString &within = {})
 {
     for (const QAction *action : actions) {
+        const QString name = withoutMnemonic(action->text());
         if (action->menu())
-            addKeys(action->menu()->actions(), rows);
-        else if (!action->shortcut().isEmpty() && !action->text().isEmpty())
-            rows.emplace_back(withoutMnemonic(action->text()),
-                              isolated(action->shortcut().toString(QKeySequence::NativeText)));
+            addKeys(action->menu()->actions(), rows,
+                    name.isEmpty() ? within : name + QStringLiteral(" · "));
+        else if (!action->shortcut().isEmpty() && !name.isEmpty())
+            rows.emplace_back(within + name, keys(action->shortcut()));
     }
+}
+
+void addKeysOfMenus(const QMenuBar &bar, std::vector<KeyRow> &rows)
+{
+    for (const QAction *menu : bar.actions())
+        addKeys(menu->menu()->actions(), rows);
 }
 
 } // namespace
@@ -132,16 +146,23 @@ void MainWindow::focusCode()
 void MainWindow::showShortcuts()
 {
     std::vector<KeyRow> menus;
-    addKeys(menuBar()->actions(), menus);
+    addKeysOfMenus(*menuBar(), menus);
     std::vector<KeyRow> program;
     addKeys(m_code->findChildren<QAction *>(), program);
     std::sort(program.begin(), program.end());
     program.erase(std::unique(program.begin(), program.end()), program.end());
+    // Of the text alone: no menu has them.
+    program.insert(program.end(),
+                   {{tr("Comment lines, or not"), keys(Qt::CTRL | Qt::Key_Slash)},
+                    {tr("Words that fit here"), keys(Qt::CTRL | Qt::Key_Space)},
+                    {tr("What the call takes"), keys(Qt::CTRL | Qt::SHIFT | Qt::Key_Space)},
+                    {tr("Out of the program"), tr("Esc, then Tab")}});
     const std::vector<KeyRow> scene{
         {tr("Select several circles"), tr("Ctrl+click, Shift+drag, Shift+arrows")},
         {tr("Move what is selected"), tr("drag; Ctrl+arrows, finer with Shift")},
         {tr("Drag free of the grid"), tr("Alt")},
         {tr("Take a drag back"), tr("Esc")},
+        {tr("Remove what is selected"), keys(Qt::Key_Delete)},
         {tr("Move the view"), tr("drag on empty space, or the middle button")},
         {tr("Zoom at the pointer"), tr("wheel")}};
     const std::vector<KeyRow> time{

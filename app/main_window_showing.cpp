@@ -119,8 +119,8 @@ void MainWindow::showTour()
           tr("What your circles do. At a hit, arrows show the parts of the velocities along and "
              "across the normal.")},
          {dock("momentum"), tr("Charts"),
-          tr("Momentum and energy of the same run. Point at a curve for its numbers; every hit is "
-             "marked.")},
+          tr("Momentum and energy of the same run. Click where you want the numbers of that "
+             "moment; every hit is marked.")},
          {m_timeline, tr("Any moment again"),
           tr("Drag to any moment of the run, or press Next hit. Space runs and pauses.")},
          {m_transport, tr("Run and check"),

@@ -10040,8 +10040,8 @@ Your number:</source>
         <translation>المخططات</translation>
     </message>
     <message>
-        <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
-        <translation>كمية الحركة والطاقة للتشغيل نفسه. أشر إلى منحنى لترى أعداده؛ وكل تصادم معلَّم.</translation>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>كمية الحركة والطاقة للتشغيل نفسه. انقر حيث تريد أعداد تلك اللحظة؛ وكل تصادم معلَّم.</translation>
     </message>
     <message>
         <source>Any moment again</source>
@@ -10139,6 +10139,30 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>From curve to curve of a chart, from bar to bar of the speeds</source>
         <translation>من منحنى إلى منحنى في المخطط، ومن عمود إلى عمود في مخطط السرعات</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>جعل الأسطر تعليقات أو لا</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>الكلمات المناسبة هنا</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>ما يأخذه الاستدعاء</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>الخروج من البرنامج</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Esc ثم Tab</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>حذف المحدد</translation>
     </message>
 </context>
 <context>

@@ -10008,8 +10008,8 @@ Ihre Nummer:</translation>
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
-        <translation>Impuls und Energie desselben Laufs. Zeig auf eine Kurve, um ihre Zahlen zu sehen; jeder Stoß ist markiert.</translation>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>Impuls und Energie desselben Laufs. Klick dorthin, wo du die Zahlen des Augenblicks sehen willst; jeder Stoß ist markiert.</translation>
     </message>
     <message>
         <source>Any moment again</source>
@@ -10063,6 +10063,30 @@ Ihre Nummer:</translation>
     <message>
         <source>From curve to curve of a chart, from bar to bar of the speeds</source>
         <translation>Von Kurve zu Kurve eines Diagramms, von Balken zu Balken der Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>Zeilen auskommentieren oder nicht</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>Wörter, die hier passen</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>Was der Aufruf erwartet</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>Aus dem Programm heraus</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Esc, dann Tab</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Ausgewähltes entfernen</translation>
     </message>
 </context>
 <context>

@@ -9964,8 +9964,8 @@ Votre numéro&#xa0;:</translation>
         <translation>Graphiques</translation>
     </message>
     <message>
-        <source>Momentum and energy of the same run. Point at a curve for its numbers; every hit is marked.</source>
-        <translation>Quantité de mouvement et énergie de la même exécution. Pointez une courbe pour ses nombres&#xa0;; chaque choc est marqué.</translation>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>Quantité de mouvement et énergie de la même exécution. Cliquez là où vous voulez les nombres de cet instant&#xa0;; chaque choc est marqué.</translation>
     </message>
     <message>
         <source>Any moment again</source>
@@ -10063,6 +10063,30 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>From curve to curve of a chart, from bar to bar of the speeds</source>
         <translation>D&apos;une courbe à l&apos;autre d&apos;un graphique, d&apos;une barre à l&apos;autre des vitesses</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>Commenter les lignes, ou non</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>Mots qui conviennent ici</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>Ce que l&apos;appel attend</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>Sortir du programme</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Échap, puis Tab</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Retirer la sélection</translation>
     </message>
 </context>
 <context>

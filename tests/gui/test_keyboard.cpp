@@ -6,6 +6,10 @@
 #include "views/code/code_pane.h"
 #include "views/timeline.h"
 
+#include <QTextBrowser>
+
+#include <algorithm>
+
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -21,6 +25,7 @@ private slots:
     void controlLGoesIntoTheProgram();
     void hiddenInspectorChangesNothing();
     void f11IsFullScreen();
+    void everyKeyIsListedOnce();
 
 private:
     [[nodiscard]] static bool isSeen(const QWidget *widget)
@@ -106,6 +111,36 @@ void TestKeyboard::f11IsFullScreen()
     QVERIFY(m_open->window.isFullScreen());
     QTest::keyClick(&m_open->window.scene(), Qt::Key_F11);
     QVERIFY(!m_open->window.isFullScreen());
+}
+
+/// With words that say what it does: the scene and the charts both zoom in.
+void TestKeyboard::everyKeyIsListedOnce()
+{
+    QStringList lines;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] {
+        QWidget *dialog = QApplication::activeModalWidget();
+        if (!dialog)
+            return;
+        timer.stop();
+        lines = dialog->findChild<QTextBrowser *>()->toPlainText().split(u'\n');
+        dialog->close();
+    });
+    timer.start(20);
+    m_open->window.showShortcuts();
+    for (const char *line :
+         {"Zoom in", "Charts · Zoom in", "Larger text", "Words that fit here",
+          "Comment lines, or not", "Out of the program", "Remove what is selected"})
+        QVERIFY2(std::any_of(lines.begin(), lines.end(),
+                             [&](const QString &each) {
+                                 return each.trimmed() == QString::fromUtf8(line);
+                             }),
+                 line);
+    for (const QString &line : lines) {
+        QVERIFY2(!line.trimmed().startsWith(u'·'), qPrintable(line));
+        const bool isKey = line.contains(u'+') || line.trimmed().size() < 3;
+        QVERIFY2(isKey || lines.count(line) == 1 || line.trimmed().isEmpty(), qPrintable(line));
+    }
 }
 
 QTEST_MAIN(TestKeyboard)
