@@ -118,6 +118,7 @@ QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: 12px; he
 QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
+QRadioButton[kind="answer"], QCheckBox[kind="answer"] { outline: none; }
 QRadioButton::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
     border-radius: 7px; background: @panel; }
 QRadioButton::indicator:hover { background: @accentSoft; }

@@ -6,6 +6,7 @@
 #include "views/theme.h"
 
 #include <QAbstractButton>
+#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -23,9 +24,16 @@ public:
         setTextFormat(Qt::PlainText);
         setKind(this, "plain");
         setBuddy(button);
+        fitButton();
     }
 
 protected:
+    void changeEvent(QEvent *event) override
+    {
+        QLabel::changeEvent(event);
+        if (event->type() == QEvent::FontChange)
+            fitButton();
+    }
     void mouseReleaseEvent(QMouseEvent *) override
     {
         m_button->setFocus(Qt::MouseFocusReason);
@@ -33,6 +41,9 @@ protected:
     }
 
 private:
+    /// Its indicator stands at the middle of the first line.
+    void fitButton() { m_button->setMinimumHeight(fontMetrics().height()); }
+
     QAbstractButton *m_button;
 };
 
@@ -41,6 +52,7 @@ private:
 void addAnswerRow(QVBoxLayout *column, QAbstractButton *button, const QString &text)
 {
     button->setAccessibleName(text);
+    setKind(button, "answer"); // the focus is seen at the indicator: its own text is empty
     auto *label = new AnswerLabel(button);
     label->setText(withUnits(text));
     auto *row = new QHBoxLayout;

@@ -28,7 +28,7 @@ StepsList::StepsList(QWidget *parent)
 void StepsList::makeLayout()
 {
     m_heading = new QLabel(this);
-    m_heading->setContentsMargins(12, 8, 4, 4);
+    m_heading->setContentsMargins(12, 4, 4, 4);
     setKind(m_heading, "cardTitle");
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_heading->setTextFormat(Qt::PlainText);
@@ -69,7 +69,7 @@ void StepsList::makeLayout()
     noticeRow->setContentsMargins(8, 0, 8, 0);
     noticeRow->addWidget(m_notice);
     auto *titleRow = new QHBoxLayout;
-    titleRow->setContentsMargins(0, 0, 8, 0);
+    titleRow->setContentsMargins(0, 4, 8, 0);
     titleRow->addWidget(m_heading, 1);
     titleRow->addWidget(m_all);
     auto *searchRow = new QHBoxLayout;
