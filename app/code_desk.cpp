@@ -200,7 +200,7 @@ void CodeDesk::showReference(const QString &word)
     if (!m_reference) {
         m_reference = new ApiPage(&m_pane);
         m_reference->setWindowFlag(Qt::Window);
-        m_reference->resize(m_reference->sizeHint());
+        m_reference->resize(m_reference->sizeHint().boundedTo(m_pane.window()->size()));
     }
     m_reference->setWindowTitle(tr("Reference of the lab's Lua"));
     m_reference->show();

@@ -56,12 +56,18 @@ ApiPage::ApiPage(QWidget *parent, FormulaRenderer *renderer)
     connect(m_headings, &QListWidget::currentRowChanged, this, &ApiPage::goTo);
 }
 
+QSize ApiPage::sizeHint() const
+{
+    return {scaledByText(840), scaledByText(620)};
+}
+
 void ApiPage::makeLayout()
 {
     m_search->setClearButtonEnabled(true);
     m_headings->setFrameShape(QFrame::NoFrame);
     m_headings->setFixedWidth(scaledByText(listWidth));
-    m_headings->setStyleSheet(QStringLiteral("QListView::item { padding: 2px 8px; }"));
+    m_headings->setStyleSheet(
+        QStringLiteral("QListView::item { padding: 2px 8px; border: none; }"));
     m_headings->setTextElideMode(Qt::ElideNone); // it scrolls
     m_headings->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_nothing->setContentsMargins(12, 4, 12, 4);

@@ -30,7 +30,8 @@ public:
     /// The heading that was gone to last; empty before.
     [[nodiscard]] QString currentHeading() const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {720, 560}; }
+    /// Wide enough for the programs of the page.
+    [[nodiscard]] QSize sizeHint() const override;
 
 protected:
     void changeEvent(QEvent *event) override;
