@@ -190,7 +190,8 @@ QString ValuesModel::text(double value, int column) const
 {
     if (column == Mass)
         return fourDigits(value);
-    return fixedNumber(value, column <= Speed ? narrowPlaces : widePlaces);
+    const int places = column <= Speed ? narrowPlaces : widePlaces;
+    return fixedNumber(value, value < 0.0 ? places : places - 1); // so that points stand in line
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const
