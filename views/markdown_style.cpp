@@ -21,6 +21,8 @@ namespace cradle {
 
 namespace {
 
+constexpr double sideMargin = 12.0; ///< px, as of what stands above and below
+
 // Distances in units of the font size.
 constexpr double lineDistance = 0.22; ///< beyond the font's own, which is about 1.2
 constexpr double paragraphGap = 0.6;
@@ -56,7 +58,7 @@ bool isCode(const QTextBlock &block)
 void setDistances(QTextDocument *document)
 {
     const double size = fontSize(document->defaultFont());
-    document->setDocumentMargin(size);
+    document->setDocumentMargin(sideMargin);
     document->setIndentWidth(listIndent * size);
     for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();

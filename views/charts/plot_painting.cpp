@@ -21,6 +21,7 @@ namespace {
 constexpr float areaAlpha = 0.28F;
 constexpr float boxAlpha = 0.15F;
 constexpr double chipRoom = 4.0; ///< px around the text that tells
+constexpr double endRoom = 5.0;  ///< px beside the last number of an axis
 
 QColor faint(QColor colour, float alpha)
 {
@@ -208,7 +209,7 @@ void Plot::drawAcrossAxis(QPainter &painter) const
     const bool isNamed = !m_across.name.isEmpty();
     const double nameWidth =
         isNamed ? std::ceil(subscriptWidth(painter.font(), m_across.name)) + 2.0 : 0.0;
-    const double right = viewport()->width() - 2.0 - nameWidth;
+    const double right = viewport()->width() - endRoom - nameWidth;
     painter.setPen(colours.mutedText);
     drawSubscripted(painter, {right, baseline}, m_across.name);
     painter.setPen(colours.border);
