@@ -13,7 +13,7 @@ ActionButton::ActionButton(QAction *action, QWidget *parent)
     , m_action(action)
 {
     setFocusPolicy(Qt::TabFocus);
-    setIconSize(QSize(18, 18));
+    setIconSize(iconSquare(18));
     connect(action, &QAction::changed, this, &ActionButton::followAction);
     connect(this, &QPushButton::clicked, action, &QAction::trigger);
     followAction();

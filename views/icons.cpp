@@ -12,6 +12,7 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
+#include <cmath>
 #include <utility>
 
 namespace cradle {
@@ -98,6 +99,16 @@ QIcon icon(QStringView name, IconTint tint)
     if (!file.open(QIODevice::ReadOnly))
         return {};
     return QIcon(new LineIconEngine(name.toString(), file.readAll(), tint));
+}
+
+double iconScale(double textScale)
+{
+    return 1.0 + (textScale - 1.0) / 3.0;
+}
+
+QSize iconSquare(int pixels)
+{
+    return QSize(1, 1) * static_cast<int>(std::lround(iconScale(textScale()) * pixels));
 }
 
 QIcon openingIcon(bool isOpen)

@@ -51,8 +51,11 @@ QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 QToolBar { background: @panel; border: none; border-bottom: 1px solid @border; spacing: 8px; }
 )");
 
-// A focus ring is a border of 2 px; the padding gives way so that nothing moves.
+// A focus ring is a border of 2 px; the padding gives way so that nothing moves. The frame that the
+// style would draw around the text besides is left out.
 const QString buttons = QStringLiteral(R"(
+QPushButton, QToolButton, QTabBar, QRadioButton[kind="answer"], QCheckBox[kind="answer"] {
+    outline: none; }
 QPushButton, QToolButton {
     min-height: 30px; padding: 0 11px; border: 1px solid @controlBorder; border-radius: 6px;
     background: @panel; color: @text; }
@@ -118,22 +121,21 @@ QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: 12px; he
 QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
-QRadioButton[kind="answer"], QCheckBox[kind="answer"] { outline: none; }
-QRadioButton::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
-    border-radius: 7px; background: @panel; }
+QRadioButton::indicator { width: @plain; height: @plain; border: 1px solid @mutedText;
+    border-radius: @round; background: @panel; }
 QRadioButton::indicator:hover { background: @accentSoft; }
-QRadioButton::indicator:checked { width: 6px; height: 6px; border: 4px solid @accent; }
-QRadioButton::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent;
+QRadioButton::indicator:checked { width: @dot; height: @dot; border: @rim solid @accent; }
+QRadioButton::indicator:focus { width: @ringed; height: @ringed; border: 2px solid @accent;
     background: @accentSoft; }
-QRadioButton::indicator:checked:focus { width: 4px; height: 4px; border: 5px solid @accent; }
-QCheckBox::indicator { width: 12px; height: 12px; border: 1px solid @mutedText;
+QRadioButton::indicator:checked:focus { width: @small; height: @small; border: @thick solid @accent; }
+QCheckBox::indicator { width: @plain; height: @plain; border: 1px solid @mutedText;
     border-radius: 3px; background: @panel; }
 QCheckBox::indicator:hover { background: @accentSoft; }
 QCheckBox::indicator:checked { border-color: @accent; background: @accent;
     image: url(:/icons/tick-@tick.svg); }
 QCheckBox::indicator:disabled { border-color: @border; }
 QCheckBox::indicator:checked:disabled { background: @disabled; border-color: @disabled; }
-QCheckBox::indicator:focus { width: 10px; height: 10px; border: 2px solid @accent; }
+QCheckBox::indicator:focus { width: @ringed; height: @ringed; border: 2px solid @accent; }
 QSlider { min-height: 22px; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @controlBorder; }
 QSlider::handle:horizontal { width: 12px; margin: -6px 0; border-radius: 8px;
@@ -178,6 +180,24 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 )");
 
+/// Indicators of choices are as large as the text beside them, with any border.
+void setIndicatorSizes(QString &sheet)
+{
+    const int size = scaledByText(14); // px, with the border
+    const int rim = scaledByText(4);   // around the dot
+    const std::pair<const char *, int> sizes[] = {
+        {"@plain", size - 2},
+        {"@ringed", size - 4},
+        {"@round", size / 2},
+        {"@rim", rim},
+        {"@dot", size - 2 * rim},
+        {"@thick", rim + 1},
+        {"@small", size - 2 * (rim + 1)},
+    };
+    for (const auto &[name, pixels] : sizes)
+        sheet.replace(QLatin1String(name), QStringLiteral("%1px").arg(pixels));
+}
+
 } // namespace
 
 QString styleSheetOf(const Theme &theme)
@@ -208,6 +228,7 @@ QString styleSheetOf(const Theme &theme)
         {"@text", theme.text},
     };
     QString sheet = frames + menus + buttons + fields + lists;
+    setIndicatorSizes(sheet);
     sheet.replace(QLatin1String("@tick"), QLatin1String(theme.dark ? "dark" : "light"));
     for (const auto &[name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());

@@ -4,8 +4,10 @@
 
 #include "views/theme_override.h"
 
+#include "views/icons.h"
 #include "views/style_sheet.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QPointer>
 #include <QStyle>
@@ -95,20 +97,37 @@ QFont textFont()
     return font;
 }
 
-/// Sets font and style sheet of the application. Widgets with a font of their own keep it, \p ratio
-/// times as large: they do not follow the application's, and a new style sheet puts back what it
-/// found when they were made.
-void styleAnew(double ratio)
+/// What was \p pixels at the scale \p before, at the scale \p now: there and back changes nothing.
+int rescaled(int pixels, double before, double now)
+{
+    return static_cast<int>(std::lround(now * static_cast<double>(std::lround(pixels / before))));
+}
+
+void rescaleIcon(QAbstractButton &button, double before)
+{
+    const auto scaled = [from = iconScale(before)](int pixels) {
+        return rescaled(pixels, from, iconScale(scaleOfText));
+    };
+    if (!button.icon().isNull())
+        button.setIconSize({scaled(button.iconSize().width()), scaled(button.iconSize().height())});
+}
+
+/// Sets font and style sheet of the application. Widgets with a font of their own keep it, at the
+/// new scale: they do not follow the application's, and a new style sheet puts back what it found
+/// when they were made. \param before  the scale of texts so far
+void styleAnew(double before)
 {
     std::vector<std::pair<QPointer<QWidget>, QFont>> own;
     for (QWidget *widget : QApplication::allWidgets()) {
+        if (auto *button = qobject_cast<QAbstractButton *>(widget); button && before != scaleOfText)
+            rescaleIcon(*button, before);
         if (!widget->testAttribute(Qt::WA_SetFont))
             continue;
         QFont font = widget->font();
         if (font.pixelSize() > 0)
-            font.setPixelSize(static_cast<int>(std::lround(ratio * font.pixelSize())));
+            font.setPixelSize(rescaled(font.pixelSize(), before, scaleOfText));
         else
-            font.setPointSizeF(ratio * font.pointSizeF());
+            font.setPointSizeF(scaleOfText / before * font.pointSizeF());
         own.emplace_back(widget, font);
     }
     QApplication::setFont(textFont());
@@ -274,17 +293,14 @@ void applyTheme(ThemeChoice choice)
     if (!previous)
         QApplication::setStyle(QStringLiteral("fusion"));
     QApplication::setPalette(paletteOf(*current));
-    styleAnew(1.0);
+    styleAnew(scaleOfText);
 }
 
 void setTextScale(double scale)
 {
-    const double ratio = std::clamp(scale, 1.0, 2.0) / scaleOfText;
-    if (ratio == 1.0)
-        return;
-    scaleOfText *= ratio;
-    if (current)
-        styleAnew(ratio);
+    const double before = std::exchange(scaleOfText, std::clamp(scale, 1.0, 2.0));
+    if (before != scaleOfText && current)
+        styleAnew(before);
 }
 
 double textScale()

@@ -106,7 +106,6 @@ void TransportBar::addReadout(QHBoxLayout *row)
     m_speed->setRange(slowestPower, fastestPower);
     m_speed->setPageStep(1);
     m_speed->setFocusPolicy(Qt::TabFocus);
-    m_speed->setFixedWidth(104);
     m_speedCaption->setBuddy(m_speed);
     m_speedValue = new QLabel(this);
     m_time = new QLabel(this);

@@ -14,6 +14,13 @@
 
 namespace cradle {
 
+namespace {
+
+constexpr int speedWidth = 104; ///< px
+constexpr int leastSpeedWidth = 56;
+
+} // namespace
+
 void TransportBar::makeLayout()
 {
     auto *row = new QHBoxLayout(this);
@@ -107,15 +114,19 @@ void TransportBar::setModes(const QStringList &titles, int current)
     collapse();
 }
 
-/// Takes the text from as many buttons as needed for the row to fit.
+/// Makes the slider of the speed shorter, and takes the text from as many buttons as needed for the
+/// row to fit.
 void TransportBar::collapse()
 {
     for (ActionButton *button : m_buttons)
         button->setCollapsed(false);
     m_speedCaption->show();
+    m_speed->setFixedWidth(speedWidth);
     layout()->activate();
-    if (layout()->minimumSize().width() > width())
+    if (layout()->minimumSize().width() > width()) {
         m_speedCaption->hide();
+        m_speed->setFixedWidth(leastSpeedWidth);
+    }
     for (ActionButton *button : m_buttons) {
         if (layout()->minimumSize().width() <= width())
             break;

@@ -98,7 +98,10 @@ void TestShowing::presentationAndBack()
             headings[label] = label->font();
     }
     QVERIFY(headings.size() > 3);
+    const auto *icon = m_open->window.transportBar().findChild<QPushButton *>();
+    const QSize iconSize = icon->iconSize();
     m_open->window.present(true);
+    QVERIFY(icon->iconSize().width() > iconSize.width());
     QVERIFY(m_open->window.isFullScreen());
     QVERIFY(m_open->window.isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), 1.5 * before.pointSizeF());
@@ -121,6 +124,7 @@ void TestShowing::presentationAndBack()
     QVERIFY(!m_open->window.isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF());
     QCOMPARE(&theme(), &Theme::lightTheme());
+    QCOMPARE(icon->iconSize(), iconSize);
     for (const auto &[label, font] : headings)
         QVERIFY2(label->font() == font, qPrintable(label->text()));
     QVERIFY(!m_open->settings.contains(QStringLiteral("textSize")));

@@ -45,7 +45,7 @@ void ProgramsTab::makeLayout()
     m_heading = makeHeading(this);
     auto *side = new QWidget(this);
     m_list = makeRowsList(QStringLiteral("programs"), side);
-    m_list->setIconSize({14, 14});
+    m_list->setIconSize(iconSquare(14));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
     m_add = makeIconButton(QStringLiteral("add"), this);
     m_addMenu = new Menu(m_add);

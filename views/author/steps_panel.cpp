@@ -85,7 +85,7 @@ void StepsPanel::makeLayout()
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setTextElideMode(Qt::ElideRight);
-    m_list->setIconSize({14, 14});
+    m_list->setIconSize(iconSquare(14));
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_list, &QWidget::customContextMenuRequested, this, [this](const QPoint &at) {
         if (m_list->itemAt(at))

@@ -12,7 +12,7 @@ QToolButton *makeIconButton(const QString &iconName, QWidget *parent)
 {
     auto *button = new QToolButton(parent);
     button->setIcon(icon(iconName));
-    button->setIconSize({16, 16});
+    button->setIconSize(iconSquare(16));
     button->setAutoRaise(true);
     return button;
 }

@@ -47,7 +47,7 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
     const auto add = [this, row](QAction *action, const QString &name, IconTint tint) {
         auto *button = new ActionButton(action, this);
         button->setIconName(name, tint);
-        button->setIconSize({16, 16});
+        button->setIconSize(iconSquare(16));
         setKind(button, "small");
         row->addWidget(button);
         return button;
@@ -72,7 +72,7 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
         " right: 7px; }"));
     m_atOnce->setFocusPolicy(Qt::TabFocus);
     m_atOnce->setCheckable(true);
-    m_atOnce->setIconSize({16, 16});
+    m_atOnce->setIconSize(iconSquare(16));
     setKind(m_atOnce, "small");
     // A sign besides the colour.
     const auto showChecked = [this](bool checked) {

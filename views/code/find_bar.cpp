@@ -71,7 +71,7 @@ void FindBar::makeLayout()
 {
     setAutoFillBackground(true);
     m_close->setIcon(icon(u"close"));
-    m_close->setIconSize({14, 14});
+    m_close->setIconSize(iconSquare(14));
     m_count->setMinimumWidth(countWidth);
     for (QLineEdit *field : {m_find, m_replacement}) {
         field->setMaximumWidth(fieldWidth);

@@ -23,7 +23,7 @@ SolutionView::SolutionView(QWidget *parent)
     m_heading->setFont(headingFont());
     setKind(m_heading, "heading");
     m_close->setIcon(icon(u"close"));
-    m_close->setIconSize({14, 14});
+    m_close->setIconSize(iconSquare(14));
     m_close->setAutoRaise(true);
     m_close->setFixedSize(24, 20);
     setKind(m_close, "tiny");

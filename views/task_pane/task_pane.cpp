@@ -5,6 +5,7 @@
 #include "views/task_pane/instructions_pane.h"
 #include "views/task_pane/result_pane.h"
 #include "views/task_pane/steps_list.h"
+#include "views/theme.h"
 
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -19,7 +20,7 @@ constexpr int narrowest = 260;        ///< px
 constexpr int resultHeight = 320;     ///< px, with a report; the student may change it
 constexpr int passedHeight = 190;     ///< px, of a step that was passed before
 constexpr double resultShare = 0.38;  ///< of the pane, at most
-constexpr int emptyResultHeight = 64; ///< px, while there is none
+constexpr int emptyResultHeight = 64; ///< px, while there is none, at the usual size of texts
 
 } // namespace
 
@@ -121,7 +122,9 @@ void TaskPane::setReport(const std::optional<CheckReport> &report)
 void TaskPane::shareHeight()
 {
     const int most = static_cast<int>(resultShare * height());
-    const int wanted = m_hasReport ? resultHeight : m_hasPassed ? passedHeight : emptyResultHeight;
+    const int wanted = m_hasReport   ? resultHeight
+                       : m_hasPassed ? passedHeight
+                                     : scaledByText(emptyResultHeight);
     const int result = std::min(wanted, most);
     const int whole = m_splitter->height();
     m_splitter->setSizes({std::max(1, whole - result), result});
