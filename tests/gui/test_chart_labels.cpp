@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 
 using namespace cradle;
@@ -38,6 +39,8 @@ private slots:
     void aValueStandsWhereTheCurveHasIt();
     void aSteepCurveTellsItsValueAtTheCursor();
     void withoutRoomThereTheNameStandsAlone();
+    void closeCurvesStrikeNoLabelOut_data();
+    void closeCurvesStrikeNoLabelOut();
 
 private:
     void show(const MinMaxPyramid &samples, double shown);
@@ -106,6 +109,46 @@ void TestChartLabels::withoutRoomThereTheNameStandsAlone()
         spike.append(i / 60.0, i == 300 ? 5000.0 : 0.0);
     show(spike, 5.0); // beyond what is shown
     QCOMPARE(m_plot.labels().front().first, QStringLiteral("circle 1"));
+}
+
+void TestChartLabels::closeCurvesStrikeNoLabelOut_data()
+{
+    QTest::addColumn<double>("low");
+    for (const double low : {455.0, 440.0, 425.0, 400.0})
+        QTest::addRow("500 and %g", low) << low;
+}
+
+/// Levels that are nearer to each other, and to the edge, than a label is high, though not than
+/// half.
+void TestChartLabels::closeCurvesStrikeNoLabelOut()
+{
+    QFETCH(double, low);
+    const std::array levels{500.0, low, 0.0};
+    std::array<MinMaxPyramid, 3> samples;
+    std::vector<ChartCurve> curves;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        for (int k = 0; k <= 600; ++k)
+            samples[i].append(k / 60.0, levels[i]);
+        curves.push_back({.label = QStringLiteral("level %1").arg(levels[i]),
+                          .colour = Qt::blue,
+                          .samples = &samples[i]});
+    }
+    ChartPlot plot;
+    plot.resize(400, 130);
+    plot.show();
+    ChartMoment moment{.to = 10.0, .shown = 5.0, .scale = 500.0};
+    moment.range.fit(0.0, 500.0, 500.0);
+    plot.showMoment(moment, curves, Recording());
+    const auto labels = plot.labels();
+    QCOMPARE(labels.size(), levels.size());
+    for (const auto &[text, rect] : labels) {
+        for (const double level : levels) {
+            const double y = plot.yOf(level);
+            const bool isOther = text != QStringLiteral("level %1").arg(level);
+            QVERIFY2(!isOther || y < rect.top() || y > rect.bottom(),
+                     qPrintable(QStringLiteral("%1 is met by %2").arg(text).arg(level)));
+        }
+    }
 }
 
 QTEST_MAIN(TestChartLabels)

@@ -61,13 +61,11 @@ void ChartPlot::drawHits(QPainter &painter) const
 void ChartPlot::drawLabels(QPainter &painter) const
 {
     const QFontMetricsF metrics(painter.font());
-    QColor behind = theme().panel;
-    behind.setAlphaF(0.8F);
     for (std::size_t i = 0; i < m_labelRects.size(); ++i) {
         const QRectF &rect = m_labelRects[i];
         if (rect.isEmpty())
             continue;
-        painter.fillRect(rect, behind);
+        painter.fillRect(rect, theme().panel); // no line strikes a text out
         painter.setPen(readableOn(m_curves[i].colour, theme().panel));
         drawSubscripted(painter, {rect.left() + 2.0, rect.top() + std::round(metrics.ascent())},
                         m_labelTexts[i]);

@@ -15,6 +15,7 @@ constexpr double gap = 2.0;        ///< px between a curve and its label
 constexpr double level = 1.5;      ///< px that a level curve may be off
 constexpr double beside = 4.0;     ///< px between a value's place and its label
 constexpr int besideValue = 4;     ///< places left, right, above and below of a value
+constexpr double uponCost = 20.0;  ///< crossed columns that a place upon the curve itself costs
 constexpr double inset = 8.0;      ///< px from the plot's left and right end
 constexpr double stayBonus = 12.0; ///< crossed columns that a label puts up with to stay
 constexpr double leftBonus = 0.5;  ///< crossed columns that a place further left is worth
@@ -43,23 +44,24 @@ QRectF candidate(const QRectF &plot, const CurveProfile &curve, QSizeF size, int
     return plot.contains(rect) ? rect : QRectF();
 }
 
-/// How much a label at \p rect hides or is hidden, in columns of pixels.
+/// How much a label at \p rect hides or is hidden, in columns of pixels. \param isUpon  it
+/// interrupts its own curve
 double cost(const QRectF &plot, const QRectF &rect, const CurveProfile &own,
-            const std::vector<CurveProfile> &curves)
+            const std::vector<CurveProfile> &curves, bool isUpon)
 {
-    double sum = 0.0;
+    double sum = isUpon ? uponCost : 0.0;
     const int from = static_cast<int>(rect.left() - plot.left());
     const int to = static_cast<int>(rect.right() - plot.left());
     for (int column = from; column <= to; ++column) {
         for (const CurveProfile &curve : curves) {
             if (curve.covers(column) && curve.top(column) < rect.bottom() + 1.0
-                && curve.bottom(column) > rect.top() - 1.0)
+                && curve.bottom(column) > rect.top() - 1.0 && !(isUpon && &curve == &own))
                 sum += 1.0;
         }
         // Far from its curve a label could be anyone's.
         if (!own.covers(column))
             sum += 0.3;
-        else
+        else if (!isUpon)
             sum +=
                 0.02 * std::max(own.top(column) - rect.bottom(), rect.top() - own.bottom(column));
     }
@@ -76,6 +78,20 @@ bool isLevel(const CurveProfile &curve, const QRectF &rect, double y)
             return false;
     }
     return true;
+}
+
+/// A place upon \p curve, where it is level, so that the label interrupts it: between curves that
+/// are nearer than a label is high, the others are spared. Empty if it is not within the plot.
+QRectF placeUpon(const QRectF &plot, const CurveProfile &curve, QSizeF size, int place)
+{
+    const QRectF below = candidate(plot, curve, size, 2 * place + 1);
+    const QRectF spot = below.isEmpty() ? candidate(plot, curve, size, 2 * place) : below;
+    if (spot.isEmpty())
+        return {};
+    const double y = curve.top(static_cast<int>(spot.center().x() - plot.left()));
+    const QRectF rect(QPointF(spot.left(), std::round(y - 0.5 * size.height())), size);
+    const bool isWithin = plot.contains(rect);
+    return isWithin && isLevel(curve, rect.translated(-plot.left(), 0.0), y) ? rect : QRectF();
 }
 
 /// A place left or right of the value, above or below it; empty if it is not within the plot.
@@ -135,7 +151,7 @@ struct LabelLayout::Search {
     int bestSlot = -1;
     PlacedLabel found{};
 
-    void consider(const QRectF &rect, int slot, bool tellsValue)
+    void consider(const QRectF &rect, int slot, bool tellsValue, bool isUpon = false)
     {
         const bool meets = std::any_of(placed.begin(), placed.end(), [&](const PlacedLabel &other) {
             return other.rect.intersects(rect.adjusted(-4.0, 0.0, 4.0, 0.0));
@@ -143,7 +159,7 @@ struct LabelLayout::Search {
         if (rect.isEmpty() || meets || taken.intersects(rect))
             return;
         const double bonus = slot == lastSlot ? stayBonus : 0.0;
-        const double price = cost(plot, rect, own, curves) + leftBonus * slot - bonus;
+        const double price = cost(plot, rect, own, curves, isUpon) + leftBonus * slot - bonus;
         if (price < best) {
             best = price;
             bestSlot = slot;
@@ -170,11 +186,18 @@ std::vector<PlacedLabel> LabelLayout::place(const QRectF &plot,
             }
             for (int slot = 0; slot < besideValue; ++slot)
                 search.consider(placeBeside(plot, label, slot), 2 * places + slot, true);
+            for (int place = 0; place < places; ++place) {
+                const QRectF rect = placeUpon(plot, curves[c], label.sizeWithValue, place);
+                if (isLevel(curves[c], rect.translated(-plot.left(), 0.0), label.value->y()))
+                    search.consider(rect, 2 * places + besideValue + place, true, true);
+            }
         }
-        for (int slot = 0; search.bestSlot < 0 && slot < 2 * places; ++slot) {
-            const QRectF rect = candidate(plot, curves[c], label.size, slot);
-            if (!label.size.isEmpty())
-                search.consider(rect, slot, false);
+        if (search.bestSlot < 0 && !label.size.isEmpty()) {
+            for (int slot = 0; slot < 2 * places; ++slot)
+                search.consider(candidate(plot, curves[c], label.size, slot), slot, false);
+            for (int place = 0; place < places; ++place)
+                search.consider(placeUpon(plot, curves[c], label.size, place),
+                                2 * places + besideValue + place, false, true);
         }
         m_lastSlots[c] = search.bestSlot;
         placed.push_back(search.found);

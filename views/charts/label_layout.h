@@ -47,10 +47,10 @@ struct PlacedLabel {
     bool tellsValue = false;
 };
 
-/// Places a label at each curve: beside it, over no other label, over curves only if need be, and
-/// where it was before as long as that is not much worse. One that tells a value stands at the
-/// place that the value is of, or where the curve is level at it; if it finds no room there, it
-/// tells none.
+/// Places a label at each curve: beside it, over no other label, upon it or over other curves only
+/// if need be, and where it was before as long as that is not much worse. One that tells a value
+/// stands at the place that the value is of, or where the curve is level at it; if it finds no room
+/// there, it tells none.
 class LabelLayout
 {
 public:
