@@ -52,7 +52,7 @@ void TestBoundUnits::keepsTogetherWhatIsReadInOneGo_data()
     row("impulse", QStringLiteral("−1045.5 N s."), QStringLiteral("−1045.5_N_s."));
     row("density", QStringLiteral("in 1000 kg/m³"), QStringLiteral("in 1000_kg|m³"));
     row("vector", QStringLiteral("to (−2, 2.5) m"), QStringLiteral("to (−2,_2.5)_m"));
-    row("formula", QStringLiteral("$x = 3$ m"), QStringLiteral("\uE0000\uE001_m"));
+    row("formula", QStringLiteral("$x = 3$ m"), QStringLiteral("\uE0000\uE001")); // in its picture
     row("unit alone", QStringLiteral("in m/s it"), QStringLiteral("in m|s it"));
     row("percent", QStringLiteral("only 3.9 % of it"), QStringLiteral("only 3.9_% of it"));
     row("words", QStringLiteral("step 1 shows 2 more, 3 months"),

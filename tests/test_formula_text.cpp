@@ -16,6 +16,7 @@ private slots:
     void findsFormulas_data();
     void findsFormulas();
     void findsWhatTouchesAnIsolate();
+    void findsTheUnitOfAFormula();
 };
 
 void TestFormulaText::findsFormulas_data()
@@ -82,6 +83,19 @@ void TestFormulaText::findsWhatTouchesAnIsolate()
     QCOMPARE(text.formulas[1].after, QStringLiteral(")"));
     QCOMPARE(text.formulas[2].before, QString()); // its unit needs the isolate
     QVERIFY(!text.formulas[2].fromRight);
+}
+
+/// No line may break there: a picture ends a line whatever space follows it.
+void TestFormulaText::findsTheUnitOfAFormula()
+{
+    const cradle::FormulaText text = findFormulas(
+        QStringLiteral("to $g$ m/s², $v$ m/s. Then $p$ kg m/s; $t$ seconds, $n$ stones, $x$ m"));
+    QStringList after;
+    for (const cradle::FormulaSource &formula : text.formulas)
+        after += formula.after;
+    QCOMPARE(after,
+             QStringList({QStringLiteral(" m/s²,"), QStringLiteral(" m/s."),
+                          QStringLiteral(" kg m/s;"), QString(), QString(), QStringLiteral(" m")}));
 }
 
 QTEST_MAIN(TestFormulaText)

@@ -19,9 +19,8 @@ const QString slash = QStringLiteral("\u2060/\u2060"); // between word joiners
 /// What to put in the place of single characters of \p text, by their place.
 std::map<qsizetype, QString> bindings(const QString &text)
 {
-    // \uE001 ends the mark of a formula.
     static const QRegularExpression unit(QStringLiteral(
-        "(?<=[\\d)\uE001])( )(?:kg( )m(/)s|kg(/)m³|kg( )m|kg|g(/)cm³|m(/)s²|m(/)s|N( )s|J(/)kg|"
+        "(?<=[\\d)])( )(?:kg( )m(/)s|kg(/)m³|kg( )m|kg|g(/)cm³|m(/)s²|m(/)s|N( )s|J(/)kg|"
         "mm|cm|m|ms|s|J|N|%)(?![\\w/²³])"));
     static const QRegularExpression lonely(QStringLiteral("\\bm(/)s²?(?!\\w)"));
     static const QRegularExpression vector(

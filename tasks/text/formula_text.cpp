@@ -10,7 +10,8 @@ FormulaText findFormulas(const QString &markdown)
 {
     // In order: fenced block, code span, other backticks, escaped character, formula on its own
     // line, formula in an isolate (from left to right, in Arabic text) with the word or punctuation
-    // that touches it, formula within text, other dollars. (?!\n\h*\n) keeps to one paragraph.
+    // that touches it, formula within text with its unit, other dollars. (?!\n\h*\n) keeps to one
+    // paragraph.
     static const QRegularExpression token(QStringLiteral(
         R"((?sm)^[\h>]*(?:(?:[-*+]|\d+[.)])\h+)?(`{3,}|~{3,})[^`\n]*\n.*?(?:^[\h>]*\1[`~]*\h*$|\z))"
         R"(|(?<!`)(`+)(?!`).+?(?<!`)\2(?!`))"
@@ -20,7 +21,8 @@ FormulaText findFormulas(const QString &markdown)
         R"(|(?<![\p{L}\p{N}])(?<ahead>[(«]{0,2}[وفبلك]?)\x{2066}\$(?=\S))"
         R"((?<isolated>(?:\\.|(?!\n\h*\n)[^\\$`\x{2069}])+)(?<=\S)\$\x{2069}(?<behind>[،؛.:؟)»]{0,3}))"
         R"(|(?<before>[(“‘"']{0,3})\$(?=\S)(?<inline>(?:\\.|(?!\n\h*\n)[^\\$`])+)(?<=\S)\$)"
-        R"((?![\d$])(?<after>[.,;:?)”’"']{0,3}))"
+        R"((?![\d$])(?<after>(?: (?:kg m/s|kg/m³|kg m|kg|m/s²|m/s|N s|m|s|J|N|%)(?![\w/²³]))?)"
+        R"([.,;:?)”’"']{0,3}))"
         R"(|\$+)"));
     FormulaText result;
     QString text = markdown;

@@ -13,8 +13,8 @@ struct FormulaSource {
     QString tex;      ///< without the dollars
     QString markdown; ///< as written, with the dollars and the punctuation
     bool display = false;
-    QString before; ///< punctuation that touches it, from which no line break may part it
-    QString after;
+    QString before;         ///< punctuation that touches it, from which no line break may part it
+    QString after;          ///< the same, behind a unit if the formula has one
     bool fromRight = false; ///< it stood isolated in Arabic text, which goes from the right
 };
 
