@@ -154,9 +154,10 @@ void Inspector::arrange()
         m_laws->arrange(LawsGroup::Column);
     } else {
         const int room = width() - 2 * margin - scrollBar;
-        m_laws->arrange(m_laws->rowWidth() <= room ? LawsGroup::Row
-                        : laws <= room             ? LawsGroup::Column
-                                                   : LawsGroup::OwnRows);
+        m_laws->arrange(m_laws->rowWidth() <= room            ? LawsGroup::Row
+                        : m_laws->headedColumnWidth() <= room ? LawsGroup::HeadedColumn
+                        : laws <= room                        ? LawsGroup::Column
+                                                              : LawsGroup::OwnRows);
         m_world->arrange(m_world->twoColumnWidth() <= room ? WorldGroup::TwoColumns
                                                            : WorldGroup::OneColumn);
         if (m_world->sizeHint().width() > room)

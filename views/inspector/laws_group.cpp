@@ -87,17 +87,28 @@ void LawsGroup::arrange(Arrangement arrangement)
     if (arrangement == m_arrangement)
         return;
     m_arrangement = arrangement;
-    const bool row = arrangement == Row;
-    m_grid->addWidget(m_heading, 0, 0, 1, row ? 1 : 3);
+    const bool isHeadedLeft = arrangement == Row || arrangement == HeadedColumn;
+    m_grid->addWidget(m_heading, 0, 0, 1, isHeadedLeft ? 1 : 3);
     QComboBox *const lists[] = {m_walls, m_circles, m_timing};
     for (int i = 0; i < 3; ++i) {
-        if (arrangement == OwnRows) {
+        switch (arrangement) {
+        case Column:
+            m_grid->addWidget(m_captions[i], i + 1, 0);
+            m_grid->addWidget(lists[i], i + 1, 1);
+            break;
+        case HeadedColumn:
+            m_grid->addWidget(m_captions[i], i, 1);
+            m_grid->addWidget(lists[i], i, 2);
+            break;
+        case Row:
+            m_grid->addWidget(m_captions[i], 0, i + 1);
+            m_grid->addWidget(lists[i], 1, i + 1);
+            break;
+        case OwnRows:
             m_grid->addWidget(m_captions[i], 2 * i + 1, 0, 1, 3);
             m_grid->addWidget(lists[i], 2 * i + 2, 0, 1, 3);
-            continue;
+            break;
         }
-        m_grid->addWidget(m_captions[i], row ? 0 : i + 1, row ? i + 1 : 0);
-        m_grid->addWidget(lists[i], row ? 1 : i + 1, row ? i + 1 : 1);
     }
     m_grid->setRowStretch(4, arrangement == Column ? 1 : 0);
 }
@@ -112,6 +123,11 @@ int LawsGroup::columnWidth() const
         choices = std::max(choices, lists[i]->sizeHint().width());
     }
     return captions + gap + choices;
+}
+
+int LawsGroup::headedColumnWidth() const
+{
+    return m_heading->sizeHint().width() + gap + columnWidth();
 }
 
 int LawsGroup::rowWidth() const

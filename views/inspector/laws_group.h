@@ -22,13 +22,15 @@ public:
     explicit LawsGroup(PresetDocument &document, QWidget *parent = nullptr);
 
     enum Arrangement {
-        Column, ///< below each other, the name beside each
-        Row,    ///< beside each other, the name above each
-        OwnRows ///< below each other, the name above each: the narrowest
+        Column,       ///< below each other, the name beside each
+        HeadedColumn, ///< the same, with the heading at the left: a line less
+        Row,          ///< beside each other, the name above each
+        OwnRows       ///< below each other, the name above each: the narrowest
     };
     void arrange(Arrangement arrangement);
-    [[nodiscard]] int columnWidth() const; ///< px that a column of them needs
-    [[nodiscard]] int rowWidth() const;    ///< px that a row of them needs
+    [[nodiscard]] int columnWidth() const;       ///< px that a column of them needs
+    [[nodiscard]] int headedColumnWidth() const; ///< px
+    [[nodiscard]] int rowWidth() const;          ///< px that a row of them needs
 
 protected:
     void changeEvent(QEvent *event) override;
