@@ -24,6 +24,10 @@ private slots:
     void methodsAreNotAlike();
     void followerHasALeader();
     void aProgramMayStopInItsOwnScene();
+    void weightIsNamedThoughItEndsAtAWall_data();
+    void weightIsNamedThoughItEndsAtAWall();
+    void fallByTheMassOfAnotherIsNoCopy();
+    void stopOfThoseThatComeNearerIsShown();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
@@ -299,6 +303,54 @@ void TestFlightLaw::aProgramMayStopInItsOwnScene()
     QVERIFY(!second.flight().own().runs);
     QVERIFY(first.flight().isLike(second.flight()));
     QVERIFY(second.flight().isLike(first.flight()));
+void TestFlightLaw::weightIsNamedThoughItEndsAtAWall_data()
+{
+    QTest::addColumn<QString>("walls");
+    QTest::newRow("no walls") << QString();
+    for (const WallWay &way : wallWays)
+        QTest::newRow(way.name) << wallsOf(way);
+}
+
+/// A ball of steel, drawn with its weight for its acceleration, is at the wall two steps later.
+void TestFlightLaw::weightIsNamedThoughItEndsAtAWall()
+{
+    QFETCH(QString, walls);
+    const QString move = QStringLiteral(
+        "local m = 1000 * c.density * 4 / 3 * math.pi * c.radius ^ 3 "
+        "c.velocity = c.velocity + m * gravity * h c.position = c.position + c.velocity * h");
+    const LawBench step = bench("L42T17");
+    const QString start = QStringLiteral("gravity = vec(0, -9.81)");
+    for (const Structure &structure : structures)
+        QCOMPARE(
+            step.flight(written({.start = start, .move = move, .walls = walls}, structure)),
+            QStringList(QStringLiteral("Gravity does not act alike on light and heavy ones (both "
+                                       "circles)")));
+}
+
+void TestFlightLaw::fallByTheMassOfAnotherIsNoCopy()
+{
+    const LawBench step = bench("L42T17");
+    const LawProgram program{
+        .start = QStringLiteral("gravity = vec(0, -9.81) circle1.density, circle2.density = 1, 2"),
+        .move = QStringLiteral("c.velocity = c.velocity + gravity * (c.density * c.radius ^ 3 / "
+                               "(circle1.density * circle1.radius ^ 3)) * h "
+                               "c.position = c.position + c.velocity * h")};
+    for (const Structure &structure : structures)
+        QCOMPARE(step.flight(written(program, structure)),
+                 QStringList(QStringLiteral("Gravity does not act alike on light and heavy ones "
+                                            "(circle 2)")));
+}
+
+/// A wrong time of impact: whoever comes nearer is stopped, however far away.
+void TestFlightLaw::stopOfThoseThatComeNearerIsShown()
+{
+    const LawBench step = bench("L42T9");
+    const LawProgram program{
+        .hit = QStringLiteral("if dot(q.velocity - p.velocity, q.position - p.position) < 0 "
+                              "then p.velocity, q.velocity = vec(0, 0), vec(0, 0) end")};
+    for (const Structure &structure : structures)
+        QCOMPARE(step.flight(written(program, structure)),
+                 QStringList(QStringLiteral("Between hits the velocity of both circles changes")));
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

@@ -33,7 +33,26 @@ public:
         return copy ? copy : ownStart();
     }
 
+    /// A fall so strong that it ends at a wall within the flights: measured under weaker gravity.
+    [[nodiscard]] std::optional<FlightSaid> strongFall() const
+    {
+        const double h = *std::max_element(m_ground.timesteps.begin(), m_ground.timesteps.end());
+        for (const Vec2 g : m_ground.gravities) {
+            const Flight &f = m_own.at(g, h, m_i);
+            // In the second step it goes as far as it got faster in the first, and a little more.
+            if (h * length(f.turnedInto - f.startedWith) < farInAStep)
+                continue;
+            const Vec2 weaker = weak * g;
+            if (m_own.at(weaker, h, m_i).isKnown)
+                return fallUnder(weaker);
+        }
+        return std::nullopt;
+    }
+
 private:
+    static constexpr double farInAStep = 0.5; ///< m, a small part of the square
+    static constexpr double weak = 1e-3;
+
     /// The same acceleration, whatever gravity is.
     [[nodiscard]] std::optional<FlightSaid> numberForGravity() const
     {
@@ -89,17 +108,8 @@ private:
                     .arg(brief(g), brief(m_own.at(g, timestep(), m_i).drift),
                          briefTimestep(timestep())),
                 moment(true, g)};
-        const auto heavier = m_own.heavierFall(g, timestep(), m_i);
-        if (heavier && !isAlike(*heavier, own, 0.01))
-            return FlightSaid{FlightText::tr("Gravity does not act alike on light and heavy ones "
-                                             "(%who)"),
-                              FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², "
-                                             "and by %3 m/s² when its radius is 1.25 times and its "
-                                             "density 1.5 times as large. Gravity is an "
-                                             "acceleration already: all bodies fall alike, "
-                                             "whatever they weigh.")
-                                  .arg(brief(g), brief(own), brief(*heavier)),
-                              moment(false, g)};
+        if (const auto fault = heavierFall(g))
+            return fault;
         const auto [headline, where] = fallWords(p);
         const double h = m_ground.timesteps[shownTimestep(p)];
         FlightSaid fault{headline,
@@ -113,6 +123,23 @@ private:
         if (p.kind == TimestepPattern::Kind::Constant && std::abs(p.value) < wrong)
             fault.suspect = Suspect::Omission;
         return fault;
+    }
+
+    /// The same circle, heavier than the others.
+    [[nodiscard]] std::optional<FlightSaid> heavierFall(Vec2 g) const
+    {
+        const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
+        const auto heavier = m_own.heavierFall(g, timestep(), m_i);
+        if (!heavier || isAlike(*heavier, own, 0.01))
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("Gravity does not act alike on light and heavy ones (%who)"),
+            FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² "
+                           "when its radius is 1.25 times and its density 1.5 times as large. "
+                           "Gravity is an acceleration already: all bodies fall alike, whatever "
+                           "they weigh.")
+                .arg(brief(g), brief(own), brief(*heavier)),
+            moment(false, g)};
     }
 
     /// Whether gravity changes the place at once, and the velocity not at all.
@@ -178,6 +205,8 @@ private:
             || length(fallen - right) < blur * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
+        if (const auto fault = heavierFall(right))
+            return fault;
         if (own.unsteadiness(i) > steady)
             return FlightSaid{
                 FlightText::tr("The fall of %who is not that of the gravity in the scene"),
@@ -246,6 +275,11 @@ private:
 std::optional<FlightSaid> fallSaid(const FlightComparison &comparison)
 {
     return FallJudge(comparison).fall();
+}
+
+std::optional<FlightSaid> strongFallSaid(const FlightComparison &comparison)
+{
+    return FallJudge(comparison).strongFall();
 }
 
 } // namespace cradle

@@ -131,6 +131,8 @@ protected:
 
 /// What is wrong with the fall of a circle under gravity; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> fallSaid(const FlightComparison &comparison);
+/// The same where it is so strong that nothing else can be told of the flights.
+[[nodiscard]] std::optional<FlightSaid> strongFallSaid(const FlightComparison &comparison);
 /// Whether the circle moves by another integrator than those that are asked for.
 /// \param isFallRight  else only a method that is known and is none of those asked for
 [[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,

@@ -306,10 +306,9 @@ std::optional<Vec2> measureHeavierFall(const QString *program, const Ground &gro
                                        double h, std::size_t i)
 {
     Preset preset = flightPreset(ground, gravity, h, Scene::Rest);
-    for (auto &circle : preset.circles) {
-        circle.body.radius *= 1.25;
-        circle.body.density *= 1.5;
-    }
+    // The others stay as they are: its fall may hang on their masses, too.
+    preset.circles[i].body.radius *= 1.25;
+    preset.circles[i].body.density *= 1.5;
     const Steps steps = fly(program, preset);
     return steps.made ? std::optional((steps.after[i].velocity - steps.before[i].velocity) / h)
                       : std::nullopt;

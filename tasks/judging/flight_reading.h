@@ -74,8 +74,8 @@ struct Flight {
 /// \param fast  with high velocities
 [[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h, bool fast = false);
 
-/// The acceleration of a circle \p i at rest that is wider and denser than those of
-/// measureFlights(), m/s².
+/// The acceleration of a circle \p i at rest that is wider and denser than the others and those
+/// of measureFlights(), m/s².
 [[nodiscard]] std::optional<Vec2> measureHeavierFall(const QString *program, const Ground &ground,
                                                      Vec2 gravity, double h, std::size_t i);
 

@@ -24,6 +24,8 @@ public:
         std::vector<FlightSaid> said;
         if (auto fault = timeless())
             return {*fault};
+        if (auto fault = strongFallSaid(*this))
+            return {*fault};
         if (auto fault = leap(); fault && !flight(0).leap->isFast)
             return {*fault};
         for (const auto law : {&FlightJudge::carriedOn, &FlightJudge::way}) {
@@ -89,16 +91,20 @@ private:
         const Flight &f = flight(0);
         if (!f.leap || right().leap)
             return std::nullopt;
+        return leapSaid(*f.leap);
+    }
+
+    [[nodiscard]] FlightSaid leapSaid(const Flight::Leap &leap) const
+    {
         FlightSaid fault = said(
             FlightText::tr("Between hits the velocity of %who changes"),
             FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it "
                            "touches nothing; gravity gives it %4 m/s in a step. Look at what "
                            "`on_update` does to the velocity besides gravity and hits.")
-                .arg(brief(f.leap->from), brief(f.leap->to), briefTimestep(timestep()),
+                .arg(brief(leap.from), brief(leap.to), briefTimestep(timestep()),
                      brief(timestep() * right().acceleration)),
             false);
-        fault.moment = {
-            flightStage(m_ground, gravity(), timestep(), f.leap->isFast), 1, {m_i}, false};
+        fault.moment = {flightStage(m_ground, gravity(), timestep(), leap.isFast), 1, {m_i}, false};
         return fault;
     }
 
@@ -196,12 +202,18 @@ private:
         };
         const QString headline =
             FlightText::tr("What changes the velocity of %who asks how it moves");
-        // Two moments that look right show nothing of it.
-        if (brief(a.turn) == brief(asked(a.velocity)) && brief(b.turn) == brief(asked(b.velocity)))
+        // Two moments that look right show nothing of it; a step before them may.
+        if (brief(a.turn) == brief(asked(a.velocity))
+            && brief(b.turn) == brief(asked(b.velocity))) {
+            const Flight &f = flight(0);
+            const Vec2 wanted = f.startedWith + asked(f.startedWith);
+            if (brief(f.turnedInto) != brief(wanted))
+                return leapSaid({f.startedWith, f.turnedInto, false});
             return said(headline,
                         FlightText::tr("Look at the conditions in front of the lines that change "
                                        "the velocity."),
                         false);
+        }
         return said(
             headline,
             FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
