@@ -24,6 +24,8 @@ private slots:
     void wrongMotionIsNoFaultOfTheHits_data();
     void wrongMotionIsNoFaultOfTheHits();
     void returnFromTheWallTellsMemoryFromDirection();
+    void hitsRightOnOneSideOnlySaySo_data();
+    void hitsRightOnOneSideOnlySaySo();
     void pauseAfterAHitIsNamed_data();
     void pauseAfterAHitIsNamed();
     void leapAfterAHitIsNamed();
@@ -184,6 +186,44 @@ void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()
     LawProgram open = withHit(hitOf(hitWays[0], {.mass = QStringLiteral("1")}));
     open.walls.clear();
     QCOMPARE(step.contact(written(open, structures[0])), QStringList());
+}
+
+void TestContactLaw::hitsRightOnOneSideOnlySaySo_data()
+{
+    QTest::addColumn<QString>("normal");
+    QTest::addColumn<QString>("touch");
+    QTest::addColumn<QString>("side");
+    const auto angle = [](const char *name, const char *formula, const char *side) {
+        QTest::newRow(name) << QStringLiteral("(function() local f = %1 return vec(math.cos(f), "
+                                              "math.sin(f)) end)()")
+                                   .arg(QLatin1String(formula))
+                            << "d:length() < reach" << side;
+    };
+    angle("angle of a ratio", "math.atan(d.y / d.x)", "to the right of");
+    angle("and turned by half a circle", "math.atan(d.y / d.x) + math.pi", "to the left of");
+    angle("angle by its cosine", "math.acos(d.x / d:length())", "above");
+    QTest::newRow("distance without its sign") << "d:normalized()"
+                                               << "d:length() < reach and d.x > 0"
+                                               << "to the right of";
+    QTest::newRow("only below") << "d:normalized()"
+                                << "d:length() < reach and d.y < 0"
+                                << "below";
+}
+
+void TestContactLaw::hitsRightOnOneSideOnlySaySo()
+{
+    QFETCH(QString, normal);
+    QFETCH(QString, touch);
+    QFETCH(QString, side);
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    for (const Structure &structure : structures) {
+        const LawProgram program = withHit(
+            hitOf(hitWays[0], {.touch = touch, .normal = normal, .mass = QStringLiteral("1")}));
+        QCOMPARE(
+            bench.contact(written(program, structure)),
+            QStringList(QStringLiteral("Hits come out right only where circle 2 is %1 circle 1")
+                            .arg(side)));
+    }
 }
 
 void TestContactLaw::pauseAfterAHitIsNamed_data()

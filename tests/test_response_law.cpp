@@ -29,6 +29,9 @@ private slots:
     void aNumberIsToldFromRadii_data();
     void aNumberIsToldFromRadii();
     void lateMassesAreNamedBesideTheirPower();
+    void lineOfCentresThatComesOutRightIsSaid_data();
+    void lineOfCentresThatComesOutRightIsSaid();
+    void circleThatLeavesAsItShouldIsNotBlamed();
 };
 
 namespace {
@@ -338,6 +341,56 @@ void TestResponseLaw::lateMassesAreNamedBesideTheirPower()
                  (QStringList{text("The mass grows with r to the power of 2, not 3"),
                               text("The masses in your own scene are not those of its circles")}));
     }
+}
+
+void TestResponseLaw::lineOfCentresThatComesOutRightIsSaid_data()
+{
+    QTest::addColumn<QString>("normal");
+    QTest::addColumn<bool>("said");
+    const auto row = [](const char *name, const char *angle, bool said) {
+        QTest::newRow(name) << QStringLiteral("(function() local f = %1 return vec(math.cos(f), "
+                                              "math.sin(f)) end)()")
+                                   .arg(QLatin1String(angle))
+                            << said;
+    };
+    row("angle by its sine: only to the right", "math.asin(d.y / d:length())", true);
+    row("off everywhere", "math.atan(d.y, d.x) + 0.5", false);
+}
+
+void TestResponseLaw::lineOfCentresThatComesOutRightIsSaid()
+{
+    QFETCH(QString, normal);
+    QFETCH(bool, said);
+    const LawBench bench(task(text("L42T12")));
+    const HitLaw law{.normal = normal, .mass = text("1")};
+    const QString program = written(withHit(hitOf(hitWays[0], law)), structures[3]);
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = responseDeviations(own.pair(), bench.right.pair(), bench.ground);
+    QCOMPARE(found.size(), std::size_t(1));
+    QCOMPARE(found.front().message.contains(text("Here the line of centres was at 118°; with 33° "
+                                                 "the hits come out right.")),
+             said);
+}
+
+void TestResponseLaw::circleThatLeavesAsItShouldIsNotBlamed()
+{
+    const LawBench bench(task(text("L42T12")));
+    const auto blamed = [&](const char *answer) {
+        const HitLaw law{.mass = text("1"), .answer = text(answer)};
+        const QString program = written(withHit(hitOf(hitWays[0], law)), structures[3]);
+        const MeasuredLaws own(&program, bench.ground);
+        const auto found = responseDeviations(own.pair(), bench.right.pair(), bench.ground);
+        return found.empty() ? std::vector<int>() : found.front().moment.circles;
+    };
+    QCOMPARE(blamed("p.velocity = p.velocity - q.velocity - closing * n "
+                    "q.velocity = q.velocity + closing * n"),
+             std::vector<int>{0});
+    QCOMPARE(blamed("local u = q.velocity q.velocity = closing * n "
+                    "p.velocity = p.velocity - closing * n"),
+             std::vector<int>{1});
+    QCOMPARE(blamed("p.velocity = p.velocity - 0.7 * closing * n "
+                    "q.velocity = q.velocity + 0.6 * closing * n"),
+             (std::vector<int>{0, 1}));
 }
 
 QTEST_GUILESS_MAIN(TestResponseLaw)

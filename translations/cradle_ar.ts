@@ -3270,6 +3270,30 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
         <translation>مع ⁦e = %1⁩ جاءت الدائرة ⁨%2⁩ بسرعة ⁦%4 m/s⁩ (⁨%3⁩) وغادرت بهذه السرعة مضروبةً في ⁨%5⁩؛ والصحيح ⁨%6⁩. العامل واحد لكل سرعة.</translation>
     </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
+        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 عن يمين الدائرة 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
+        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 عن يسار الدائرة 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is above circle 1</source>
+        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 فوق الدائرة 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is below circle 1</source>
+        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 تحت الدائرة 1</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
+        <translation>وخط مركزيهما، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما عند ⁦%3°⁩ فيُستجاب لهما حين تتلامسان. انظر إلى ما تتغير إشارته من جانب إلى آخر: فرق بين موضعين، أو زاوية تُحسب منه.</translation>
+    </message>
+    <message>
+        <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
+        <translation>كان خط المركزين هنا عند ⁦%1°⁩؛ وعند ⁦%2°⁩ تصحّ التصادمات.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

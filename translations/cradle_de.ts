@@ -3246,6 +3246,30 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
         <translation>Mit e = %1 kam Kreis %2 mit %4 m/s an (%3) und ging mit dem %5-fachen dieses Tempos; das %6-fache ist richtig. Der Faktor ist für jedes Tempo derselbe.</translation>
     </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
+        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 rechts von Kreis 1 liegt</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
+        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 links von Kreis 1 liegt</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is above circle 1</source>
+        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 über Kreis 1 liegt</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is below circle 1</source>
+        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 unter Kreis 1 liegt</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° kamen sie sich mit %2 m/s näher und liefen ineinander; bei %3° werden sie beantwortet, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: ein Unterschied zweier Orte oder ein Winkel, der daraus berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
+        <translation>Hier lag die Verbindungslinie der Mittelpunkte bei %1°; bei %2° gehen die Stöße richtig aus.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3246,6 +3246,30 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
         <translation>Avec e = %1, le cercle %2 est arrivé à %4 m/s (%3) et est reparti avec %5 fois cette vitesse&#xa0;; %6 fois est juste. Le facteur est le même pour toute vitesse.</translation>
     </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
+        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est à droite du cercle 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
+        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est à gauche du cercle 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is above circle 1</source>
+        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est au-dessus du cercle 1</translation>
+    </message>
+    <message>
+        <source>Hits come out right only where circle 2 is below circle 1</source>
+        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est au-dessous du cercle 1</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
+        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent quand ils se touchent. Regardez ce qui change de signe d&apos;un côté à l&apos;autre&#xa0;: une différence de deux positions, ou un angle calculé à partir d&apos;elle.</translation>
+    </message>
+    <message>
+        <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
+        <translation>Ici, la ligne des centres était à %1°&#xa0;; à %2°, les chocs donnent le bon résultat.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -31,7 +31,8 @@ public:
     {
         if (findNever() || findParting())
             return std::move(m_found);
-        findDistance();
+        if (!findSide())
+            findDistance();
         findLeap();
         // A wrong direction shows here, too; it is the response that is wrong.
         if (!isDirectionWrong()) {
@@ -160,6 +161,85 @@ private:
                 .arg(brief(hit.before)),
             hit);
         return true;
+    }
+
+    /// A side of circle 1: the sign of one coordinate of the line of centres.
+    struct Side {
+        QString headline;
+        double (*coordinate)(double angle);
+        double sign;
+    };
+
+    static std::vector<Side> sides()
+    {
+        const auto cosine = [](double angle) { return std::cos(angle); };
+        const auto sine = [](double angle) { return std::sin(angle); };
+        return {
+            {ContactText::tr("Hits come out right only where circle 2 is to the right of circle 1"),
+             cosine, 1.0},
+            {ContactText::tr("Hits come out right only where circle 2 is to the left of circle 1"),
+             cosine, -1.0},
+            {ContactText::tr("Hits come out right only where circle 2 is above circle 1"), sine,
+             1.0},
+            {ContactText::tr("Hits come out right only where circle 2 is below circle 1"), sine,
+             -1.0}};
+    }
+
+    static bool isInTime(const PairHit &h) { return h.isMet() && h.fits(h.meeting.sum()); }
+
+    /// Whether a meeting from far is answered about as it should be, in time.
+    [[nodiscard]] bool isRight(std::size_t contact) const
+    {
+        const PairHit &own = m_own.contacts[contact];
+        const PairHit &right = m_right.contacts[contact];
+        // The line of centres turns within the step of the hit.
+        const double slack = 0.2 * own.meeting.closing();
+        return isInTime(own)
+               && length(own.left1 - right.left1) + length(own.left2 - right.left2) < slack;
+    }
+
+    /// Whether the hits on one side of circle 1 come out right, and no others; among these some
+    /// are not answered in time.
+    bool findSide()
+    {
+        const auto &all = m_own.contacts;
+        const auto late = std::find_if_not(all.begin(), all.end(), isInTime);
+        const auto isAskew = [](const PairHit &h) {
+            return isInTime(h) && !pushesAlongCentres({h});
+        };
+        if (late == all.end() || std::any_of(m_own.equals.begin(), m_own.equals.end(), isAskew)
+            || !std::all_of(m_right.contacts.begin(), m_right.contacts.end(), isInTime))
+            return false;
+        for (const Side &side : sides()) {
+            const PairHit *good = nullptr;
+            bool splits = true;
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                const double angle = all[i].meeting.degrees * std::numbers::pi / 180.0;
+                const double place = side.sign * side.coordinate(angle);
+                // One hardly to that side differs hardly from one to the other.
+                if (std::abs(place) < 0.1)
+                    continue;
+                const bool isThere = place > 0.0;
+                splits = splits && isThere == isRight(i);
+                good = isThere && !good ? &all[i] : good;
+            }
+            if (!splits || !good)
+                continue;
+            const auto right = m_right.contacts.begin() + (late - all.begin());
+            add(side.headline,
+                ContactText::tr("With their line of centres, from 1 to 2, at %1° they came nearer "
+                                "with %2 m/s and ran into each other; at %3° they are answered "
+                                "when they touch. Look at what changes its sign from one side to "
+                                "the other: a difference of two positions, or an angle that is "
+                                "worked out from it.")
+                    .arg(brief(late->meeting.degrees),
+                         brief(late->slowness * late->meeting.closing()),
+                         brief(good->meeting.degrees)),
+                late->answered ? *late : withStepOf(*late, *right), Suspect::Formula);
+            m_found.back().isOfDirection = true;
+            return true;
+        }
+        return false;
     }
 
     void findDistance()

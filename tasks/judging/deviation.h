@@ -42,6 +42,8 @@ struct LawDeviation {
     Suspect suspect = Suspect::Answer;
     int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
     QString family{}; ///< what may become of it when some of it is mended; empty: only the same
+    bool isOfDirection =
+        false; ///< where a push points is wrong, or the line that it is asked along
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

@@ -118,6 +118,22 @@ int keepingLine(const QStringList &rows, const RanLines &ran)
     return 0;
 }
 
+/// The only line of those that run at the moment that works an angle out of a
+/// direction; 0 if there is none, or several.
+int angleLine(const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression angle(QStringLiteral("\\bmath\\.(atan|asin|acos)\\b"));
+    int found = 0;
+    for (const int line : ran.now) {
+        if (line < 1 || line > rows.size() || !rows[line - 1].contains(angle))
+            continue;
+        if (found != 0)
+            return 0;
+        found = line;
+    }
+    return found;
+}
+
 /// The lines of the function in which a line stands.
 struct Lines {
     int first = 1;
@@ -241,6 +257,8 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
 {
     const int last = assignment.line;
     const QStringList rows = rowsOf(program);
+    if (const int line = deviation.isOfDirection ? angleLine(rows, ran) : 0)
+        return line;
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
     switch (deviation.suspect) {
     case Suspect::Omission:
@@ -282,7 +300,9 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     int acting = actingLine(rows, last, assignment.calls);
     std::vector<int> special = specialAround(acting);
     // Who writes both circles down where he answers their hit works the answer out before.
-    const bool isBehind = special.empty() || deviation.moment.circles.size() < 2;
+    const bool isBehind =
+        special.empty()
+        || (deviation.moment.circles.size() < 2 && deviation.aspect != Aspect::Response);
     if (assignment.origin && isBehind) {
         acting = *assignment.origin;
         if (acting == 0)
@@ -306,7 +326,13 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         if (const auto given = push.ofGiven(acting, assignment.calls))
             return *given;
         const int added = deviation.suspect == Suspect::Answer ? push.ofAdded(acting) : 0;
-        if (added > 0)
+        // What the other circle takes, too, and leaves as it should, is right.
+        const bool isRight =
+            added > 0 && deviation.moment.circles.size() < 2
+            && std::any_of(special.begin(), special.end(), [&](int line) {
+                   return line != acting && line != added && takes(rows[line - 1], rows[added - 1]);
+               });
+        if (added > 0 && !isRight)
             return added;
     }
     if (special.empty())

@@ -173,6 +173,45 @@ private:
                 hit);
         else
             add(sizeHeadline(hits), describeHit(hit, right), hit);
+        m_found.back().message += otherLine(hits, hit);
+        m_found.back().moment.circles = wrongIn(hits);
+        m_found.back().isOfDirection = !along && momentum && !across;
+    }
+
+    /// The circles that do not leave every hit as they should, from 0.
+    static std::vector<int> wrongIn(const std::vector<EqualHit> &hits)
+    {
+        std::vector<int> wrong;
+        for (const int circle : {0, 1}) {
+            const auto isRight = [&](const EqualHit &h) {
+                PairVelocities out = h.hit.leftParts();
+                (circle == 0 ? out.along2 : out.along1) =
+                    circle == 0 ? h.right.along2 : h.right.along1;
+                (circle == 0 ? out.across2 : out.across1) =
+                    circle == 0 ? h.right.across2 : h.right.across1;
+                return isSameAnswer(out, h.right);
+            };
+            if (!std::all_of(hits.begin(), hits.end(), isRight))
+                wrong.push_back(circle);
+        }
+        return wrong;
+    }
+
+    /// Of a hit that comes out wrong, where along another line of centres all come out right.
+    static QString otherLine(const std::vector<EqualHit> &hits, const PairHit &hit)
+    {
+        const auto isThere = [&](const EqualHit &h) {
+            return h.hit.meeting.degrees == hit.meeting.degrees;
+        };
+        const auto other = std::find_if_not(hits.begin(), hits.end(), isThere);
+        if (other == hits.end() || !std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+                return isThere(h) != isSameAnswer(h.hit.leftParts(), h.right);
+            }))
+            return {};
+        return QLatin1Char(' ')
+               + ResponseText::tr("Here the line of centres was at %1°; with %2° the hits come out "
+                                  "right.")
+                     .arg(brief(hit.meeting.degrees), brief(other->hit.meeting.degrees));
     }
 
     static QString sizeHeadline(const std::vector<EqualHit> &hits)
