@@ -152,6 +152,23 @@ constexpr char frame[] = R"lua(function collide(a, b)
 end
 )lua";
 
+/// With e, and a velocity of what both have in common.
+constexpr char rebounds[] = R"lua(function collide(a, b)
+  local d, e = b.position - a.position, restitution
+  local far = d:length()
+  if far >= a.radius + b.radius then return end
+  local nx, ny = d.x / far, d.y / far
+  local u, w = a.velocity.x * nx + a.velocity.y * ny, b.velocity.x * nx + b.velocity.y * ny
+  local s, t = a.velocity.y * nx - a.velocity.x * ny, b.velocity.y * nx - b.velocity.x * ny
+  if u <= w then return end
+  local m1, m2 = a.density * a.radius ^ 3, b.density * b.radius ^ 3
+  local mean = (m1 * u + m2 * w) / (m1 + m2)
+  u, w = mean + e * (mean - u), mean + e * (mean - w)
+  a.velocity = vec(u * nx - s * ny, u * ny + s * nx)
+  b.velocity = vec(w * nx - t * ny, w * ny + t * nx)
+end
+)lua";
+
 /// The same with a table of what each circle has, read at first and written back at last.
 constexpr char tables[] = R"lua(local walls = {vec(1, 0), vec(-1, 0), vec(0, 1), vec(0, -1)}
 local function read()
@@ -253,8 +270,10 @@ void TestLineAtFault::findingMarksTheLine_data()
                         bool marked = true) {
         const std::string_view given(program);
         const bool isWeighed = given == weighed;
-        const bool isPart = given == angles || given == frame;
-        QTest::newRow(name) << (isWeighed ? QStringLiteral("L42T15") : QStringLiteral("L42T12"))
+        const bool isPart = given == angles || given == frame || given == rebounds;
+        QTest::newRow(name) << (isWeighed           ? QStringLiteral("L42T15")
+                                : given == rebounds ? QStringLiteral("L42T16")
+                                                    : QStringLiteral("L42T12"))
                             << QString::fromLatin1(program)
                                    + (isPart ? QString::fromLatin1(moves) : QString())
                             << QString::fromLatin1(right) << QString::fromLatin1(wrong) << marked;
@@ -305,6 +324,9 @@ void TestLineAtFault::findingMarksTheLine_data()
         "local j = (u - bvx * nx - bvy * ny) * 0.6 - 0.001\n    if j > 0 then\n"
         "      avx = avx - j * nx\n      avy = avy - j * ny\n      bvx = bvx + j * nx\n"
         "      bvy = bvy + j * ny");
+    row("e: in a line with less work than others", rebounds, "mean + e * (mean - w)",
+        "mean + e * e * (mean - w)");
+    row("e: multiplies all", rebounds, "mean + e * (mean - u)", "e * (mean + mean - u)");
     row("masses: nothing wrong", weighed, "2 * m", "2 * m", false);
     row("masses: numbers, and functions that nobody calls", weighed,
         "local ma, mb = mass_of(a), mass_of(b)\n  local m = ma * mb / (ma + mb)\n"

@@ -3287,8 +3287,8 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 تحت الدائرة 1</translation>
     </message>
     <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
-        <translation>وخط مركزيهما، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما عند ⁦%3°⁩ فيُستجاب لهما حين تتلامسان. انظر إلى ما تتغير إشارته من جانب إلى آخر: فرق بين موضعين، أو زاوية تُحسب منه.</translation>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
+        <translation>وخط مركزيهما، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما عند ⁦%3°⁩ فيُستجاب لهما حين تتلامسان. انظر إلى ما تتغير إشارته من جانب إلى آخر: فرق بين موضعين، أو زاوية تُحسب منه، أو مركّبة لسرعة.</translation>
     </message>
     <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>

@@ -3263,8 +3263,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 unter Kreis 1 liegt</translation>
     </message>
     <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° kamen sie sich mit %2 m/s näher und liefen ineinander; bei %3° werden sie beantwortet, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: ein Unterschied zweier Orte oder ein Winkel, der daraus berechnet wird.</translation>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° kamen sie sich mit %2 m/s näher und liefen ineinander; bei %3° werden sie beantwortet, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: ein Unterschied zweier Orte, ein Winkel, der daraus berechnet wird, oder ein Teil einer Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>

@@ -3263,8 +3263,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est au-dessous du cercle 1</translation>
     </message>
     <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, or an angle that is worked out from it.</source>
-        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent quand ils se touchent. Regardez ce qui change de signe d&apos;un côté à l&apos;autre&#xa0;: une différence de deux positions, ou un angle calculé à partir d&apos;elle.</translation>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
+        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent quand ils se touchent. Regardez ce qui change de signe d&apos;un côté à l&apos;autre&#xa0;: une différence de deux positions, un angle calculé à partir d&apos;elle, ou une composante d&apos;une vitesse.</translation>
     </message>
     <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>

@@ -230,13 +230,13 @@ private:
                 ContactText::tr("With their line of centres, from 1 to 2, at %1° they came nearer "
                                 "with %2 m/s and ran into each other; at %3° they are answered "
                                 "when they touch. Look at what changes its sign from one side to "
-                                "the other: a difference of two positions, or an angle that is "
-                                "worked out from it.")
+                                "the other: a difference of two positions, an angle that is "
+                                "worked out from it, or one part of a velocity.")
                     .arg(brief(late->meeting.degrees),
                          brief(late->slowness * late->meeting.closing()),
                          brief(good->meeting.degrees)),
                 late->answered ? *late : withStepOf(*late, *right), Suspect::Formula);
-            m_found.back().isOfDirection = true;
+            m_found.back().topic = Topic::Direction;
             return true;
         }
         return false;

@@ -34,6 +34,13 @@ enum class Suspect {
     return suspect == Suspect::Question || suspect == Suspect::Reach;
 }
 
+/// What a deviation of a hit is about, where that tells a line from others.
+enum class Topic {
+    Other,
+    Direction,   ///< where a push points, or the line along which they come nearer
+    Restitution, ///< what e does
+};
+
 /// One thing in which a program's law is not the one that is asked for.
 struct LawDeviation {
     Aspect aspect = Aspect::Motion;
@@ -42,8 +49,7 @@ struct LawDeviation {
     Suspect suspect = Suspect::Answer;
     int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
     QString family{}; ///< what may become of it when some of it is mended; empty: only the same
-    bool isOfDirection =
-        false; ///< where a push points is wrong, or the line that it is asked along
+    Topic topic = Topic::Other;
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <iterator>
 
 namespace cradle {
 
@@ -68,6 +69,19 @@ int massLine(const QString &source, const QStringList &rows)
         }
     }
     return best;
+}
+
+/// Those of \p lines that take e, or a copy of it; all, if none does.
+std::vector<int> withRestitution(const std::vector<int> &lines, const QStringList &rows,
+                                 const ProgramLines &program)
+{
+    const QStringList names = QStringList{QStringLiteral("restitution")}
+                              + copiesOf(program, {QStringLiteral("restitution")});
+    const QRegularExpression e(QStringLiteral("\\b(%1)\\b").arg(names.join(QLatin1Char('|'))));
+    std::vector<int> found;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),
+                 [&](int line) { return rows[line - 1].contains(e); });
+    return found.empty() ? lines : found;
 }
 
 /// The line in which what is called a mass is given a value; 0 if there are several.
@@ -257,7 +271,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
 {
     const int last = assignment.line;
     const QStringList rows = rowsOf(program);
-    if (const int line = deviation.isOfDirection ? angleLine(rows, ran) : 0)
+    if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
         return line;
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
     switch (deviation.suspect) {
@@ -341,7 +355,10 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     // What runs in every step only writes down what was worked out before.
     if (deviation.suspect == Suspect::Answer && (isSpecial || ran.before.empty()))
         return acting;
-    const int formula = formulaIn(special, rows, isSpecial ? acting : 0);
+    if (deviation.topic == Topic::Restitution)
+        special = withRestitution(special, rows, lines);
+    const bool isAmong = std::find(special.begin(), special.end(), acting) != special.end();
+    const int formula = formulaIn(special, rows, isAmong ? acting : 0);
     return formula == 0 ? acting : formula;
 }
 

@@ -115,6 +115,7 @@ private:
                              + describeHit(hit, m_right.rebounds[m_shown]);
         m_reading.deviations.push_back(responseDeviation(
             headline, why.isEmpty() ? what : what + QLatin1Char(' ') + why, hit, Suspect::Formula));
+        m_reading.deviations.back().topic = Topic::Restitution;
     }
 
     void findAcross()

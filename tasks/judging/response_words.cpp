@@ -175,7 +175,8 @@ private:
             add(sizeHeadline(hits), describeHit(hit, right), hit);
         m_found.back().message += otherLine(hits, hit);
         m_found.back().moment.circles = wrongIn(hits);
-        m_found.back().isOfDirection = !along && momentum && !across;
+        if (!along && momentum && !across)
+            m_found.back().topic = Topic::Direction;
     }
 
     /// The circles that do not leave every hit as they should, from 0.
