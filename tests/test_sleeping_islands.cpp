@@ -26,11 +26,11 @@ void TestSleepingIslands::stepsAtRestAreCountedInARow()
 {
     SleepingIslands islands;
     islands.start(2);
-    QCOMPARE(islands.countStill(1, true), 1);
-    QCOMPARE(islands.countStill(1, true), 2);
-    QCOMPARE(islands.countStill(0, true), 1); // each for itself
-    QCOMPARE(islands.countStill(1, false), 0);
-    QCOMPARE(islands.countStill(1, true), 1);
+    QCOMPARE(islands.countStill(1, true, {}, 0.0), 1);
+    QCOMPARE(islands.countStill(1, true, {}, 0.0), 2);
+    QCOMPARE(islands.countStill(0, true, {}, 0.0), 1); // each for itself
+    QCOMPARE(islands.countStill(1, false, {}, 0.0), 0);
+    QCOMPARE(islands.countStill(1, true, {}, 0.0), 1);
 }
 
 void TestSleepingIslands::theCountEndsAt255()
@@ -38,9 +38,9 @@ void TestSleepingIslands::theCountEndsAt255()
     SleepingIslands islands;
     islands.start(1);
     for (int step = 1; step <= 255; ++step)
-        QCOMPARE(islands.countStill(0, true), step);
-    QCOMPARE(islands.countStill(0, true), 255);
-    QCOMPARE(islands.countStill(0, true), 255);
+        QCOMPARE(islands.countStill(0, true, {}, 0.0), step);
+    QCOMPARE(islands.countStill(0, true, {}, 0.0), 255);
+    QCOMPARE(islands.countStill(0, true, {}, 0.0), 255);
 }
 
 void TestSleepingIslands::anIslandWakesAsOne()
@@ -68,10 +68,10 @@ void TestSleepingIslands::whoWokeBeginsToCountAnew()
     SleepingIslands islands;
     islands.start(2);
     for (int step = 0; step < 30; ++step)
-        (void)islands.countStill(0, true);
+        (void)islands.countStill(0, true, {}, 0.0);
     islands.lay(std::array{0U});
     islands.wake(0);
-    QCOMPARE(islands.countStill(0, true), 1);
+    QCOMPARE(islands.countStill(0, true, {}, 0.0), 1);
 }
 
 void TestSleepingIslands::islandsAreNumberedAnewWhenNoneSleeps()
@@ -91,13 +91,13 @@ void TestSleepingIslands::aStartWakesAll()
 {
     SleepingIslands islands;
     islands.start(2);
-    (void)islands.countStill(1, true);
+    (void)islands.countStill(1, true, {}, 0.0);
     islands.lay(std::array{0U});
     islands.start(3);
     QCOMPARE(islands.count(), std::size_t{0});
     islands.lay(std::array{2U});
     QVERIFY(!islands.sleeps(0));
-    QCOMPARE(islands.countStill(1, true), 1);
+    QCOMPARE(islands.countStill(1, true, {}, 0.0), 1);
 }
 
 QTEST_APPLESS_MAIN(TestSleepingIslands)
