@@ -303,6 +303,8 @@ void TestFlightLaw::aProgramMayStopInItsOwnScene()
     QVERIFY(!second.flight().own().runs);
     QVERIFY(first.flight().isLike(second.flight()));
     QVERIFY(second.flight().isLike(first.flight()));
+}
+
 void TestFlightLaw::weightIsNamedThoughItEndsAtAWall_data()
 {
     QTest::addColumn<QString>("walls");
