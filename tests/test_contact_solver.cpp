@@ -39,7 +39,7 @@ struct Row {
 };
 
 /// \param walls  at both ends, too
-Row rowOf(int count, std::uint64_t seed, bool walls)
+Row rowOf(int count, qint64 seed, bool walls)
 {
     Random random(seed);
     Row row;
@@ -213,7 +213,7 @@ void TestContactSolver::aLongRowFulfilsItsConditions()
 {
     QFETCH(int, count);
     QFETCH(bool, walls);
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (qint64 seed = 1; seed <= 20; ++seed) {
         Row row = rowOf(count, seed, walls);
         solveContacts(row.contacts, row.inverseMasses);
         // Of many only the speeds are found to 1e-9.
