@@ -17,7 +17,7 @@ namespace cradle::authoring {
 using cradle::text;
 
 /// Lab 4.2 as it lies in the repository.
-inline const QString shippedFolder = sourcePath("tasks/lab-4.2");
+inline const QString shippedFolder = sourcePath("tasks/labs/lab-4.2");
 
 /// Writes a file with its folders.
 inline void writeTo(const QString &path, const QByteArray &content)

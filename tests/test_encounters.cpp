@@ -163,7 +163,7 @@ void TestEncounters::hitsAreChargedWithWhatTheyMake()
 
 void TestEncounters::stepSeventeenComesToRest()
 {
-    const auto preset = readPreset(sourcePath("tasks/lab-4.2/L42T17/preset.json"));
+    const auto preset = readPreset(sourcePath("tasks/labs/lab-4.2/L42T17/preset.json"));
     QVERIFY(preset);
     Preset scene = *preset;
     scene.gravity = {0.0, -9.81}; // as the step asks to try

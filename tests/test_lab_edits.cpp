@@ -13,7 +13,7 @@ Q_DECLARE_METATYPE(cradle::LabFiles)
 
 namespace {
 
-const QString ballFolder = sourcePath("tasks/bouncing-ball");
+const QString ballFolder = sourcePath("tasks/labs/bouncing-ball");
 
 /// A change of one field, by the name of the row.
 void change(TaskForm &form, const QByteArray &field)

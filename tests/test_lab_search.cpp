@@ -42,7 +42,7 @@ QStringList pathsOf(const std::vector<LabHit> &hits)
 
 void TestLabSearch::init()
 {
-    TAKE(m_ball, readLabFiles(sourcePath("tasks/bouncing-ball")));
+    TAKE(m_ball, readLabFiles(sourcePath("tasks/labs/bouncing-ball")));
 }
 
 void TestLabSearch::everyKindOfFileIsLookedAt()

@@ -219,7 +219,7 @@ void TestLabTranslations::predictionOutOfItsBoundsIsRefused()
 /// The first program that a student sees, in both shipped labs: one code, other comments.
 void TestLabTranslations::startersSpeakEveryLanguage()
 {
-    for (const char *folder : {"tasks/lab-4.2", "tasks/bouncing-ball"}) {
+    for (const char *folder : {"tasks/labs/lab-4.2", "tasks/labs/bouncing-ball"}) {
         const QString english = readLab(sourcePath(folder))->tasks.front().starter;
         for (const char *language : {"de", "fr", "ar"}) {
             const Result<Lab> lab = readLab(sourcePath(folder), text(language));

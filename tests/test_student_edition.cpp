@@ -61,8 +61,8 @@ CheckReport judged(const Lab &lab, const Task &task, const QString &program)
 void TestStudentEdition::solutionsAndMistakesAreLeftOut_data()
 {
     QTest::addColumn<QString>("folder");
-    QTest::newRow("bouncing ball") << QStringLiteral("tasks/bouncing-ball");
-    QTest::newRow("Lab 4.2") << QStringLiteral("tasks/lab-4.2");
+    QTest::newRow("bouncing ball") << QStringLiteral("tasks/labs/bouncing-ball");
+    QTest::newRow("Lab 4.2") << QStringLiteral("tasks/labs/lab-4.2");
 }
 
 void TestStudentEdition::solutionsAndMistakesAreLeftOut()
@@ -112,7 +112,7 @@ void TestStudentEdition::solutionsAndMistakesAreLeftOut()
 
 void TestStudentEdition::filesThatNoStepUsesAreLeftOut()
 {
-    LabFiles whole = filesOf("tasks/bouncing-ball");
+    LabFiles whole = filesOf("tasks/labs/bouncing-ball");
     whole.contents[utf8("notes.md")] = "the e is 0.89";
     whole.contents[utf8("BALL2/exam.txt")] = "the e is 0.89";
     whole.contents[utf8("BALL2/checks/old.lua")] = "-- the e is 0.89";
@@ -128,7 +128,7 @@ void TestStudentEdition::filesThatNoStepUsesAreLeftOut()
 
 void TestStudentEdition::editionBelongsToTheWholeLab()
 {
-    const LabFiles whole = filesOf("tasks/bouncing-ball");
+    const LabFiles whole = filesOf("tasks/labs/bouncing-ball");
     const Result<StudentEdition> edition = studentEdition(whole);
     const Result<Lab> lab = readLab(edition->files, {});
     QVERIFY(lab->findings.empty());
@@ -143,7 +143,7 @@ void TestStudentEdition::editionJudgesAsTheWholeLab_data()
 {
     QTest::addColumn<QString>("folder");
     QTest::addColumn<QString>("step");
-    for (const char *folder : {"tasks/bouncing-ball", "tasks/lab-4.2"}) {
+    for (const char *folder : {"tasks/labs/bouncing-ball", "tasks/labs/lab-4.2"}) {
         const Result<Lab> lab = readLab(filesOf(folder), {});
         for (const Task &task : lab->tasks)
             QTest::newRow(qPrintable(task.id)) << utf8(folder) << task.id;

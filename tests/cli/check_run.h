@@ -15,7 +15,7 @@ inline QStringList words(const char *line)
 /// A file of lab 4.2.
 inline QString lab(const char *file)
 {
-    return sourcePath("tasks/lab-4.2/") + QLatin1String(file);
+    return sourcePath("tasks/labs/lab-4.2/") + QLatin1String(file);
 }
 
 } // namespace cradle::programs

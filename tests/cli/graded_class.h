@@ -43,7 +43,7 @@ public:
     }
     static QByteArray solution(const char *step)
     {
-        return contentOf(sourcePath("tasks/bouncing-ball/") + QLatin1String(step)
+        return contentOf(sourcePath("tasks/labs/bouncing-ball/") + QLatin1String(step)
                          + QStringLiteral("/solution.lua"));
     }
 
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] QStringList arguments(const QString &out, const QStringList &more = {}) const
     {
         return QStringList{QStringLiteral("grade"),    at(QStringLiteral("class")),
-                           QStringLiteral("--lab"),    sourcePath("tasks/bouncing-ball"),
+                           QStringLiteral("--lab"),    sourcePath("tasks/labs/bouncing-ball"),
                            QStringLiteral("--secret"), at(QStringLiteral("secret")),
                            QStringLiteral("--out"),    at(out)}
                + more;

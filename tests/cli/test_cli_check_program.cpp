@@ -35,7 +35,7 @@ namespace {
 
 QString step1(const char *file)
 {
-    return cradle::sourcePath("tasks/lab-4.2/L42T1/") + QLatin1String(file);
+    return cradle::sourcePath("tasks/labs/lab-4.2/L42T1/") + QLatin1String(file);
 }
 
 QJsonObject reportOf(const Outcome &outcome)
@@ -80,7 +80,7 @@ void TestCliCheckProgram::programIsJudged()
 /// Its id says which of the shipped labs is meant.
 void TestCliCheckProgram::stepOfTheOtherLabNeedsNoFolder()
 {
-    const QString solution = cradle::sourcePath("tasks/bouncing-ball/BALL2/solution.lua");
+    const QString solution = cradle::sourcePath("tasks/labs/bouncing-ball/BALL2/solution.lua");
     const Outcome outcome =
         runCli({text("check"), text("BALL2"), solution, text("--format"), text("json")});
     VERIFY_CODE(outcome, 0);

@@ -22,7 +22,7 @@ namespace {
 
 QString ball()
 {
-    return sourcePath("tasks/bouncing-ball");
+    return sourcePath("tasks/labs/bouncing-ball");
 }
 
 } // namespace

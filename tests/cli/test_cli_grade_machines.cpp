@@ -91,7 +91,8 @@ void TestCliGradeMachines::arrayJobWithKilledTaskMakesOneClass()
     if (const QString why = cluster.start(); !why.isEmpty())
         QSKIP(("no Slurm here: " + why.toUtf8()).constData());
     const QStringList script{cradle::sourcePath("tools/grading/grade-array.sbatch"),
-                             m_made.at(text("class")), cradle::sourcePath("tasks/bouncing-ball"),
+                             m_made.at(text("class")),
+                             cradle::sourcePath("tasks/labs/bouncing-ball"),
                              m_made.at(text("secret")), m_made.at(text("slurm"))};
     const QMap<QString, QString> program{{text("CRADLE_CLI"), cradle::cliProgram()}};
     const QString job = cluster.submit(QStringList{text("--array=1-4")} + script, program);
@@ -133,7 +134,7 @@ void TestCliGradeMachines::lostHostAndKilledShardCostNothing()
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(cradle::sourcePath("tools/grading/grade-over-hosts"),
-                  {m_made.at(text("class")), cradle::sourcePath("tasks/bouncing-ball"),
+                  {m_made.at(text("class")), cradle::sourcePath("tasks/labs/bouncing-ball"),
                    m_made.at(text("secret")), m_made.at(text("parallel")), QString::number(shards),
                    text("here,lost")});
     QVERIFY(process.waitForStarted());

@@ -55,9 +55,9 @@ void TestCliGradeRefused::placeThatCannotBeWrittenIsTold()
     QCOMPARE(contentOf(made.at(text("file"))), QByteArray("old"));
     VERIFY_CODE(made.grade(text("file/out")), 3);
     // Where also root may write nothing.
-    const Outcome nowhere =
-        runCli({text("grade"), made.at(text("class")), text("--lab"),
-                cradle::sourcePath("tasks/bouncing-ball"), text("--out"), text("/proc/results")});
+    const Outcome nowhere = runCli({text("grade"), made.at(text("class")), text("--lab"),
+                                    cradle::sourcePath("tasks/labs/bouncing-ball"), text("--out"),
+                                    text("/proc/results")});
     VERIFY_CODE(nowhere, 3);
     QVERIFY2(nowhere.error.contains(text("/proc/results: you may not write here")),
              nowhere.toText());

@@ -113,7 +113,7 @@ void TestCliGradeTold::pagesSpeakTheLanguageAskedFor()
     QVERIFY2(page.contains("2,5"), page);
     QVERIFY(!page.contains("How it was judged"));
     const cradle::Result<cradle::Lab> lab =
-        cradle::readLab(cradle::sourcePath("tasks/bouncing-ball"), text("de"));
+        cradle::readLab(cradle::sourcePath("tasks/labs/bouncing-ball"), text("de"));
     QVERIFY(lab.ok());
     for (const QByteArray &words :
          {lab->tasks[0].title.toHtmlEscaped().toUtf8(), lab->title.toHtmlEscaped().toUtf8()})

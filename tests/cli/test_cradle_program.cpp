@@ -179,7 +179,7 @@ void TestCradleProgram::pictureShowsTheMoment()
 
 void TestCradleProgram::pictureShowsAFile()
 {
-    const QString preset = cradle::sourcePath("tasks/lab-4.2/L42T14/preset.json");
+    const QString preset = cradle::sourcePath("tasks/labs/lab-4.2/L42T14/preset.json");
     QCOMPARE(sizeOf(picture(text("--at 1 --size 1280x800 ") + preset)), QSize(1280, 800));
     const QString lab = cradle::fixturePath("labs/good");
     QCOMPARE(sizeOf(picture(text("--step S2 --size 1280x800 ") + lab)), QSize(1280, 800));

@@ -59,11 +59,11 @@ void TestGradescopeKit::initTestCase()
                             at("source") + QLatin1Char('/') + QLatin1String(name)));
     QVERIFY(QFile::copy(at("source/run_autograder"), at("run_autograder")));
     QVERIFY(QFile::link(cliProgram(), at("source/cradle-cli")));
-    QVERIFY(QFile::link(sourcePath("tasks/bouncing-ball"), at("source/lab")));
+    QVERIFY(QFile::link(sourcePath("tasks/labs/bouncing-ball"), at("source/lab")));
     QVERIFY(!writeFile(at("source/secret"), "a secret of some length, for the tests alone"));
     QVERIFY(!writeFile(at("submission_metadata.json"),
                        "{\"users\": [{\"email\": \"../ada@example.org\", \"name\": \"Ada\"}]}"));
-    const auto lab = readLab(sourcePath("tasks/bouncing-ball"));
+    const auto lab = readLab(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(lab.ok());
     QVERIFY(QDir().mkpath(at("submission/steps")));
     const Task &task = lab->tasks.front();
@@ -101,7 +101,7 @@ void TestGradescopeKit::whatCannotBeGradedHasNoResults()
     QVERIFY(!results().isEmpty());
     QVERIFY(QFile::remove(at("source/lab")));
     const Outcome outcome = runScript("run_autograder");
-    QVERIFY(QFile::link(sourcePath("tasks/bouncing-ball"), at("source/lab")));
+    QVERIFY(QFile::link(sourcePath("tasks/labs/bouncing-ball"), at("source/lab")));
     QVERIFY2(outcome.ended && outcome.code != 0, outcome.toText());
     QVERIFY(results().isEmpty());
 }

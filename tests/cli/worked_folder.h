@@ -19,7 +19,7 @@ protected:
     {
         QVERIFY(!makeFolder(path("w/steps")));
         for (const char *id : {"BALL1", "BALL2"}) {
-            const QString from = sourcePath("tasks/bouncing-ball/") + QLatin1String(id)
+            const QString from = sourcePath("tasks/labs/bouncing-ball/") + QLatin1String(id)
                                  + QStringLiteral("/solution.lua");
             QVERIFY(
                 QFile::copy(from, path("w/steps/") + QLatin1String(id) + QStringLiteral(".lua")));

@@ -59,7 +59,7 @@ void TestAuthorDrafts::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
     m_ball = m_folder->filePath(QStringLiteral("ball"));
-    const auto files = readLabFiles(sourcePath("tasks/bouncing-ball"));
+    const auto files = readLabFiles(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(files && !saveLabFiles(*files, {}, m_ball));
 }
 

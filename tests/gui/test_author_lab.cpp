@@ -155,7 +155,7 @@ void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
     const QTemporaryDir folder;
     OpenWindow student(folder);
     const QString place = folder.filePath(QStringLiteral("ball"));
-    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/bouncing-ball"));
+    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(ball && !saveLabFiles(*ball, {}, place));
     QVERIFY(!student.window.openAuthor(place));
     AuthorWindow *author = student.window.author();
@@ -183,7 +183,7 @@ void TestAuthorLab::everyLabHasAWindowOfItsOwn()
     const QTemporaryDir folder;
     OpenWindow student(folder);
     const QString place = folder.filePath(QStringLiteral("ball"));
-    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/bouncing-ball"));
+    const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(ball && !saveLabFiles(*ball, {}, place));
     QVERIFY(!student.window.openAuthor(place));
     const QPointer<AuthorWindow> first = student.window.author();
@@ -218,7 +218,7 @@ void TestAuthorLab::mistakeOfAnotherStepIsTakenOver()
 {
     const QTemporaryDir folder;
     OpenAuthor author(folder);
-    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/lab-4.2"));
+    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/labs/lab-4.2"));
     QVERIFY(lab);
     author.document().begin(*lab);
     author.document().setStep(QStringLiteral("L42T10"));

@@ -149,7 +149,7 @@ void TestAuthorPrediction::predictionStandsWhereTheStudentFindsIt()
 {
     const QTemporaryDir folder;
     OpenAuthor author(folder);
-    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/lab-4.2"));
+    const Result<LabFiles> lab = readLabFiles(sourcePath("tasks/labs/lab-4.2"));
     QVERIFY(lab);
     author.document().begin(*lab);
     author.document().setStep(QStringLiteral("L42T12"));

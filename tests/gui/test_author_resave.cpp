@@ -37,7 +37,7 @@ QMap<QString, QByteArray> bytesIn(const QString &folder)
 void TestAuthorResave::labIsSavedAsItWas()
 {
     const QTemporaryDir folder;
-    const QString from = sourcePath("tasks/lab-4.2");
+    const QString from = sourcePath("tasks/labs/lab-4.2");
     const QString copy = folder.filePath(QStringLiteral("copy"));
     QVERIFY(!saveLabFiles(*readLabFiles(from), {}, copy));
     const QMap<QString, QByteArray> before = bytesIn(from);

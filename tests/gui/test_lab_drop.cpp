@@ -66,7 +66,7 @@ void TestLabDrop::droppedLabOpens()
     QVERIFY(drop(file));
     QCOMPARE(QDir(userLabsFolder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     // A folder is a lab, too; a file that only is named so is told, and the lab stays.
-    QVERIFY(drop(sourcePath("tasks/bouncing-ball")));
+    QVERIFY(drop(sourcePath("tasks/labs/bouncing-ball")));
     QCOMPARE(student.steps()->count(), 3);
     const QString broken = folder.filePath(QStringLiteral("broken.cradle"));
     QFile text(broken);

@@ -68,7 +68,7 @@ void TestMainWindowFiles::openFile(const QString &path)
 
 void TestMainWindowFiles::sceneFileIsOpened()
 {
-    openFile(sourcePath("tasks/lab-4.2/L42T14/preset.json"));
+    openFile(sourcePath("tasks/labs/lab-4.2/L42T14/preset.json"));
     QVERIFY(m_open->preset() == *readPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     // The lab is still there.
     QVERIFY(m_open->bench.openTask(QStringLiteral("L42T2")));

@@ -29,7 +29,7 @@ enum class Extras { None, Ghosts, Marks };
 
 QString folder(const char *step)
 {
-    return sourcePath("tasks/lab-4.2/") + QLatin1String(step);
+    return sourcePath("tasks/labs/lab-4.2/") + QLatin1String(step);
 }
 
 /// The run that the circles would have with all velocities a tenth slower.
