@@ -4,6 +4,8 @@
 #include "model/world/random.h"
 #include "tests/scenes.h"
 
+#include <tuple>
+
 using namespace cradle;
 using namespace cradle::scenes;
 
@@ -15,6 +17,9 @@ class TestContinuousCrowd : public QObject
 private slots:
     void groupsMissNothing_data();
     void groupsMissNothing();
+    void lawsAnswerAsInOneGroup_data();
+    void lawsAnswerAsInOneGroup();
+    void largeCirclesMissNothing();
     void exactTimingIsTheSameMotion();
     void twoThatAreKickedInAStepMeet();
     void aLargeHeapComesToRest();
@@ -46,6 +51,21 @@ Preset mixed(int count, double gravity, qint64 seed, double speed = 4.0)
     return preset;
 }
 
+/// Whether two hits tell of the same.
+void compareHits(const Hit &hit, const Hit &expected)
+{
+    QCOMPARE(hit.kind, expected.kind);
+    QCOMPARE(hit.a, expected.a);
+    QCOMPARE(hit.b, expected.b);
+    QCOMPARE(hit.step, expected.step);
+    COMPARE_NEAR(hit.time, expected.time, 1e-7);
+    COMPARE_NEAR(length(hit.normal - expected.normal), 0.0, 1e-6);
+    const double size = 1.0 + std::abs(expected.impulse);
+    COMPARE_NEAR(hit.impulse, expected.impulse, 1e-6 * size);
+    const double energy = size * (1.0 + length(expected.beforeA) + length(expected.beforeB));
+    COMPARE_NEAR(hit.loss, expected.loss, 1e-6 * energy);
+}
+
 /// Compares every step of \p preset with all circles taken as one group, for \p steps. \return how
 /// many hits there were
 std::size_t compareWithOneGroup(const Preset &preset, int steps)
@@ -64,6 +84,17 @@ std::size_t compareWithOneGroup(const Preset &preset, int steps)
         hits += expected.size();
         run.steps(1);
         [&] { QCOMPARE(run.hits.size(), hits); }();
+        if (QTest::currentTestFailed())
+            break;
+        const auto order = [](const Hit &x, const Hit &y) {
+            return std::tie(x.kind, x.a, x.b, x.time) < std::tie(y.kind, y.a, y.b, y.time);
+        };
+        const auto first = run.hits.end() - static_cast<std::ptrdiff_t>(expected.size());
+        std::vector<Hit> found(first, run.hits.end());
+        std::sort(found.begin(), found.end(), order);
+        std::sort(expected.begin(), expected.end(), order);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            compareHits(found[i], expected[i]);
         for (std::size_t i = 0; i < world.circles.size(); ++i) {
             const double size = 1.0 + length(world.circles[i].velocity);
             [&] {
@@ -101,6 +132,43 @@ void TestContinuousCrowd::groupsMissNothing()
     const int steps = speed < 4.0 ? 240 : 60;
     for (qint64 seed = 1; seed <= 8; ++seed)
         QVERIFY(compareWithOneGroup(mixed(count, gravity, seed, speed), steps) > 10);
+}
+
+void TestContinuousCrowd::lawsAnswerAsInOneGroup_data()
+{
+    QTest::addColumn<CircleLaw>("law");
+    QTest::addColumn<double>("restitution");
+    QTest::newRow("stop") << CircleLaw::Stop << 1.0;
+    QTest::newRow("swap velocities") << CircleLaw::SwapVelocities << 1.0;
+    QTest::newRow("swap normal parts") << CircleLaw::SwapNormal << 1.0;
+    QTest::newRow("half is lost") << CircleLaw::Impulse << 0.5;
+    QTest::newRow("none") << CircleLaw::None << 1.0;
+}
+
+void TestContinuousCrowd::lawsAnswerAsInOneGroup()
+{
+    QFETCH(CircleLaw, law);
+    QFETCH(double, restitution);
+    for (qint64 seed = 1; seed <= 4; ++seed) {
+        Preset preset = mixed(56, 0.0, seed);
+        preset.laws.circles = law;
+        preset.restitution = restitution;
+        QVERIFY(compareWithOneGroup(preset, 30) > 10);
+    }
+}
+
+/// Wider than a metre, in a square of 40 m.
+void TestContinuousCrowd::largeCirclesMissNothing()
+{
+    for (qint64 seed = 1; seed <= 4; ++seed) {
+        Preset preset = mixed(56, g, seed, 10.0);
+        preset.halfWidth *= 5.0;
+        for (PresetCircle &c : preset.circles) {
+            c.body.position = 5.0 * c.body.position;
+            c.body.radius *= 5.0;
+        }
+        QVERIFY(compareWithOneGroup(preset, 60) > 10);
+    }
 }
 
 /// Without error in flight and without loss a crowd is moved by exact timing.
