@@ -7,7 +7,8 @@
 using namespace cradle;
 
 /// The tests of contact that a wrong one is compared with, and at which distance each answers:
-/// radii of 0.3 m and 0.2 m, whose line of centres lies along (0.8, 0.6) and then along (0.6, 0.8).
+/// radii of 0.3 m and 0.2 m, whose line of centres lies along (0.8, −0.6) and then along (0.96,
+/// −0.28).
 class TestContactTests : public QObject
 {
     Q_OBJECT
@@ -25,7 +26,7 @@ PairHit hit()
     hit.meeting.radius1 = 0.3;
     hit.meeting.radius2 = 0.2;
     hit.normal = {0.8, -0.6};
-    hit.nextNormal = {0.6, -0.8};
+    hit.nextNormal = {0.96, -0.28};
     return hit;
 }
 
@@ -47,9 +48,9 @@ void TestContactTests::distancesAreAsTold_data()
         QTest::newRow(headline) << QString::fromUtf8(headline) << distance;
     };
     row("The circles answer only when their centres have met", 0.0);
-    // The larger part of the line is 0.8, the sum of both 1.4.
+    // The larger part of the line is 0.8 and 0.96, the sum of both 1.4 and 1.24.
     row("Boxes are compared, not circles", 0.625);
-    row("|Δx| + |Δy| is not the distance", 0.5 / 1.4);
+    row("|Δx| + |Δy| is not the distance", 0.5 / 1.24);
     row("A squared distance is compared with a length", std::sqrt(0.5));
     row("Only half of r₁ + r₂ counts in the test of contact", 0.25);
     const auto at = [&](const char *what, double distance) {
