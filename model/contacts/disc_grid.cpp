@@ -15,10 +15,10 @@ constexpr double cellsPerPlace = 1.0;
 /// No cell is smaller, m: places that coincide are no reason to divide by zero.
 constexpr double smallest = 1e-12;
 
-/// How many cells of \p size (m) span \p width (m), at most \p most.
+/// How many cells of \p size (m) span \p width (m), at most \p most (≥ 1).
 std::uint32_t cellsAcross(double width, double size, double most)
 {
-    return static_cast<std::uint32_t>(std::clamp(width / size, 1.0, std::max(1.0, most)));
+    return static_cast<std::uint32_t>(std::clamp(width / size, 1.0, most));
 }
 
 /// A circle wider than this many medians is a giant, if no more than these are.

@@ -172,8 +172,7 @@ void solveManyContacts(std::span<Contact> contacts, std::span<const double> inve
         }
         move(along, feasible);
         split();
-        for (std::size_t i = 0; i < n; ++i)
-            x[i] = std::max(0.0, x[i] - step * free[i]);
+        move(free, step);
         restart();
         wrong = split();
         along = free;

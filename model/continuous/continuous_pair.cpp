@@ -20,7 +20,7 @@ bool ContinuousSolver::solvePair(Member &first, Member &second, std::uint32_t ru
     const Slot a = first.slot;
     const Slot b = second.slot;
     const auto s = timeToDistance(pathOf(a), pathOf(b), m_radii[a] + m_radii[b], m_dt);
-    if (!s || *s == 0.0)
+    if (!s)
         return false;
     Motion ma = cradle::advance(m_integrators[m_ids[a]], m_motions[a], m_rules.gravity, *s);
     Motion mb = cradle::advance(m_integrators[m_ids[b]], m_motions[b], m_rules.gravity, *s);

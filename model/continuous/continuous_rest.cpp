@@ -74,8 +74,7 @@ void ContinuousStep::findAccelerations()
     findPiles();
     addPairs();
     addWalls();
-    if (!m_contacts.empty())
-        hold();
+    hold();
 }
 
 /// Circles that lie on the floor, and on each other: who is slow beside one of them, and so near

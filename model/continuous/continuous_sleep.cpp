@@ -31,7 +31,7 @@ constexpr double roundedSpeed = 1e-9;
 void ContinuousSolver::layToSleep()
 {
     const double gain = m_gravity * m_dt;
-    const double steps = std::clamp(untilSleep / m_dt, 1.0, mostStill);
+    const double steps = std::min(untilSleep / m_dt, mostStill);
     for (std::uint32_t i = 0; i < m_members.size(); ++i) {
         Member &group = m_members[groupOf(i)];
         const Motion &after = m_members[i].after;

@@ -85,7 +85,6 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
         skinShare * span / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
     m_resting.clear();
     m_places.assign(count, 0);
-    m_members.clear();
     m_dt = 0.0;
 }
 

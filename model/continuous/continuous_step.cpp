@@ -75,8 +75,8 @@ void ContinuousStep::begin()
         // An exchange of normal parts is what equal masses do.
         const bool equal = m_rules->laws.circles == CircleLaw::SwapNormal;
         m_inverseMasses[i] = equal ? 1.0 : 1.0 / mass(m_world->circles[i]);
-        touch(i);
     }
+    touchAll();
     fastest = std::sqrt(fastest);
     m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
     m_neighbours.find(m_world->circles, length(m_rules->gravity), m_dt);
@@ -90,10 +90,8 @@ void ContinuousStep::foreseeSpeeds()
     double fastest = 0.0;
     for (const std::size_t i : m_touched)
         fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
-    if (!m_neighbours.foresee(std::sqrt(fastest)))
-        return;
-    for (std::size_t i = 0; i < m_bodies.size(); ++i)
-        touch(i);
+    if (m_neighbours.foresee(std::sqrt(fastest)))
+        touchAll();
 }
 
 /// What rests on a body that is hit is split at the hit, too: the forces between them change.
@@ -120,6 +118,12 @@ void ContinuousStep::touch(std::size_t body)
     m_bodies[body].touched = true;
     ++m_bodies[body].version;
     m_touched.push_back(body);
+}
+
+void ContinuousStep::touchAll()
+{
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+        touch(i);
 }
 
 Path ContinuousStep::pathFrom(std::size_t body, double time) const

@@ -60,6 +60,7 @@ private:
     void begin();
     void foreseeSpeeds();
     void touch(std::size_t body);
+    void touchAll();
     void findEvents();
     void findWallEvents(std::size_t i);
     void findPairEvent(std::size_t i, std::size_t j);
