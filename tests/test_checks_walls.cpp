@@ -19,6 +19,7 @@ private slots:
     void rightProgramIsAccepted();
     void wrongProgramIsRefused_data();
     void wrongProgramIsRefused();
+    void wallIsReachedAlongItsNormalOnly();
     void leapToTheOtherSideIsRefused();
     void wallsThatNothingCameToAreNotJudged();
     void asManyHitsAreSeenAsAreAskedFor();
@@ -103,6 +104,26 @@ void TestChecksWalls::wrongProgramIsRefused()
     const Circle late = thrown(0.0, 3.8 / (75.1 * scenes::dt));
     const Circle start = mistakes[index].step == stuck ? late : thrown(61.0);
     VERIFY_REFUSED(judge(check("bounces"), flight(start, {}, e, mistakes[index])), word);
+}
+
+/// What comes obliquely goes farther in a step than it comes nearer to the wall in it.
+void TestChecksWalls::wallIsReachedAlongItsNormalOnly()
+{
+    const double room = scenes::halfWidth - 0.2;
+    const auto turned = [&](double gap) {
+        Circle c{.position = {room - gap, 0.0}, .velocity = {1.0, 3.0}};
+        Circle after = c;
+        after.velocity.x = -1.0;
+        after.position += scenes::dt * after.velocity;
+        return after;
+    };
+    const auto judgeTurn = [&](double gap) {
+        const Circle start{.position = {room - gap, 0.0}, .velocity = {1.0, 3.0}};
+        return judge(check("bounces"), observed(scene({start}), scenes::dt,
+                                                [&](Circles &c, double) { c[0] = turned(gap); }));
+    };
+    VERIFY_ACCEPTED(judgeTurn(0.9 * scenes::dt));
+    VERIFY_REFUSED(judgeTurn(1.1 * scenes::dt), QStringLiteral("touch first"));
 }
 
 void TestChecksWalls::leapToTheOtherSideIsRefused()

@@ -40,6 +40,8 @@ struct Turn {
     [[nodiscard]] bool isHit() const;
 
 private:
+    /// Whether the way of one step, along its normal, takes the rim to that wall.
+    [[nodiscard]] bool reaches(Wall wall) const;
     [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;
     [[nodiscard]] Fault fault(const QString &text, double expected, double observed) const;
 };
@@ -54,6 +56,15 @@ Fault Turn::fault(const QString &text, double expected, double observed) const
             .circle = circle};
 }
 
+bool Turn::reaches(Wall wall) const
+{
+    const Circle &before = o.circle(circle, step);
+    const Vec2 n = outwardNormal(wall);
+    const double dt = o.timestep();
+    const double way = (std::abs(dot(before.velocity, n)) + std::abs(dot(gravity, n)) * dt) * dt;
+    return motion::wallGap(o, before, wall) <= way + motion::samePosition;
+}
+
 /// Judges what happened on one axis, between the walls \p low and \p high.
 std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
 {
@@ -62,9 +73,8 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     const double change = dot(motion::kick(o, circle, step, gravity), axis);
     if (std::abs(change) <= tolerance * (1.0 + quickLength(before.velocity)))
         return std::nullopt;
-    const double reach = motion::travel(o, circle, step, gravity);
     for (const Wall wall : {low, high}) {
-        if (motion::wallGap(o, before, wall) <= reach)
+        if (reaches(wall))
             return faultAt(wall);
     }
     const double kept = dot(before.velocity + o.timestep() * gravity, axis);
@@ -76,7 +86,10 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         return std::nullopt;
     const Wall nearest =
         motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
-    if (motion::isNearWall(o, circle, step, gravity)) {
+    const bool hitsOther = std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        return wall != low && wall != high && reaches(wall);
+    });
+    if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity))) {
         return fault(BounceText::tr("At step %1 circle %2 hit a wall and its velocity along the "
                                     "wall changed from %3 to %4 m/s; only the part into the wall "
                                     "should change")

@@ -23,7 +23,6 @@ constexpr double halfWidth = 4.0;   ///< of the square of pinned scenes, m
 constexpr double slowest = 0.1;     ///< of slow hits where nothing pulls, a quarter of it, m/s
 constexpr int stepsToWall = 3;      ///< before a slow hit
 constexpr Vec2 creeping{0.15, 0.3}; ///< speeds of what comes slowest to a wall, m/s
-constexpr int creepingShot = 2;     ///< the shot that does, of those without gravity
 
 QString timestepText(double timestep)
 {
@@ -140,13 +139,19 @@ private:
         add(VariantText::tr("throw %1").arg(i + 1), preset);
     }
 
+    /// One towards a side wall and one towards the ceiling, so that a few mm show at either.
+    [[nodiscard]] bool doesCreep(int i) const
+    {
+        return i == m_spec.count / 2 || i == m_spec.count / 4;
+    }
+
     void addShot(int i, double degrees)
     {
         for (const int circle : m_spec.circles) {
             Preset preset = stage(i, needed());
             const auto shot = static_cast<std::size_t>(circle);
             // The first, from the very middle and fast, is one that a program could know.
-            const bool creeps = i == creepingShot && preset.gravity == Vec2{};
+            const bool creeps = doesCreep(i) && preset.gravity == Vec2{};
             const double speed = range(creeps ? creeping : m_spec.speeds);
             const Vec2 place = drawStart(m_random);
             preset.circles[shot].body.velocity =
