@@ -201,6 +201,10 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "time for the timestep", "c.velocity * time", fall, {late});
     row("L42T4", "gravity times time", way, "gravity * time", {late});
     row("L42T4", "the number of the step", "c.velocity * step / 60", fall, {late});
+    row("L42T4", "the place by the clock", "vec(-2, 2) - c.position + vec(2, 0) * time", fall,
+        {late});
+    row("L42T4", "y twice", "vec(c.velocity.x, 2 * c.velocity.y) * h", fall,
+        text("Every step moves both circles twice (only in y)"));
     const QString leaps = QStringLiteral("Between hits the velocity of both circles changes");
     row("L42T4", "at most 1 m/s", way,
         "gravity * h - c.velocity * (1 - math.min(1, 1 / c.velocity:length()))", {leaps});

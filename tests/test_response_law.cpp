@@ -259,6 +259,7 @@ void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
                                         "p.velocity = p.velocity - j / m1 * n "
                                         "q.velocity = q.velocity + j / m2 * n")};
     const HitLaw slow{.approach = text("closing > 0.2"), .e = e};
+    const HitLaw verySlow{.approach = text("closing > 0.04"), .e = e};
     const HitLaw slowRebound{
         .e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")};
     const HitLaw right{.e = e};
@@ -271,6 +272,9 @@ void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
     for (const char *step : {"L42T12", "L42T16"})
         QTest::addRow("slow, %s", step)
             << text(step) << slow << text("Circles that come nearer slowly are not answered");
+    for (const char *step : {"L42T12", "L42T17"})
+        QTest::addRow("very slow, %s", step)
+            << text(step) << verySlow << text("Circles that come nearer slowly are not answered");
     QTest::addRow("slow e") << text("L42T16") << slowRebound
                             << text("Circles that meet slowly are answered in another way");
     for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})

@@ -19,6 +19,7 @@ private slots:
     void rightWallsHaveNoFault();
     void slowHitsAreLookedAt_data();
     void slowHitsAreLookedAt();
+    void slowHitsAtTheFloorAloneAreLookedAt();
     void faultIsNamed_data();
     void faultIsNamed();
     void wordsOfAStepWithoutLosesDoNotSpeakOfThem();
@@ -159,6 +160,20 @@ void TestWallLaw::slowHitsAreLookedAt()
     }
 }
 
+void TestWallLaw::slowHitsAtTheFloorAloneAreLookedAt()
+{
+    const LawBench step(task(QStringLiteral("L42T17")));
+    const QString both = text("y, vy, vx = one(y, vy, vx, old.y)");
+    const QString rests = text("local fell = vy ") + both
+                          + text(" if vy > 0 and fell < 0 and fell > -0.7 then vy = 0 end");
+    for (const WallWay &way : {wallWays[0], wallWays[1]}) {
+        const QString walls = wallsOf(way).replace(both, rests);
+        QCOMPARE(step.walls(written(withWalls(walls), structures[0])),
+                 QStringList(text("Slow hits at the walls give both circles another share of the "
+                                  "speed back")));
+    }
+}
+
 void TestWallLaw::faultIsNamed_data()
 {
     QTest::addColumn<QString>("walls");
@@ -178,6 +193,9 @@ void TestWallLaw::faultIsNamed_data()
          {text("The walls turn both circles round at the far side of the rim")});
     rows("a little late", "c.radius - 0.03", "restitution", "1",
          {text("The walls turn both circles round too late")});
+    // Less than the fast ones go in a step: only a slow one shows it.
+    rows("3 mm early", "c.radius + 0.003", "restitution", "1",
+         {text("The walls turn both circles round too early (right wall)")});
     rows("e squared", "c.radius", "restitution ^ 2", "1", {twice});
     rows("root of e", "c.radius", "math.sqrt(restitution)", "1",
          {text("At the walls the root of e acts on both circles")});

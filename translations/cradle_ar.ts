@@ -3294,6 +3294,18 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>كان خط المركزين هنا عند ⁦%1°⁩؛ وعند ⁦%2°⁩ تصحّ التصادمات.</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ كانت بعد خطوة واحدة على بُعد ⁦%2 m⁩ من مكانها في بداية التشغيل، وعلى بُعد ⁦%3 m⁩ إذا انطلقت مثلها بعد ⁦%4 s⁩. الخطوة *تضيف* إزاحة إلى الموضع القديم.</translation>
+    </message>
+    <message>
+        <source> (only in y)</source>
+        <translation> (في y فقط)</translation>
+    </message>
+    <message>
+        <source> (only in x)</source>
+        <translation> (في x فقط)</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

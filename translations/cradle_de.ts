@@ -3270,6 +3270,18 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>Hier lag die Verbindungslinie der Mittelpunkte bei %1°; bei %2° gehen die Stöße richtig aus.</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
+        <translation>Mit %1 m/s begonnen, ist er einen Schritt später %2 m von seinem Ort entfernt, wenn ein Lauf beginnt, und %3 m, wenn er %4 s später ebenso beginnt. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
+    </message>
+    <message>
+        <source> (only in y)</source>
+        <translation> (nur in y)</translation>
+    </message>
+    <message>
+        <source> (only in x)</source>
+        <translation> (nur in x)</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3270,6 +3270,18 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>Ici, la ligne des centres était à %1°&#xa0;; à %2°, les chocs donnent le bon résultat.</translation>
     </message>
+    <message>
+        <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
+        <translation>Parti avec %1 m/s, il est un pas plus tard à %2 m de sa place au début d&apos;une exécution, et à %3 m quand il part de même %4 s plus tard. Un pas *ajoute* un déplacement à l&apos;ancienne position.</translation>
+    </message>
+    <message>
+        <source> (only in y)</source>
+        <translation> (seulement en y)</translation>
+    </message>
+    <message>
+        <source> (only in x)</source>
+        <translation> (seulement en x)</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -216,6 +216,8 @@ void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t
         same(first.before[i], late.before[i]) && same(first.after[i], late.after[i]);
     flight.lateWay = late.after[i].position - late.before[i].position;
     flight.lateVelocity = late.before[i].velocity;
+    flight.firstWay = first.before[i].position - first.start[i].position;
+    flight.lateFirstWay = late.before[i].position - late.start[i].position;
 }
 
 /// What the first step of a flight makes of its velocity, if it is not what the next ones do.

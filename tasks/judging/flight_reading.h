@@ -43,6 +43,8 @@ struct Flight {
     bool isTimeless = true; ///< the same start gives the same step at any time of a run
     Vec2 lateWay{};         ///< of a step late in a run that starts as seen[0] did, m
     Vec2 lateVelocity{};    ///< after the first of such steps, m/s
+    Vec2 firstWay{};        ///< of the first step of a run, m
+    Vec2 lateFirstWay{};    ///< and of the first of the late ones, m
     /// A flight whose first step changes its velocity otherwise than later ones do.
     struct Leap {
         Vec2 from{};         ///< velocity, m/s

@@ -70,6 +70,23 @@ private:
             return std::nullopt;
         const QString later = brief(static_cast<double>(flights::lateSteps) * timestep());
         const bool isWay = brief(f.lateWay) != brief(f.wayMade);
+        const bool isTurn = brief(f.lateVelocity) != brief(f.turnedInto);
+        const QString headline =
+            FlightText::tr("The step of %who depends on how long the run has lasted");
+        const QString where = FlightText::tr("How long a step lasts is the parameter of "
+                                             "`on_update`; `time` is the time since the start, "
+                                             "and `step` counts.");
+        // Both go on alike and are not where they should be: the place itself hangs on the moment.
+        if (!isWay && !isTurn)
+            return said(
+                headline,
+                FlightText::tr("Started with %1 m/s, one step later it is %2 m from where "
+                               "it was at the start of a run, and %3 m where it starts "
+                               "alike %4 s later. A step *adds* a way to the old "
+                               "position.")
+                        .arg(brief(f.startedWith), brief(f.firstWay), brief(f.lateFirstWay), later)
+                    + QLatin1Char(' ') + where,
+                true);
         const QString seen =
             isWay
                 ? FlightText::tr("Started with %1 m/s, it goes %2 m in the second step of a run "
@@ -78,11 +95,7 @@ private:
                 : FlightText::tr("Started with %1 m/s, it has %2 m/s after the first step of a "
                                  "run and %3 m/s where it starts alike %4 s later.")
                       .arg(brief(f.startedWith), brief(f.turnedInto), brief(f.lateVelocity), later);
-        return said(FlightText::tr("The step of %who depends on how long the run has lasted"),
-                    seen + QLatin1Char(' ')
-                        + FlightText::tr("How long a step lasts is the parameter of `on_update`; "
-                                         "`time` is the time since the start, and `step` counts."),
-                    isWay);
+        return said(headline, seen + QLatin1Char(' ') + where, isWay);
     }
 
     /// What changes the velocity must do so in every step alike.

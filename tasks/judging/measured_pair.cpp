@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double slowly = 0.12;          ///< m/s, less than in the slowest check
+constexpr double slowly = 0.02;          ///< m/s, less than in the slowest check
 constexpr double leastRestitution = 0.2; ///< with less, circle 2 stays with the other
 
 constexpr double hitBlur = 4e-3; ///< of velocities after a hit in such a step, relative

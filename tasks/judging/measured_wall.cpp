@@ -50,8 +50,8 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (e != middleOf(others))
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
-        slow.push_back(
-            range.creep(circle, Wall::Right, all.size() > 1 ? middleOf(all) : all.back()));
+        for (const Wall wall : {Wall::Right, Wall::Bottom})
+            slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
         if (!range.canDrop(circle))

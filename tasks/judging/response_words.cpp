@@ -341,12 +341,20 @@ private:
                 two, Suspect::Kept);
     }
 
+    /// What a hit made, in units of the speed with which they came nearer: how a slow one differs
+    /// is small beside 1 m/s.
+    static PairVelocities inUnits(const PairHit &hit)
+    {
+        const PairVelocities left = hit.leftParts();
+        const double unit = 1.0 / hit.meeting.closing();
+        return {unit * left.along1, unit * left.across1, unit * left.along2, unit * left.across2};
+    }
+
     /// What is right between fast circles may be another law between slow ones.
     void findSlow()
     {
         if (!m_own.slow || !m_right.slow || !m_own.slow->isMet() || !m_own.slow->isAligned()
-            || !m_right.slow->isMet()
-            || isSameAnswer(m_own.slow->leftParts(), m_right.slow->leftParts()))
+            || !m_right.slow->isMet() || isSameAnswer(inUnits(*m_own.slow), inUnits(*m_right.slow)))
             return;
         const PairHit &hit = *m_own.slow;
         const double closing = m_own.equals.front().meeting.closing();

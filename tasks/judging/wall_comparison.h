@@ -47,6 +47,9 @@ protected:
 
 /// Where walls turn circles at another place than their rim.
 [[nodiscard]] std::vector<LawDeviation> reachDeviations(const WallComparison &walls);
+/// That the slow \p hit comes too early, where the fast ones go too far in a step to tell.
+[[nodiscard]] LawDeviation slowReachDeviation(const WallComparison &walls, const WallHit &hit,
+                                              const std::vector<int> &circles);
 /// What walls make of a velocity that they should not.
 [[nodiscard]] std::optional<LawDeviation> answerDeviation(const WallComparison &walls);
 

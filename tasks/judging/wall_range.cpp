@@ -14,6 +14,11 @@ constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding mak
 /// Of the slowest, m/s. Where e is varied a program may well keep so slow a circle at rest.
 constexpr double creepingSpeed = 0.12;
 constexpr double creepingWithLosses = 0.3;
+/// Faster than that under which the floor may well keep one: see the check "bounces".
+constexpr double creepingToFloor = 0.56;
+/// What creeps starts so far from where its rim would be at the wall, m: it comes from outside of
+/// what a margin of some mm takes for the wall.
+constexpr double creepingWay = 0.03;
 constexpr int stepsAfterwards = 6;
 constexpr int stepsOfDrop = 70;
 constexpr int stepsOfLob = 8;
@@ -90,14 +95,19 @@ WallHit WallRange::creep(int circle, Wall wall, double e) const
 {
     WallHit hit{.circle = circle, .wall = wall, .restitution = e};
     hit.radius = hit.otherRadius = m_ground.walls.radii.low;
-    const double creeps =
-        m_ground.walls.restitutions.size() > 1 ? creepingWithLosses : creepingSpeed;
+    const bool hasLosses = m_ground.walls.restitutions.size() > 1;
+    const double creeps = !hasLosses             ? creepingSpeed
+                          : wall == Wall::Bottom ? creepingToFloor
+                                                 : creepingWithLosses;
     const double speed = creeps / flightOf(circle).way.x;
     hit.stage = stageOf(hit, speed, 0.29, false);
     const Vec2 n = outwardNormal(wall);
+    // On a longer way gravity would count more than the throw.
+    const double way = m_falls || wall == Wall::Bottom ? 2.0 * creeps * m_usual : creepingWay;
     Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
     c.position +=
-        (hit.stage.preset.halfWidth - c.radius - 2.4 * creeps * m_usual - dot(n, c.position)) * n;
+        (hit.stage.preset.halfWidth - c.radius - 0.4 * creeps * m_usual - way - dot(n, c.position))
+        * n;
     watch(hit, false);
     return hit;
 }

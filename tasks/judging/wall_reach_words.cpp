@@ -56,6 +56,15 @@ public:
         return found;
     }
 
+    [[nodiscard]] LawDeviation ofSlow(const WallHit &hit, const std::vector<int> &circles) const
+    {
+        LawDeviation found =
+            deviation(WallText::tr("The walls turn %who round too early") + inBrackets({hit.wall}),
+                      between(hit), hit, circles, Suspect::Reach);
+        found.family = QStringLiteral("reach");
+        return found;
+    }
+
 private:
     /// A length that a program may take for the radius.
     struct Reach {
@@ -222,6 +231,12 @@ private:
 std::vector<LawDeviation> reachDeviations(const WallComparison &walls)
 {
     return ReachJudge(walls).find();
+}
+
+LawDeviation slowReachDeviation(const WallComparison &walls, const WallHit &hit,
+                                const std::vector<int> &circles)
+{
+    return ReachJudge(walls).ofSlow(hit, circles);
 }
 
 } // namespace cradle

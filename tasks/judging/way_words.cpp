@@ -49,7 +49,11 @@ public:
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
                         true);
-        const auto [headline, where] = wayWords(other, length(f.wayMade) > 1e-9);
+        auto [headline, where] = wayWords(other, length(f.wayMade) > 1e-9);
+        // What is right in one part is not said of it.
+        if (isRight(x) != isRight(y))
+            headline +=
+                isRight(x) ? FlightText::tr(" (only in y)") : FlightText::tr(" (only in x)");
         FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
         if (other.kind == Kind::Constant && other.value == 0.0)
             fault.suspect = Suspect::Omission;
