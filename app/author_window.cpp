@@ -14,6 +14,7 @@
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
+#include "views/fitted_tabs.h"
 #include "views/menu.h"
 
 #include <QApplication>
@@ -78,6 +79,7 @@ void AuthorWindow::makePanes()
                          static_cast<QWidget *>(m_checksTab), static_cast<QWidget *>(m_programsTab),
                          static_cast<QWidget *>(m_proofTab)})
         m_tabs->addTab(tab, QString());
+    new FittedTabs(*m_tabs->tabBar());
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({stepsWidth, firstSize.width() - stepsWidth});

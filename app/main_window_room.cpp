@@ -4,6 +4,8 @@
 // Where the panes stand: each mode has an arrangement of its own.
 #include "app/main_window.h"
 
+#include "views/fitted_tabs.h"
+
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QMenuBar>
@@ -230,12 +232,10 @@ bool MainWindow::event(QEvent *event)
     if (event->type() == QEvent::MouseButtonPress
         && isSeparator(static_cast<QMouseEvent *>(event)->position().toPoint()))
         m_keepsSizes = true;
-    // Qt makes the tabs of panes and cuts their titles where there is no room; these are scrolled.
+    // Qt makes the tabs of panes and cuts their titles where there is no room.
     if (event->type() == QEvent::ChildPolished) {
-        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child())) {
-            tabs->setElideMode(Qt::ElideNone);
-            tabs->setUsesScrollButtons(true);
-        }
+        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child()))
+            new FittedTabs(*tabs);
     }
     return QMainWindow::event(event);
 }

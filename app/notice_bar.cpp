@@ -22,10 +22,10 @@ NoticeBar::NoticeBar(QWidget *parent)
     setKind(this, "card");
     m_label->setWordWrap(true);
     m_label->setTextFormat(Qt::PlainText);
-    m_label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setKind(m_close, "link");
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 4, 8, 4);
+    row->setContentsMargins(12, 0, 8, 0);
+    m_label->setContentsMargins(0, 4, 0, 4); // of the label: letters may reach into them
     row->addWidget(m_label, 1);
     row->addWidget(m_close);
     connect(m_close, &QPushButton::clicked, this, &NoticeBar::closeFirst);
@@ -86,6 +86,9 @@ void NoticeBar::showFirst()
     m_buttons.clear();
     const Notice &first = m_warnings.empty() ? m_notice : m_warnings.front();
     m_label->setText(first.text);
+    // Warnings name files. What can be selected has the tops of tall letters cut off.
+    m_label->setTextInteractionFlags(m_warnings.empty() ? Qt::NoTextInteraction
+                                                        : Qt::TextSelectableByMouse);
     for (const Offer &offer : first.offers)
         addButton(offer);
     // What is only offered is closed by taking it.

@@ -12643,7 +12643,7 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>Back to what &amp;passed</source>
-        <translation>Zurück zu dem, was &amp;bestand</translation>
+        <translation>Zur &amp;bestandenen Fassung</translation>
     </message>
     <message>
         <source>To the newest version that passed this step</source>

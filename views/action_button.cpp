@@ -8,6 +8,12 @@
 
 namespace cradle {
 
+namespace {
+
+constexpr int iconAside = 5; ///< px that an icon alone needs less on either side than a text
+
+} // namespace
+
 ActionButton::ActionButton(QAction *action, QWidget *parent)
     : QPushButton(parent)
     , m_action(action)
@@ -52,7 +58,7 @@ int ActionButton::textWidth() const
 
 QSize ActionButton::sizeHint() const
 {
-    const int spare = textWidth() - widthOf(text());
+    const int spare = m_collapsed ? -2 * iconAside : textWidth() - widthOf(text());
     return QPushButton::sizeHint() + QSize(spare, 0);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/style_sheet.h"
 
+#include "views/icons.h"
+
 #include <utility>
 
 namespace cradle {
@@ -91,9 +93,9 @@ QPushButton[kind="small"]:focus { min-height: 22px; padding: 0 7px; }
 QToolButton[kind="tiny"] { min-height: 18px; padding: 0; }
 QToolButton[kind="tiny"]:focus { min-height: 16px; padding: 0; }
 QPushButton[kind="segment"] { border-radius: 0; }
-QPushButton[kind="menu"] { min-height: 24px; padding: 0 24px 0 8px; }
-QPushButton[kind="menu"]:focus { min-height: 22px; padding: 0 23px 0 7px; }
-QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 14px; height: 14px;
+QPushButton[kind="menu"] { min-height: 24px; padding: 0 @menuSide 0 8px; }
+QPushButton[kind="menu"]:focus { min-height: 22px; padding: 0 @menuFocus 0 7px; }
+QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: @chevron; height: @chevron;
     subcontrol-origin: border; subcontrol-position: right center; right: 5px; }
 )");
 
@@ -114,11 +116,11 @@ QPlainTextEdit:read-only { background: @window; border-color: @border; }
 QLineEdit[cell="true"], QComboBox[cell="true"] { min-height: 0; border: 2px solid @accent;
     border-radius: 4px; padding: 0 3px; }
 QLineEdit[cell="true"][refused="true"] { border-color: @warning; padding: 0 3px; min-height: 0; }
-QComboBox::drop-down { border: none; width: 20px; }
-QComboBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 14px; height: 14px; }
-QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 18px; }
-QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: 12px; height: 12px; }
-QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: 12px; height: 12px; }
+QComboBox::drop-down { border: none; width: @dropDown; }
+QComboBox::down-arrow { image: url(:/icons/chevron-down.svg); width: @chevron; height: @chevron; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: @spinButton; }
+QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: @littleChevron; height: @littleChevron; }
+QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: @littleChevron; height: @littleChevron; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
 QRadioButton::indicator { width: @plain; height: @plain; border: 1px solid @mutedText;
@@ -149,9 +151,9 @@ QTabWidget::pane { border: none; border-top: 1px solid @border; background: @pan
 QTabBar { background: @window; }
 QTabBar QToolButton { min-height: 0; padding: 0; border: none; border-radius: 0;
     background: @window; }
-QTabBar::tab { background: transparent; color: @mutedText; padding: 8px 14px 7px 14px;
+QTabBar::tab { background: transparent; color: @mutedText; padding: 8px @tabAside 7px @tabAside;
     border: none; border-top: 2px solid transparent; }
-QTabBar[kind="narrow"]::tab { padding: 8px 5px 7px 5px; }
+QTabBar[kind="narrow"]::tab { padding: 8px @tabNear 7px @tabNear; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { background: @panel; color: @text; border-top-color: @square; }
 QTabBar::tab:focus { color: @accent; border: 2px solid @accent; }
@@ -180,9 +182,12 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 )");
 
-/// Indicators of choices are as large as the text beside them, with any border.
-void setIndicatorSizes(QString &sheet)
+/// Indicators of choices are as large as the text beside them, with any border; what opens grows as
+/// icons do.
+void setSizes(QString &sheet)
 {
+    const int chevron = iconSquare(14).width(); // px
+    const int little = iconSquare(12).width();
     const int size = scaledByText(14); // px, with the border
     const int rim = scaledByText(4);   // around the dot
     const std::pair<const char *, int> sizes[] = {
@@ -193,6 +198,14 @@ void setIndicatorSizes(QString &sheet)
         {"@dot", size - 2 * rim},
         {"@thick", rim + 1},
         {"@small", size - 2 * (rim + 1)},
+        {"@chevron", chevron},
+        {"@dropDown", chevron + 6},
+        {"@menuSide", chevron + 10},
+        {"@menuFocus", chevron + 9},
+        {"@littleChevron", little},
+        {"@spinButton", little + 6},
+        {"@tabAside", tabPadding},
+        {"@tabNear", narrowTabPadding},
     };
     for (const auto &[name, pixels] : sizes)
         sheet.replace(QLatin1String(name), QStringLiteral("%1px").arg(pixels));
@@ -228,7 +241,7 @@ QString styleSheetOf(const Theme &theme)
         {"@text", theme.text},
     };
     QString sheet = frames + menus + buttons + fields + lists;
-    setIndicatorSizes(sheet);
+    setSizes(sheet);
     sheet.replace(QLatin1String("@tick"), QLatin1String(theme.dark ? "dark" : "light"));
     for (const auto &[name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());

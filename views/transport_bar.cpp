@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cradle {
 
@@ -205,13 +206,21 @@ void TransportBar::measureReadout()
     // Of a fixed height as well: a new text then leaves the layout of the window alone.
     const auto fix = [this](QLabel *label, const QString &longest) {
         // Arabic letters are not for columns: in a font for those they stand apart.
-        label->setFont(longest.isRightToLeft() ? font() : numericFont());
+        QFont numbers = longest.isRightToLeft() ? font() : numericFont();
+        numbers.setPointSizeF(m_readoutSize * font().pointSizeF());
+        label->setFont(numbers);
         const QFontMetrics metrics(label->font());
         label->setFixedSize(metrics.horizontalAdvance(longest) + 4, metrics.height());
     };
     fix(m_speedValue, speedText(slowestPower));
     fix(m_time, tr("t = %1 s").arg(1000.0, 0, 'f', 3));
     fix(m_stepCount, tr("step %1").arg(100'000));
+}
+
+void TransportBar::setReadoutSize(double share)
+{
+    if (std::exchange(m_readoutSize, share) != share)
+        measureReadout();
 }
 
 void TransportBar::retranslate()

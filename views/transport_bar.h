@@ -75,9 +75,12 @@ private:
     void showSpeed();
     void showCheck();
     void showSearch();
+    void spread();
+    void relayout();
     void collapse();
     void turnOrder();
     void measureReadout();
+    void setReadoutSize(double share);
 
     Simulation &m_simulation;
     QAction *m_restart = nullptr;
@@ -103,6 +106,7 @@ private:
     QButtonGroup *m_modeGroup = nullptr;
     QProgressBar *m_progress = nullptr;       ///< of the check
     QProgressBar *m_searchProgress = nullptr; ///< of the search for the next hit
+    double m_readoutSize = 1.0;               ///< of that of other texts
     bool m_checking = false;
 };
 

@@ -12,12 +12,18 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
 
 constexpr int speedWidth = 104; ///< px
 constexpr int leastSpeedWidth = 56;
+constexpr int spacing = 8; ///< px between controls
+constexpr int leastSpacing = 4;
+constexpr double leastReadout = 0.7;   ///< of the usual size, and never smaller than small texts
+constexpr std::size_t mainButtons = 2; ///< Run and Check keep their texts the longest
 
 } // namespace
 
@@ -25,7 +31,7 @@ void TransportBar::makeLayout()
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(12, 8, 12, 8);
-    row->setSpacing(8);
+    row->setSpacing(spacing);
     row->setSizeConstraint(QLayout::SetNoConstraint);
     m_order = new QHBoxLayout;
     row->addLayout(m_order);
@@ -44,7 +50,7 @@ void TransportBar::makeLayout()
     auto *step = add(m_order, m_step, QStringLiteral("step"), IconTint::Text);
     auto *previousHit = add(m_order, m_previousHit, QStringLiteral("previous-hit"), IconTint::Text);
     m_nextHitButton = add(m_order, m_nextHit, QStringLiteral("next-hit"), IconTint::Text);
-    row->addSpacing(8);
+    row->addSpacing(spacing);
     addReadout(row);
     row->addStretch(1);
 
@@ -114,27 +120,53 @@ void TransportBar::setModes(const QStringList &titles, int current)
     collapse();
 }
 
-/// Makes the slider of the speed shorter, and takes the text from as many buttons as needed for the
-/// row to fit.
-void TransportBar::collapse()
+/// Gives every control all that it can use.
+void TransportBar::spread()
 {
     for (ActionButton *button : m_buttons)
         button->setCollapsed(false);
     m_speedCaption->show();
     m_speed->setFixedWidth(speedWidth);
+    layout()->setSpacing(spacing);
+    setReadoutSize(1.0);
+    relayout();
+}
+
+void TransportBar::relayout()
+{
+    m_order->invalidate();
+    layout()->invalidate();
     layout()->activate();
-    if (layout()->minimumSize().width() > width()) {
+}
+
+/// Makes the slider of the speed shorter, takes the text from as many buttons as needed for the row
+/// to fit, and room and size from all else before Run and Check lose theirs.
+void TransportBar::collapse()
+{
+    const auto isTooNarrow = [this] { return layout()->minimumSize().width() > width(); };
+    const auto takeTexts = [&](std::size_t from, std::size_t to) {
+        for (; from < to && isTooNarrow(); ++from) {
+            m_buttons[from]->setCollapsed(true);
+            relayout();
+        }
+    };
+    const std::size_t others = m_buttons.size() - mainButtons;
+    spread();
+    if (isTooNarrow()) {
         m_speedCaption->hide();
         m_speed->setFixedWidth(leastSpeedWidth);
+        relayout();
     }
-    for (ActionButton *button : m_buttons) {
-        if (layout()->minimumSize().width() <= width())
-            break;
-        button->setCollapsed(true);
-        m_order->invalidate();
-        layout()->invalidate();
+    takeTexts(0, others);
+    if (isTooNarrow()) {
+        layout()->setSpacing(leastSpacing);
+        relayout();
     }
-    layout()->activate();
+    if (isTooNarrow()) {
+        setReadoutSize(std::max(leastReadout, 1.0 / textScale()));
+        relayout();
+    }
+    takeTexts(others, m_buttons.size());
     const auto placeBeneath = [](QProgressBar *progress, const ActionButton *button) {
         const QRect place = button->geometry();
         progress->setGeometry(place.left(), place.bottom() + 3, place.width(), 3);

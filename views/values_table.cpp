@@ -7,6 +7,7 @@
 #include "views/charts/number_table.h"
 #include "views/charts/table_text.h"
 #include "views/charts/values_model.h"
+#include "views/fitted_tabs.h"
 #include "views/menu.h"
 #include "views/theme.h"
 #include "views/values_tab.h"
@@ -49,7 +50,7 @@ ValuesPane::ValuesPane(const Simulation &simulation, QWidget *parent)
     m_tabs->addTab(m_values, QString());
     m_tabs->addTab(m_hits, QString());
     m_tabs->setDocumentMode(true);
-    setKind(m_tabs->tabBar(), "narrow");
+    new FittedTabs(*m_tabs->tabBar(), FittedTabs::Distance::Narrow);
     auto *whole = new QVBoxLayout(this);
     whole->setContentsMargins({});
     whole->addWidget(m_tabs);

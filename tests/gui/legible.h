@@ -55,9 +55,6 @@ inline bool isReached(const DrawnText &text)
             if (bar->maximum() > bar->minimum())
                 return true;
         }
-        const auto *tabs = qobject_cast<const QTabBar *>(w);
-        if (tabs && tabs->usesScrollButtons() && isTooWide)
-            return true;
     }
     return false;
 }
@@ -146,6 +143,26 @@ inline void findPale(const std::vector<DrawnText> &texts, const QImage &image, Q
     }
 }
 
+/// Tabs that are scrolled or abbreviated, as there is no room for all of them.
+inline void findScrolledTabs(const QWidget &window, QStringList &found)
+{
+    for (const auto *tabs : window.findChildren<QTabBar *>()) {
+        // Qt keeps the titles of panes that stand alone now beyond the window.
+        const bool isSeen = tabs->isVisible() && !tabs->visibleRegion().isEmpty();
+        int room = 0;
+        QStringList titles;
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            room += tabs->tabRect(tab).width();
+            titles << tabs->tabText(tab);
+        }
+        if (isSeen && room > tabs->width())
+            found << QStringLiteral("the tabs %1 need %2 px and have %3")
+                         .arg(titles.join(QStringLiteral(" | ")))
+                         .arg(room)
+                         .arg(tabs->width());
+    }
+}
+
 /// What of that which \p window says cannot be read: it is cut, stands on something else, or can
 /// hardly be told from the ground.
 inline QStringList illegibleTexts(QWidget &window, std::size_t atLeast)
@@ -158,6 +175,7 @@ inline QStringList illegibleTexts(QWidget &window, std::size_t atLeast)
     if (texts.size() < atLeast)
         found << QStringLiteral("only %1 texts").arg(texts.size());
     findCut(texts, found);
+    findScrolledTabs(window, found);
     findTouching(texts, found);
     findPale(texts, image, found);
     return found;

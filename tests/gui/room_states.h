@@ -24,7 +24,7 @@ struct RoomState {
     int percent = 100; ///< size of texts
 };
 
-/// Both modes at three sizes in three themes; in every language; with large texts.
+/// Both modes at three sizes in three themes; in every language, with large texts, too.
 inline std::vector<RoomState> roomStates()
 {
     constexpr std::array<QSize, 3> sizes{{{1280, 720}, {1440, 900}, {1920, 1080}}};
@@ -36,7 +36,7 @@ inline std::vector<RoomState> roomStates()
                 all.push_back({.mode = mode, .size = size, .theme = theme});
         }
         for (const int percent : {150, 200}) {
-            for (const char *language : {"en", "de"}) {
+            for (const char *language : {"en", "de", "fr", "ar", "pseudo"}) {
                 for (const QSize size : {sizes[1], sizes[2]})
                     all.push_back({.mode = mode,
                                    .size = size,

@@ -3,9 +3,27 @@
 #include "app/main_window.h"
 #include "tests/gui/legible.h"
 #include "tests/gui/room_states.h"
+#include "views/action_button.h"
 
 using namespace cradle;
 using namespace cradle::windows;
+
+namespace {
+
+/// Run and Check, if they have no room for their names.
+QStringList iconsAlone(const TransportBar &bar)
+{
+    QStringList found;
+    for (const ActionButton *button : bar.findChildren<ActionButton *>()) {
+        const QString name = button->accessibleName();
+        const bool isMain = name == bar.runAction()->text() || name == bar.checkAction()->text();
+        if (isMain && button->text().isEmpty())
+            found << QStringLiteral("%1 is an icon alone").arg(name);
+    }
+    return found;
+}
+
+} // namespace
 
 /// Whatever the window says in whatever state can be read: it is whole, and stands alone on a
 /// ground that it can be told from.
@@ -40,6 +58,7 @@ void TestLegibleTexts::everyTextCanBeRead()
     const auto *check =
         m_room->open().button(m_room->window().transportBar().checkAction()->text());
     QVERIFY(check && check->visibleRegion().boundingRect() == check->rect());
+    found += iconsAlone(m_room->window().transportBar());
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 

@@ -11,6 +11,7 @@
 #include "views/author/remark_editor.h"
 #include "views/author/text_languages.h"
 #include "views/code/code_editor.h"
+#include "views/fitted_tabs.h"
 #include "views/markdown_view.h"
 
 #include <QEvent>
@@ -49,6 +50,7 @@ void ProgramPage::makeLayout()
     m_below->setDocumentMode(true);
     m_below->addTab(makeMessage(), QString());
     m_below->addTab(makeRecognition(), QString());
+    new FittedTabs(*m_below->tabBar());
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_splitter->addWidget(m_editor);
     m_splitter->addWidget(m_below);

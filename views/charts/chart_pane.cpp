@@ -17,6 +17,24 @@
 
 namespace cradle {
 
+namespace {
+
+/// \p title in as few lines of words as have room, where a word does; px.
+QStringList linesOf(const QString &title, const QFontMetrics &metrics, int room)
+{
+    QStringList lines;
+    for (const QString &word : title.split(QLatin1Char(' '))) {
+        const QString longer = lines.isEmpty() ? word : lines.constLast() + QLatin1Char(' ') + word;
+        if (lines.isEmpty() || metrics.horizontalAdvance(longer) > room)
+            lines.append(word);
+        else
+            lines.last() = longer;
+    }
+    return lines;
+}
+
+} // namespace
+
 ChartPane::ChartPane(const Simulation &simulation, RunCurves &curves, QWidget *parent)
     : ChartPane(simulation, curves, new ChartPlot, parent)
 {
@@ -126,32 +144,49 @@ void ChartPane::setHeadingFont()
     fitHeading();
 }
 
-/// On two lines where one has no room, as with large texts; a unit stays together.
+/// On several lines where one has no room, as with large texts, and over the buttons where a word
+/// has none beside them; a unit stays together.
 void ChartPane::fitHeading()
 {
-    const QFontMetrics metrics = m_heading->fontMetrics();
-    const int room = m_heading->width();
     QString title = m_title;
     if (!m_unit.isEmpty())
         title.replace(m_unit, QString(m_unit).replace(QLatin1Char(' '), QChar::Nbsp));
-    QString text;
-    QString line;
-    for (const QString &word : title.split(QLatin1Char(' '))) {
-        const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
-        if (!line.isEmpty() && metrics.horizontalAdvance(longer) > room) {
-            text += line + QLatin1Char('\n');
-            line = word;
-        } else {
-            line = longer;
-        }
+    const QFontMetrics metrics = m_heading->fontMetrics();
+    const int beside = width() - m_header->minimumSize().width();
+    const QStringList lines = linesOf(title, metrics, beside);
+    const bool isOver = std::any_of(lines.begin(), lines.end(), [&](const QString &line) {
+        return metrics.horizontalAdvance(line) > beside;
+    });
+    putHeadingOver(isOver);
+    const int over = width() - headingMargins.left() - headingMargins.right();
+    const QStringList shown = isOver ? linesOf(title, metrics, over) : lines;
+    m_heading->setText(shown.join(QLatin1Char('\n')));
+}
+
+void ChartPane::putHeadingOver(bool over)
+{
+    if (over == m_isHeadingOver)
+        return;
+    m_isHeadingOver = over;
+    if (over) {
+        m_header->removeWidget(m_heading);
+        m_header->insertStretch(0, 1);
+        m_column->insertWidget(0, m_heading);
+    } else {
+        m_column->removeWidget(m_heading);
+        delete m_header->takeAt(0);
+        m_header->insertWidget(0, m_heading, 1);
     }
-    m_heading->setText(text + line);
+    m_heading->setContentsMargins(over ? headingMargins : QMargins());
+    m_header->setContentsMargins(over ? headingMargins - QMargins(0, headingMargins.top(), 0, 0)
+                                      : headingMargins);
 }
 
 bool ChartPane::eventFilter(QObject *watched, QEvent *event)
 {
+    // Later: the header is about to place what stands in it.
     if (watched == m_heading && event->type() == QEvent::Resize)
-        fitHeading();
+        QMetaObject::invokeMethod(this, &ChartPane::fitHeading, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);
 }
 

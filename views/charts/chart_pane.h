@@ -75,6 +75,7 @@ private:
     void redraw() override;
     void setHeadingFont() override;
     void fitHeading();
+    void putHeadingOver(bool over);
     void addPinned(std::vector<ChartCurve> &shown) const;
     void showLegend();
     void paintPicture(QPainter &painter, QSizeF size) const;
@@ -96,6 +97,7 @@ private:
     QString m_name;
     QString m_title; ///< the name in capitals, and the unit
     QString m_unit;
+    bool m_isHeadingOver = false; ///< over the buttons
     QString m_emptyText;
     SteadyRange m_range;
     std::optional<ValueSpan> m_valueZoom;

@@ -37,7 +37,7 @@ PlotPane::PlotPane(const Simulation &simulation, Plot *plot, QWidget *parent)
     setKind(m_heading, "heading");
     m_heading->setTextFormat(Qt::PlainText);
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_header->setContentsMargins(14, 8, 8, 0);
+    m_header->setContentsMargins(headingMargins);
     m_header->setSpacing(0);
     m_header->addWidget(m_heading, 1);
     m_moreButton->setText(QStringLiteral("⋯"));

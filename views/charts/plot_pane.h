@@ -7,6 +7,7 @@
 #include "views/charts/chart_export.h"
 #include "views/charts/time_window.h"
 
+#include <QMargins>
 #include <QPointF>
 #include <QWidget>
 
@@ -76,6 +77,9 @@ protected:
 
     void changeEvent(QEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
+
+    /// Around heading and buttons, px.
+    static constexpr QMargins headingMargins{14, 8, 8, 0};
 
     const Simulation &m_simulation;
     QLabel *m_heading;

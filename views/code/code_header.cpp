@@ -65,11 +65,7 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
     actions.fillMenu(menu);
     m_more->setMenu(menu);
     m_more->setFocusPolicy(Qt::TabFocus);
-    m_more->setStyleSheet(QStringLiteral(
-        "QPushButton { padding-right: 12px; }"
-        "QPushButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 12px;"
-        " height: 12px; subcontrol-origin: padding; subcontrol-position: right center;"
-        " right: 7px; }"));
+    setKind(m_more, "menu");
     m_atOnce->setFocusPolicy(Qt::TabFocus);
     m_atOnce->setCheckable(true);
     m_atOnce->setIconSize(iconSquare(16));

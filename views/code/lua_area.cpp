@@ -5,6 +5,7 @@
 #include "views/code/left_to_right_painting.h"
 #include "views/code/lua_indent.h"
 #include "views/code/lua_lexer.h"
+#include "views/icons.h"
 #include "views/theme.h"
 
 #include <Qsci/qscicommandset.h>
@@ -101,8 +102,6 @@ void LuaArea::setUpMargins()
     setMarginType(numberMargin, NumberMargin);
     setMarginMarkerMask(numberMargin, 0);
     setFolding(PlainFoldStyle, foldMargin);
-    setMarginWidth(markMargin, markWidth);
-    setMarginWidth(foldMargin, foldWidth);
     send(SCI_SETMARGINLEFT, 0, textGap);
     for (const Mark line : {SuspectLine, ExecutingLine, ErrorLine, ChangedLine})
         markerDefine(Background, line);
@@ -187,6 +186,8 @@ void LuaArea::fitMargins()
 {
     const int digits = std::max(2, static_cast<int>(QString::number(lines()).size()));
     setMarginWidth(numberMargin, QString(digits, u'8') + u' ');
+    setMarginWidth(markMargin, iconSquare(markWidth).width());
+    setMarginWidth(foldMargin, iconSquare(foldWidth).width());
 }
 
 QRect LuaArea::placeOf(long position) const

@@ -17,17 +17,19 @@ namespace cradle {
 namespace {
 
 constexpr double side = 12.0;      ///< px before the first dot and behind the last
-constexpr double diameter = 12.0;  ///< px
-constexpr double widest = 18.0;    ///< px from one dot to the next
-constexpr double narrowest = 13.0; ///< px
-constexpr int rowHeight = 26;      ///< px
+constexpr double usual = 12.0;     ///< px, the diameter of a dot at the usual size of texts
+constexpr double widest = 18.0;    ///< px from one dot to the next, likewise
+constexpr double narrowest = 13.0; ///< px, of any size
+constexpr double leastGap = 4.0;   ///< px between two dots
+constexpr int rowHeight = 26;      ///< px, at the usual size of texts
 
 void drawTick(QPainter &painter, const QRectF &dot, const QColor &colour)
 {
-    painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const double scale = dot.width() / usual;
+    painter.setPen(QPen(colour, 1.6 * scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const QPointF c = dot.center();
-    painter.drawPolyline(
-        QPolygonF{c + QPointF(-2.8, 0.2), c + QPointF(-0.8, 2.2), c + QPointF(2.8, -2.0)});
+    painter.drawPolyline(QPolygonF{c + scale * QPointF(-2.8, 0.2), c + scale * QPointF(-0.8, 2.2),
+                                   c + scale * QPointF(2.8, -2.0)});
 }
 
 bool usesKey(int key)
@@ -59,13 +61,15 @@ void StepDots::setSteps(const QStringList &titles, const std::vector<bool> &pass
 
 QSize StepDots::sizeHint() const
 {
-    return {static_cast<int>(2.0 * side + narrowest * std::max(1, count())), rowHeight};
+    return {static_cast<int>(2.0 * side + narrowest * std::max(1, count())),
+            scaledByText(rowHeight)};
 }
 
 QRectF StepDots::dotRect(int step) const
 {
-    const double room = width() - 2.0 * side - diameter;
-    const double pitch = std::min(widest, count() > 1 ? room / (count() - 1) : widest);
+    const double pitch =
+        std::min(widest * textScale(), (width() - 2.0 * side) / std::max(1, count()));
+    const double diameter = std::clamp(pitch - leastGap, usual, usual * textScale());
     const double along = side + step * pitch;
     const bool mirrored = layoutDirection() == Qt::RightToLeft;
     return {mirrored ? width() - along - diameter : along, 0.5 * (height() - diameter), diameter,
@@ -149,6 +153,8 @@ bool StepDots::event(QEvent *event)
     }
     if (event->type() == QEvent::LanguageChange)
         describe();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        updateGeometry();
     // Its keys are those of the run elsewhere.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);

@@ -18,6 +18,13 @@
 
 namespace cradle {
 
+namespace {
+
+constexpr QMargins titleMargins(12, 4, 4, 4); ///< px, around the name of the step
+constexpr int titleEnd = 8;                   ///< px behind what stands beside it
+
+} // namespace
+
 StepsList::StepsList(QWidget *parent)
     : QWidget(parent)
 {
@@ -28,7 +35,7 @@ StepsList::StepsList(QWidget *parent)
 void StepsList::makeLayout()
 {
     m_heading = new QLabel(this);
-    m_heading->setContentsMargins(12, 4, 4, 4);
+    m_heading->setContentsMargins(titleMargins);
     setKind(m_heading, "cardTitle");
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_heading->setTextFormat(Qt::PlainText);
@@ -68,14 +75,14 @@ void StepsList::makeLayout()
     auto *noticeRow = new QHBoxLayout;
     noticeRow->setContentsMargins(8, 0, 8, 0);
     noticeRow->addWidget(m_notice);
-    auto *titleRow = new QHBoxLayout;
-    titleRow->setContentsMargins(0, 4, 8, 0);
-    titleRow->addWidget(m_heading, 1);
-    titleRow->addWidget(m_all);
+    m_titleRow = new QHBoxLayout;
+    m_titleRow->setContentsMargins(0, 4, titleEnd, 0);
+    m_titleRow->addWidget(m_heading, 1);
+    m_titleRow->addWidget(m_all, 0, Qt::AlignRight | Qt::AlignVCenter);
     auto *searchRow = new QHBoxLayout;
     searchRow->setContentsMargins(12, 0, 12, 0);
     searchRow->addWidget(m_search);
-    column->addLayout(titleRow);
+    column->addLayout(m_titleRow);
     column->addWidget(m_dots);
     column->addLayout(noticeRow);
     column->addWidget(m_findings);
@@ -207,6 +214,26 @@ void StepsList::showProgress()
     m_all->setAccessibleName(isOpen() ? tr("Close the list of steps")
                                       : tr("All steps, %1").arg(count));
     m_all->setVisible(m_list->count() > 0);
+    fitTitle();
+}
+
+/// Large texts may leave no room for a word of the name beside the button: then that stands below.
+void StepsList::fitTitle()
+{
+    const QFontMetrics metrics = m_heading->fontMetrics();
+    int widest = titleMargins.left() + titleMargins.right();
+    for (const QString &word : m_heading->text().split(QLatin1Char(' ')))
+        widest = std::max(widest, metrics.horizontalAdvance(word) + titleMargins.left()
+                                      + titleMargins.right());
+    const int beside = m_all->sizeHint().width() + m_titleRow->spacing() + titleEnd;
+    m_titleRow->setDirection(widest + beside > width() ? QBoxLayout::TopToBottom
+                                                       : QBoxLayout::LeftToRight);
+}
+
+void StepsList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitTitle();
 }
 
 void StepsList::retranslate()
@@ -230,6 +257,8 @@ void StepsList::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        fitTitle();
 }
 
 } // namespace cradle

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -38,11 +39,13 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void makeLayout();
     void retranslate();
+    void fitTitle();
     void showProgress();
     void choose(int step);
     void search(const QString &text);
@@ -51,6 +54,7 @@ private:
     QPushButton *m_notice = nullptr;
     QLabel *m_findings = nullptr;
     StepDots *m_dots = nullptr;
+    QHBoxLayout *m_titleRow = nullptr;
     QPushButton *m_all = nullptr;
     QLineEdit *m_search = nullptr;
     QListWidget *m_list = nullptr;
