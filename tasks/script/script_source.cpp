@@ -18,6 +18,30 @@ struct SourceText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
+/// What is before the last word, if that is \p word, and without the space there.
+std::optional<QStringView> beforeWord(QStringView text, QLatin1String word)
+{
+    if (!text.endsWith(word))
+        return std::nullopt;
+    text.chop(word.size());
+    while (!text.isEmpty() && text.back().isSpace())
+        text.chop(1);
+    return text;
+}
+
+/// Whether `local` or `local function` stands before that name anywhere: a look that costs less
+/// than an expression, since programs are read by the hundred.
+bool mayBeLocal(const QString &source, QLatin1String name)
+{
+    for (qsizetype at = source.indexOf(name); at >= 0; at = source.indexOf(name, at + 1)) {
+        const QStringView before = QStringView(source).left(at).trimmed();
+        const auto function = beforeWord(before, QLatin1String("function"));
+        if (beforeWord(function.value_or(before), QLatin1String("local")))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 int parse(lua_State *L, const QString &source, bool once)
@@ -47,6 +71,9 @@ ProgramError noMemory()
 
 std::optional<ProgramError> hiddenEntry(const QString &source)
 {
+    if (!mayBeLocal(source, QLatin1String("on_load"))
+        && !mayBeLocal(source, QLatin1String("on_update")))
+        return std::nullopt;
     static const QRegularExpression local(
         QStringLiteral("^[ \\t]*local\\s+(?:function\\s+)?(on_load|on_update)\\b"),
         QRegularExpression::MultilineOption);
