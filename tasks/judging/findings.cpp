@@ -16,6 +16,7 @@
 #include "tasks/judging/task_laws.h"
 #include "tasks/judging/value_origin.h"
 #include "tasks/judging/wall_words.h"
+#include "tasks/script/script_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -104,6 +105,7 @@ private:
     /// proof ten times as many.
     static constexpr qint64 mostWork = 40'000;
     static constexpr qint64 mostWorkToProve = 4'000;
+    static_assert(mostWorkToProve >= limits::uncountedInstructions);
 
     /// The failed check in which the aspect shows; null if none asks for it.
     [[nodiscard]] const CheckOutcome *failedOf(Aspect aspect) const

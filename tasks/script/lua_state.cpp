@@ -3,6 +3,7 @@
 #include "tasks/script/lua_state.h"
 
 #include "tasks/script/script_host.h"
+#include "tasks/script/script_limits.h"
 
 #include <algorithm>
 #include <cstring>
@@ -69,6 +70,10 @@ void LuaMemory::note(bool isText, std::size_t size)
         m_longestText = std::max(m_longestText, size);
     else if (size > SmallBlocks::largest)
         m_moved += size;
+    if (m_whenMuch && m_running
+        && (m_longestText >= limits::textBytesPerInstruction
+            || m_moved > limits::uncountedMovedBytes))
+        std::exchange(m_whenMuch, nullptr)(m_running);
 }
 
 void LuaMemory::drop(void *block, std::size_t size)

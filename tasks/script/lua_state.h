@@ -43,6 +43,11 @@ public:
     /// Forgets what was moved meanwhile, since it was not the program's work.
     void setMoved(std::size_t bytes) { m_moved = bytes; }
 
+    /// Calls \p told once, as soon as what runs makes a text that counts for more than an
+    /// instruction, or has moved more in one go than limits::uncountedMovedBytes. It may not use
+    /// the stack.
+    void callWhenMuch(void (*told)(lua_State *running)) { m_whenMuch = told; }
+
     /// A lua_Alloc; \p memory is a LuaMemory.
     static void *allocate(void *memory, void *block, std::size_t oldSize, std::size_t newSize);
 
@@ -54,6 +59,7 @@ private:
     std::size_t m_longestText = 0;
     std::size_t m_moved = 0;
     int m_refusedLine = 0;
+    void (*m_whenMuch)(lua_State *running) = nullptr;
     SmallBlocks m_small; ///< nearly all of it
     LargeBlocks m_large;
 

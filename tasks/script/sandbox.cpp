@@ -152,8 +152,22 @@ int protectedCall(lua_State *L)
 
 void watch(lua_State *L, bool lines)
 {
-    lua_sethook(L, hook, LUA_MASKCOUNT | (lines ? LUA_MASKLINE : 0),
+    // Where there is a hook, Lua asks at every instruction and every return.
+    const bool looks = lines || ScriptHost::of(L).counts;
+    lua_sethook(L, looks ? hook : nullptr, looks ? LUA_MASKCOUNT | (lines ? LUA_MASKLINE : 0) : 0,
                 static_cast<int>(instructionsPerLook));
+}
+
+void leaveCountOut(lua_State *L)
+{
+    ScriptHost &host = ScriptHost::of(L);
+    host.counts = false;
+    host.memory.callWhenMuch([](lua_State *running) {
+        ScriptHost::of(running).counts = true;
+        // It may be called in the midst of anything, as a signal would.
+        if (lua_gethookmask(running) == 0)
+            watch(running, false);
+    });
 }
 
 void beginCount(lua_State *L)

@@ -11,9 +11,14 @@ namespace cradle {
 /// pcall for programs: as Lua's own, but it lets no limit pass.
 int protectedCall(lua_State *L);
 
-/// From now on instructions are counted and limited, and time where a step is timed; \p lines also
+/// From now on instructions are counted and limited, and time where a step is timed, unless that
+/// was left out; \p lines also counts, and
 /// yields at every new line where that is possible, with line and locals in ScriptHost::caught.
 void watch(lua_State *L, bool lines);
+
+/// Leaves out the count of a program that takes few instructions, until it makes a long text or
+/// large tables: what is done to these counts.
+void leaveCountOut(lua_State *L);
 
 /// Begins a new count for a step that runs in \p L, in this thread until endCount().
 void beginCount(lua_State *L);

@@ -56,6 +56,7 @@ struct ScriptHost {
     qint64 instructions = 0;        ///< of this step, and what counts as such
     qint64 earlierInstructions = 0; ///< of all steps before
     qint64 looks = 0;               ///< at what was used
+    bool counts = true;             ///< instructions; else there are few, see work_bound.h
     bool timed = false;             ///< a step ends by the clock, too
     std::chrono::steady_clock::time_point deadline{};
     std::function<bool()> stop{}; ///< asked again and again; true ends the run

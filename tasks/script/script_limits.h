@@ -12,6 +12,11 @@
 namespace cradle::limits {
 
 inline constexpr qint64 instructionsPerStep = 5'000'000; ///< of the Lua machine
+/// Calls that cannot take as many, by the text of the program, are not counted; see work_bound.h.
+/// What asks how much a program works must ask for more.
+inline constexpr qint64 uncountedInstructions = 4'000;
+/// Nor what they move, as long as a step moves no more bytes of lists and tables than that.
+inline constexpr std::size_t uncountedMovedBytes = 64 * 1024;
 inline constexpr std::size_t scriptBytes = 64u * 1024 * 1024;
 /// Of a live run only, which must not freeze the window; a verdict knows no clock.
 inline constexpr std::chrono::seconds wallTimePerStep{2};

@@ -10,6 +10,7 @@
 #include "tasks/script/show_binding.h"
 #include "tasks/script/student_engine.h"
 #include "tasks/script/vector_binding.h"
+#include "tasks/script/work_bound.h"
 #include "tasks/script/world_binding.h"
 
 #include <QCoreApplication>
@@ -106,6 +107,9 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
         return errorOf(L, status);
     if (auto hidden = hiddenEntry(m_source))
         return hidden;
+    if (m_engine->host.memory.longestText() < limits::textBytesPerInstruction
+        && takesLittle(m_source, m_engine->host.circles.size()))
+        leaveCountOut(L);
     watch(L, false);
     if (auto error = call(0))
         return error;
@@ -120,6 +124,8 @@ std::optional<ProgramError> StudentScript::call(int arguments)
 {
     lua_State *L = m_engine->state;
     beginCount(L);
+    if (m_engine->host.counts && lua_gethookmask(L) == 0)
+        watch(L, false); // It began in a thread of this one.
     m_engine->host.caught = {};
     const int status = lua_pcall(L, arguments, 0, 1);
     endCount(L);
