@@ -28,6 +28,8 @@ private slots:
     void weightIsNamedThoughItEndsAtAWall();
     void fallByTheMassOfAnotherIsNoCopy();
     void stopOfThoseThatComeNearerIsShown();
+    void springPullsTowardsTheMiddle();
+    void onePartMayBeSetAnew();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
@@ -357,6 +359,44 @@ void TestFlightLaw::stopOfThoseThatComeNearerIsShown()
     for (const Structure &structure : structures)
         QCOMPARE(step.flight(written(program, structure)),
                  QStringList(QStringLiteral("Between hits the velocity of both circles changes")));
+}
+
+/// A spring of 0.3/s² in x and 0.7/s² in y.
+void TestFlightLaw::springPullsTowardsTheMiddle()
+{
+    const LawBench step = bench("L42T7");
+    const QString program =
+        written({.move = QStringLiteral("c.velocity = c.velocity + (gravity - "
+                                        "vec(0.3 * c.position.x, 0.7 * c.position.y)) * h "
+                                        "c.position = c.position + c.velocity * h")},
+                structures[3]);
+    const MeasuredFlight measured(&program, step.ground);
+    const Flight &flight = measured.at({0.0, -9.81}, step.ground.timesteps.front(), 0);
+    QVERIFY(std::abs(flight.pull.x + 0.3) < 1e-3);
+    QVERIFY(std::abs(flight.pull.y + 0.7) < 1e-3);
+    QVERIFY(!flight.isKnown);
+}
+
+/// Whoever sets x anew in every step still falls.
+void TestFlightLaw::onePartMayBeSetAnew()
+{
+    const LawBench step = bench("L42T7");
+    const double h = step.ground.timesteps.front();
+    for (const bool isX : {true, false}) {
+        const QString velocity = isX ? QStringLiteral("vec(2, c.velocity.y + gravity.y * h)")
+                                     : QStringLiteral("vec(c.velocity.x, -1)");
+        const QString program =
+            written({.move = QStringLiteral("c.velocity = %1 c.position = c.position + "
+                                            "c.velocity * h")
+                                 .arg(velocity)},
+                    structures[3]);
+        const MeasuredFlight measured(&program, step.ground);
+        const Flight &flight = measured.at({0.0, -9.81}, h, 0);
+        QVERIFY(!flight.resets);
+        QCOMPARE(flight.resetsX, isX);
+        QCOMPARE(flight.resetsY, !isX);
+        QVERIFY(!flight.isKnown);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

@@ -83,7 +83,7 @@ void TestGround::onlyChecksOfHitsAskForAPair()
     QCOMPARE(ground.sameIntegrator, kind == QLatin1String("together"));
 }
 
-/// A program that sets gravity in its own scene does not change what passes.
+/// What the solution makes of the scene, be it a program or a scene.
 void TestGround::gravityIsThatOfTheSceneThatPasses()
 {
     Task task = taskWith({checkOf("integrates", {})});
@@ -92,6 +92,12 @@ void TestGround::gravityIsThatOfTheSceneThatPasses()
     task.solutionScene = task.preset;
     task.solutionScene->gravity = {0.0, -1.62};
     QCOMPARE(own(), (Vec2{0.0, -1.62}));
+    task.solution = QStringLiteral("function on_load() gravity = vec(0, -3.5) end");
+    QCOMPARE(own(), (Vec2{0.0, -3.5}));
+    // One that stops has made nothing of it.
+    task.solution = QStringLiteral("function on_load() gravity = vec(0, -3.5) error('no') end");
+    QCOMPARE(own(), (Vec2{0.0, -1.62}));
+    task.solution.clear();
     // An edition for students has only what the checks say.
     task.forStudents = true;
     QCOMPARE(own(), (Vec2{0.0, -9.81}));

@@ -59,6 +59,7 @@ class TestProgramRun final : public QObject
 {
     Q_OBJECT
 private slots:
+    void longCurvesKeepTheirTimes();
     void programMovesTheCircles();
     void sceneIsWhatTheProgramMadeOfIt();
     void lawsMoveWhereTheProgramDoesNot();
@@ -192,6 +193,25 @@ void TestProgramRun::notesAreBounded()
     QCOMPARE(notes.curves().size(), ProgramNotes::mostCurves);
     QVERIFY(notes.drawings(1).empty());
     QCOMPARE(notes.drawings(6000).size(), 100u);
+}
+
+/// Of a curve that has become too long every other point is left, its time with its value.
+void TestProgramRun::longCurvesKeepTheirTimes()
+{
+    ProgramNotes notes;
+    ProgramOutput output;
+    constexpr int count = static_cast<int>(ProgramNotes::mostPoints) + 3;
+    for (int i = 0; i < count; ++i) {
+        output.points = {{QStringLiteral("x"), 2.0 * i}};
+        notes.add(i, i, output);
+    }
+    QCOMPARE(notes.curves().size(), 1U);
+    const ProgramNotes::Curve &curve = notes.curves().front();
+    QCOMPARE(curve.times.size(), curve.values.size());
+    QVERIFY(curve.times.size() > ProgramNotes::mostPoints / 2);
+    QVERIFY(curve.times.size() < ProgramNotes::mostPoints / 2 + 5);
+    for (std::size_t i = 0; i < curve.times.size(); ++i)
+        QCOMPARE(curve.values[i], 2.0 * curve.times[i]);
 }
 
 QTEST_GUILESS_MAIN(TestProgramRun)

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/run/run_ahead.h"
+#include "model/run/runner.h"
 #include "model/run/simulation.h"
 
 #include "tests/simulation_scenes.h"
@@ -70,6 +72,7 @@ class TestSearchThread : public QObject
 {
     Q_OBJECT
 private slots:
+    void whatIsTakenMakesRoom();
     void eventsAreHandledWhileAStepTakesLong();
     void findsWhatStepsFind();
     void goesOnFromWhereItWasEnded();
@@ -211,6 +214,25 @@ void TestSearchThread::crowdIsSearchedAsItIsStepped()
     QVERIFY(simulation.recording().world(simulation.current())
             == expected.recording().world(expected.current()));
     QVERIFY(simulation.recording().encounters() == expected.recording().encounters());
+}
+
+/// More steps than are kept: the thread waits until some are taken, and then goes on.
+void TestSearchThread::whatIsTakenMakesRoom()
+{
+    constexpr int steps = 10'000;
+    Preset preset =
+        scene({circle({0, 0}, {1e-3, 0})}, {WallLaw::Reflect, CircleLaw::None, Timing::Discrete});
+    Runner run(preset);
+    RunAhead ahead;
+    ahead.start(run, nullptr, {}, (steps - 0.5) * preset.timestep);
+    int taken = 0;
+    const auto takeAll = [&] {
+        while (ahead.take())
+            ++taken;
+        return taken == steps;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(takeAll(), 60'000);
+    QTRY_VERIFY(ahead.isDone());
 }
 
 QTEST_GUILESS_MAIN(TestSearchThread)

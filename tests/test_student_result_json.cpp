@@ -166,6 +166,13 @@ void TestStudentResultJson::pointsFollowFromTheChecks()
     const QJsonObject written = json.value(QStringLiteral("steps")).toArray()[0].toObject();
     QCOMPARE(written.value(QStringLiteral("points")).toDouble(), task.checks[0].points);
     QCOMPARE(written.value(QStringLiteral("max_points")).toDouble(), mostPoints(task));
+    // A step that is worth something of its own shares that out.
+    QCOMPARE(pointScale(task), 1.0);
+    Task weighed = task;
+    weighed.points = 3.0 * mostPoints(task);
+    QCOMPARE(mostPoints(weighed), 3.0 * mostPoints(task));
+    QCOMPARE(pointScale(weighed), 3.0);
+    QCOMPARE(*pointsOf(step, weighed).earned, 3.0 * task.checks[0].points);
 }
 
 void TestStudentResultJson::whatIsWrongIsSaid_data()

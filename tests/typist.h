@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <vector>
 
 namespace cradle {
 
@@ -30,6 +32,19 @@ int typeForEver(const Type &type)
     });
     typing.start(keyPause);
     return QCoreApplication::exec();
+}
+
+/// Processes of this program that type, each in one of \p folders, side by side: most of what they
+/// do is to wait for the next key.
+inline std::vector<std::unique_ptr<QProcess>> typistsIn(const QStringList &folders)
+{
+    std::vector<std::unique_ptr<QProcess>> typists;
+    for (const QString &folder : folders) {
+        typists.push_back(std::make_unique<QProcess>());
+        typists.back()->start(QCoreApplication::applicationFilePath(),
+                              {QStringLiteral("--type"), folder});
+    }
+    return typists;
 }
 
 /// Kills \p process, which types, after \p most keys or a few more.
