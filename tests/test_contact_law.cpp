@@ -29,6 +29,7 @@ private slots:
     void pauseAfterAHitIsNamed_data();
     void pauseAfterAHitIsNamed();
     void leapAfterAHitIsNamed();
+    void ownHitIsThatOfTheTwo();
 };
 
 namespace {
@@ -182,6 +183,10 @@ void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()
     once.start = QStringLiteral("done = false");
     QCOMPARE(step.contact(written(once, structures[0])),
              QStringList(text("A later hit is not answered")));
+    const QString source = written(once, structures[0]);
+    const MeasuredLaws own(&source, step.ground);
+    QVERIFY(own.pair().ranThrough);
+    QVERIFY(own.pair().returning && own.pair().returning->answered);
     // Without a wall nothing comes back, and nothing is said of it.
     LawProgram open = withHit(hitOf(hitWays[0], {.mass = QStringLiteral("1")}));
     open.walls.clear();
@@ -259,6 +264,26 @@ void TestContactLaw::leapAfterAHitIsNamed()
         const QStringList said = step.contact(written(withHit(hit), structures[1]));
         QCOMPARE(said.value(0), QStringLiteral("A hit puts circle %1 somewhere else").arg(circle));
     }
+}
+
+/// In the own scene circle 1 comes from the wall, which is no hit of the two.
+void TestContactLaw::ownHitIsThatOfTheTwo()
+{
+    Task scene = task(QStringLiteral("L42T12"));
+    LawProgram program = withHit(hitOf(hitWays[0], {.mass = QStringLiteral("1")}));
+    program.start = QStringLiteral("gravity = vec(0, 0) "
+                                   "circle1.position, circle1.velocity = vec(-3.5, 2), vec(-2, 0) "
+                                   "circle2.position, circle2.velocity = vec(0, 2), vec(0, 0)");
+    const QString source = written(program, structures[0]);
+    const LawBench step(scene);
+    const MeasuredLaws own(&source, step.ground);
+    QVERIFY(own.pair().own);
+    const PairHit &hit = *own.pair().own;
+    QVERIFY(hit.answered);
+    QVERIFY(hit.reached < 0.4 && 0.4 <= hit.before && hit.before < 0.5);
+    QVERIFY(std::abs(hit.came1.x - 2.0) < 1e-9);
+    QCOMPARE(own.pair().ownContacts, 2);
+    QVERIFY(!own.pair().ranThrough && !own.pair().returning);
 }
 
 QTEST_GUILESS_MAIN(TestContactLaw)

@@ -23,6 +23,7 @@ private slots:
     void exactTimingIsTheSameMotion();
     void twoThatAreKickedInAStepMeet();
     void aLargeHeapComesToRest();
+    void openSpaceMissesNothing();
 };
 
 namespace {
@@ -240,6 +241,19 @@ void TestContinuousCrowd::aLargeHeapComesToRest()
             QVERIFY(length(run[j].position - a.position) >= (2.0 - 1e-4) * a.radius);
     }
     QVERIFY2(fastest < 0.2, QByteArray::number(fastest).constData());
+}
+
+/// A wide row without walls: its size is that of its longer side.
+void TestContinuousCrowd::openSpaceMissesNothing()
+{
+    std::size_t hits = 0;
+    for (qint64 seed = 1; seed <= 8; ++seed) {
+        Preset preset = mixed(16, 0.0, seed, 2.0);
+        preset.laws.walls = WallLaw::None;
+        preset.gravity = {0, -g};
+        hits += compareWithOneGroup(preset, 40);
+    }
+    QVERIFY(hits > 10);
 }
 
 QTEST_APPLESS_MAIN(TestContinuousCrowd)

@@ -16,6 +16,7 @@ class TestExactMeetings : public QObject
 {
     Q_OBJECT
 private slots:
+    void aHitOnTwoThatLieLeavesThemOnTheFloor();
     void aGrazeIsNoHit_data();
     void aGrazeIsNoHit();
     void aBreakIsSolvedAsOne_data();
@@ -94,6 +95,30 @@ void TestExactMeetings::whatIsPressedStaysOnTheFloor()
         for (const std::size_t lower : {std::size_t{0}, std::size_t{1}}) {
             QCOMPARE(run[lower].velocity.y, 0.0);
             COMPARE_NEAR(run[lower].position.y, -3.8, 1e-15);
+        }
+    }
+}
+
+/// One falls between two that lie on the floor and drives them apart: they slide, and no rounding
+/// of the blow lifts them or presses them down.
+void TestExactMeetings::aHitOnTwoThatLieLeavesThemOnTheFloor()
+{
+    for (const double density : {0.7, 2.3, 7.8, 11.9}) {
+        for (const double place : {0.21, 0.25, 0.33}) {
+            const auto lying = [&](double x, double rho) {
+                return circle({x, -halfWidth + 0.2}, {}, 0.2, Integrator::Verlet, rho);
+            };
+            Preset preset = scene(
+                {lying(-place, 7.8), lying(place, density), circle({0, -halfWidth + 1.3}, {}, 0.2)},
+                exact);
+            preset.gravity = {0, -g};
+            preset.restitution = 0.5;
+            Run run(preset);
+            run.steps(40);
+            QVERIFY(run[0].velocity.x < -0.1);
+            QVERIFY(run[1].velocity.x > 0.1);
+            QCOMPARE(run[0].velocity.y, 0.0);
+            QCOMPARE(run[1].velocity.y, 0.0);
         }
     }
 }

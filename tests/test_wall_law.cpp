@@ -28,6 +28,7 @@ private slots:
     void wallInAWrongPlaceIsNamed();
     void wallsThatAreRightAreNotCalledWrong();
     void oneCircleIsNamedForItsOwnWalls();
+    void wallsThatActAlikeAreAlike();
 };
 
 namespace {
@@ -321,6 +322,25 @@ void TestWallLaw::oneCircleIsNamedForItsOwnWalls()
     const QString open = QStringLiteral("if c.index == 1 then ") + good + QStringLiteral(" end");
     QCOMPARE(step.walls(written(withWalls(open), structures[3])),
              QStringList(text("None of the four walls turns circle 2 round")));
+}
+
+/// However they are written; and one that lets circles sink is not.
+void TestWallLaw::wallsThatActAlikeAreAlike()
+{
+    const LawBench step(task(QStringLiteral("L42T17")));
+    const auto program = [](std::size_t structure, const char *back) {
+        return written(withWalls(wallsOf(wallWays[1], "c.radius", back)), structures[structure]);
+    };
+    const QString first = program(0, "restitution");
+    const QString second = program(3, "restitution");
+    const QString other = program(3, "restitution ^ 2");
+    const MeasuredLaws a(&first, step.ground);
+    const MeasuredLaws b(&second, step.ground);
+    const MeasuredLaws c(&other, step.ground);
+    QVERIFY(!a.walls().drops.empty());
+    QVERIFY(a.walls().isLike(b.walls()));
+    QVERIFY(b.walls().isLike(a.walls()));
+    QVERIFY(!a.walls().isLike(c.walls()));
 }
 
 QTEST_GUILESS_MAIN(TestWallLaw)
