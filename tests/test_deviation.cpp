@@ -34,6 +34,9 @@ void TestDeviation::numbersAreBrief_data()
     QTest::newRow("small, without exponent") << -4.5e-5 << QStringLiteral("-0.000045");
     // 9.81/60 = 0.1635 lies between two figures.
     QTest::newRow("between two figures") << 0.1635 - 1e-12 << QStringLiteral("0.164");
+    QTest::newRow("nearly a thousand") << 999.7 << QStringLiteral("1000");
+    QTest::newRow("a little") << 2.34e-5 << QStringLiteral("0.000023");
+    QTest::newRow("hardly anything") << 2e-8 << QStringLiteral("0");
     QTest::newRow("below a thousand") << 999.4 << QStringLiteral("999");
     QTest::newRow("a thousand") << 1001.2 << QStringLiteral("1001");
     QTest::newRow("large") << -123456.7 << QStringLiteral("-123457");

@@ -26,12 +26,11 @@ QString brief(double value)
     value *= 1.0 + 1e-9;
     const double size = std::abs(value);
     // Whole numbers that are not long stay whole, and none is written with an exponent.
-    if (size >= 1000.0 && size < 1e6)
+    if (size >= 999.5 && size < 1e6)
         return QString::number(std::round(value), 'f', 0);
-    QString text = QString::number(value, 'g', 3);
-    if (text.contains(QLatin1Char('e')) && size < 1e-3)
-        text = QString::number(value, 'f', 6);
-    return text;
+    const QString text = QString::number(value, 'g', 3);
+    const bool isSmall = size < 1.0 && text.contains(QLatin1Char('e'));
+    return isSmall ? QString::number(value, 'f', 6) : text;
 }
 
 QString brief(Vec2 value)
