@@ -6,8 +6,6 @@ namespace cradle {
 
 namespace {
 
-constexpr std::size_t lettersPerToken = 4; ///< about, spaces and comments among them
-
 bool isDigit(char c)
 {
     return c >= '0' && c <= '9';
@@ -27,26 +25,25 @@ public:
     {
     }
 
-    std::optional<PlainTokens> read()
+    bool read(PlainTokens &tokens)
     {
-        PlainTokens tokens;
-        tokens.reserve(m_text.size() / lettersPerToken);
+        tokens.clear();
         while (m_at < m_text.size()) {
             const char c = m_text[m_at];
             if (c == ' ' || c == '\n' || c == '\t') {
                 ++m_at;
             } else if (c == '-' && at(1) == '-') {
                 if (!skipComment())
-                    return std::nullopt;
+                    return false;
             } else {
                 const std::size_t start = m_at;
                 const std::size_t length = skipToken(c);
                 if (length == 0)
-                    return std::nullopt;
+                    return false;
                 tokens.push_back(m_text.substr(start, length));
             }
         }
-        return tokens;
+        return true;
     }
 
 private:
@@ -138,9 +135,9 @@ private:
 
 } // namespace
 
-std::optional<PlainTokens> plainTokens(std::string_view text)
+bool readPlainTokens(std::string_view text, PlainTokens &tokens)
 {
-    return PlainReader(text).read();
+    return PlainReader(text).read(tokens);
 }
 
 } // namespace cradle

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +11,10 @@ namespace cradle {
 /// program's text.
 using PlainTokens = std::vector<std::string_view>;
 
-/// The tokens of a program that Lua reads, without comments, as fast as can be. It is exact or
-/// tells nothing: where texts go on over lines, and with signs that are no Lua, there are none.
-[[nodiscard]] std::optional<PlainTokens> plainTokens(std::string_view text);
+/// Puts the tokens of a program that Lua reads into \p tokens, without comments, as fast as can be.
+/// \return false where they are not exact: where texts go on over lines, and with signs that are no
+///     Lua
+[[nodiscard]] bool readPlainTokens(std::string_view text, PlainTokens &tokens);
 
 /// Whether a token is a word: a name, or one that Lua keeps for itself.
 [[nodiscard]] inline bool isName(std::string_view token)

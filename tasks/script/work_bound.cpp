@@ -273,10 +273,11 @@ private:
 
 std::optional<qint64> workBound(std::string_view text, std::size_t circles)
 {
-    const std::optional<PlainTokens> tokens = plainTokens(text);
-    if (!tokens)
+    // Programs are read by the hundred: its memory is used again.
+    thread_local PlainTokens tokens;
+    if (!readPlainTokens(text, tokens))
         return std::nullopt;
-    return Estimate(*tokens, circles).work();
+    return Estimate(tokens, circles).work();
 }
 
 bool takesLittle(const QString &program, std::size_t circles)
