@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 
@@ -30,18 +31,20 @@ constexpr qint64 instructionsPerNewField = 50; ///< its name is compared with th
 
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
-/// All but the engine's fields are the program's own.
-Field fieldOf(std::string_view key)
+/// In the order of Field.
+constexpr std::array<const char *, 5> fieldNames{"position", "velocity", "radius", "density",
+                                                 "index"};
+
+/// The field that is named at \p place of the stack: all but the engine's are the program's own.
+Field fieldAt(lua_State *L, int place)
 {
-    if (key == "position")
-        return Field::Position;
-    if (key == "velocity")
-        return Field::Velocity;
-    if (key == "radius")
-        return Field::Radius;
-    if (key == "density")
-        return Field::Density;
-    return key == "index" ? Field::Index : Field::Own;
+    // Lua has one copy of each short text.
+    const void *key = lua_topointer(L, place);
+    const auto &keys = ScriptHost::of(L).fieldKeys;
+    std::size_t field = 0;
+    while (field < keys.size() && keys[field] != key)
+        ++field;
+    return static_cast<Field>(field);
 }
 
 Assignment::Field assignedField(char letter)
@@ -104,7 +107,7 @@ int index(lua_State *L)
 {
     const int circle = circleAt(L, 1);
     const Circle &c = ScriptHost::of(L).circles[static_cast<std::size_t>(circle)];
-    switch (fieldOf(textAt(L, 2))) {
+    switch (fieldAt(L, 2)) {
     case Field::Position:
         pushVector(L, c.position);
         return 1;
@@ -172,11 +175,13 @@ void refuseSlip(lua_State *L, int circle, const char *key)
 int setField(lua_State *L)
 {
     const int circle = circleAt(L, 1);
-    const char *key = keyAt(L, 2, circle);
+    const Field field = fieldAt(L, 2);
+    const char *key =
+        field == Field::Own ? keyAt(L, 2, circle) : fieldNames[static_cast<std::size_t>(field)];
     ScriptHost &host = ScriptHost::of(L);
     Circle &c = host.circles[static_cast<std::size_t>(circle)];
     const bool startPinned = host.pinned && host.loading;
-    switch (fieldOf(textAt(L, 2))) {
+    switch (field) {
     case Field::Position:
     case Field::Velocity: {
         const Vec2 value = newVector(L, circle, key);
@@ -235,7 +240,7 @@ void pushCircle(lua_State *L, int index)
 
 void pushCircles(lua_State *L)
 {
-    lua_createtable(L, 0, 4);
+    lua_createtable(L, 0, 4 + static_cast<int>(fieldNames.size()));
     constexpr luaL_Reg functions[] = {{"__index", index},
                                       {"__newindex", setField},
                                       {"__tostring", describeObject},
@@ -243,6 +248,8 @@ void pushCircles(lua_State *L)
     luaL_setfuncs(L, functions, 0);
     lua_pushliteral(L, "circle");
     lua_setfield(L, -2, "__name");
+    for (std::size_t i = 0; i < fieldNames.size(); ++i)
+        ScriptHost::of(L).fieldKeys[i] = keepKey(L, fieldNames[i]);
     lua_rawseti(L, LUA_REGISTRYINDEX, registry::circleMetatable);
 
     const auto count = static_cast<int>(ScriptHost::of(L).circles.size());

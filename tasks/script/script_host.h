@@ -42,6 +42,11 @@ struct ScriptHost {
     /// What the step fixes, by the names of locks.h, with what people call it.
     std::map<QString, QString> locked{};
 
+    // Where Lua keeps the names that are looked for in every step: one place a name.
+    const void *xKey = nullptr;
+    const void *yKey = nullptr;
+    std::array<const void *, 5> fieldKeys{}; ///< of circles, see circle_binding.cpp
+
     /// The libraries that are in their global or were, by the order in lateLibraries.
     std::array<bool, 3> opened{};
 

@@ -17,15 +17,12 @@ SmallBlocks::~SmallBlocks()
 
 void *SmallBlocks::cut(std::size_t size)
 {
-    if (m_left < size) {
-        void *chunk = std::malloc(chunkSize);
-        if (!chunk)
-            return nullptr;
-        m_newest = new (chunk) Chunk{m_newest};
-        m_next = static_cast<std::byte *>(chunk) + sizeof(Chunk);
-        m_left = chunkSize - sizeof(Chunk);
-    }
-    m_left -= size;
+    void *chunk = std::malloc(chunkSize);
+    if (!chunk)
+        return nullptr;
+    m_newest = new (chunk) Chunk{m_newest};
+    m_next = static_cast<std::byte *>(chunk) + sizeof(Chunk);
+    m_left = chunkSize - sizeof(Chunk) - size;
     return std::exchange(m_next, m_next + size);
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <new>
+#include <utility>
 
 namespace cradle {
 
@@ -30,8 +31,13 @@ public:
     {
         const std::size_t kind = (size - 1) / grain;
         Free *block = m_free[kind];
-        if (!block)
-            return cut((kind + 1) * grain);
+        if (!block) {
+            const std::size_t whole = (kind + 1) * grain;
+            if (m_left < whole)
+                return cut(whole);
+            m_left -= whole;
+            return std::exchange(m_next, m_next + whole);
+        }
         ASAN_UNPOISON_MEMORY_REGION(block, (kind + 1) * grain);
         m_free[kind] = block->next;
         return block;
@@ -55,6 +61,7 @@ private:
         Chunk *older = nullptr;
     };
 
+    /// From a new chunk.
     [[nodiscard]] void *cut(std::size_t size);
 
     std::array<Free *, largest / grain> m_free{}; ///< of each size

@@ -117,10 +117,10 @@ int concatenate(lua_State *L)
 int index(lua_State *L)
 {
     const Vec2 *v = vectorAt(L, 1);
-    std::size_t size = 0;
-    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tolstring(L, 2, &size) : nullptr;
-    if (v && key && size == 1 && (*key == 'x' || *key == 'y')) {
-        lua_pushnumber(L, *key == 'x' ? v->x : v->y);
+    const void *key = lua_topointer(L, 2);
+    const ScriptHost &host = ScriptHost::of(L);
+    if (v && (key == host.xKey || key == host.yKey)) {
+        lua_pushnumber(L, key == host.xKey ? v->x : v->y);
         return 1;
     }
     lua_pushvalue(L, 2);
@@ -218,6 +218,15 @@ int makeVector(lua_State *L)
 
 } // namespace
 
+const void *keepKey(lua_State *L, const char *name)
+{
+    lua_pushstring(L, name);
+    const void *key = lua_topointer(L, -1);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, -3);
+    return key;
+}
+
 const Vec2 *vectorAt(lua_State *L, int index)
 {
     // Of anything but userdata it is null; light ones, without a kind, no program has.
@@ -255,7 +264,7 @@ void addVectors(lua_State *L)
                                                {"normalized", normalizedOf},
                                                {"perpendicular", perpendicularOf},
                                                {"dot", dotOf}}};
-    lua_createtable(L, 0, static_cast<int>(operators.size()) + 2);
+    lua_createtable(L, 0, static_cast<int>(operators.size()) + 4);
     for (const luaL_Reg &entry : operators) {
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);
@@ -269,6 +278,8 @@ void addVectors(lua_State *L)
     lua_setfield(L, -2, "__index");
     lua_pushliteral(L, "vector");
     lua_setfield(L, -2, "__name");
+    ScriptHost::of(L).xKey = keepKey(L, "x");
+    ScriptHost::of(L).yKey = keepKey(L, "y");
     lua_rawseti(L, LUA_REGISTRYINDEX, registry::vectorMetatable);
     lua_register(L, "vec", makeVector);
     lua_register(L, "dot", dotOf);

@@ -20,6 +20,10 @@ struct VectorObject {
 /// Adds vec, dot and what vectors can do; vectors never change once made.
 void addVectors(lua_State *L);
 
+/// Keeps \p name in the table on the top of the stack, which no program sees.
+/// \return what lua_topointer() tells of that name as long as the state lives
+const void *keepKey(lua_State *L, const char *name);
+
 /// The vector at \p index, or null if something else is there.
 [[nodiscard]] const Vec2 *vectorAt(lua_State *L, int index);
 
