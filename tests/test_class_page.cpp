@@ -128,6 +128,8 @@ void TestClassPage::classPageTellsWhoIsWhere()
     QVERIFY(rowOf("mallory").endsWith(QStringLiteral("<td class=f>○<td class=m>·"
                                                      "<td class=number>0<td class=number>1")));
     QVERIFY(html.contains(QStringLiteral("<bdi>Eve, Nobody</bdi>")));
+    // One of three who were judged: 12 % and a third of the 58 % up to 70 %.
+    QVERIFY(html.contains(QStringLiteral("<td style=\"--part: 31.3%\">1</td>")));
     QVERIFY(html.contains(QStringLiteral("<li>a remark &amp; more</li>")));
     QVERIFY(html.contains(QStringLiteral("Programs were kept apart by: rlimits.")));
 }

@@ -23,9 +23,9 @@ std::pair<QString, QString> lastAndFirst(const QString &name)
 {
     if (const auto comma = name.indexOf(QLatin1Char(',')); comma > 0)
         return {name.left(comma).trimmed(), name.mid(comma + 1).trimmed()};
-    const auto space = name.trimmed().lastIndexOf(QLatin1Char(' '));
-    return space < 0 ? std::pair{name.trimmed(), QString()}
-                     : std::pair{name.trimmed().mid(space + 1), name.trimmed().left(space)};
+    const QString whole = name.trimmed();
+    const auto space = whole.lastIndexOf(QLatin1Char(' '));
+    return {whole.mid(space + 1), whole.left(std::max<qsizetype>(space, 0))};
 }
 
 QString sumText(const Points &points)
