@@ -22,6 +22,7 @@ private slots:
     void wrongProgramIsRefused();
     void wrongProgramLosesMomentumOrEnergy_data();
     void wrongProgramLosesMomentumOrEnergy();
+    void eachLawIsAskedAsItIs();
     void missingHitsAreCounted();
     void hitAtAWallIsNotACollision();
     void onlyWhoStaysInsidePartsInside_data();
@@ -209,6 +210,41 @@ void TestChecksContacts::energyLossIsSeen()
     };
     VERIFY_ACCEPTED(judge(check("loses_energy", {0, 1}), run(0.9)));
     VERIFY_REFUSED(judge(check("loses_energy", {0, 1}), run(1.0)), QStringLiteral("less"));
+}
+
+/// Of equal circles: normal parts or whole velocities change hands, or both stop. Only the first
+/// has a normal, which may be that of the step before.
+void TestChecksContacts::eachLawIsAskedAsItIs()
+{
+    const auto asked = [](const char *law) {
+        return check("collides", {0, 1},
+                     {{QStringLiteral("laws"), QJsonArray{QLatin1String(law)}}});
+    };
+    const auto whole = [](Circles &c, double h, bool stops) {
+        move(c, h);
+        if (!touches(c) || dot(c[0].velocity - c[1].velocity, between(c)) <= 0.0)
+            return;
+        std::swap(c[0].velocity, c[1].velocity);
+        if (stops)
+            c[0].velocity = c[1].velocity = {};
+    };
+    for (const double degrees : {20.0, 117.0}) {
+        const auto meet = [&](const std::function<void(Circles &, double)> &program) {
+            return meeting(program, 1.0, degrees, 0.6, 0.2);
+        };
+        for (const Way &way : rightWays) {
+            const Observation parts = meet([&](Circles &c, double h) { way.step(c, 1.0, h); });
+            VERIFY_ACCEPTED(judge(asked("swap_normal"), parts));
+            QVERIFY(judge(asked("swap_velocities"), parts));
+            QVERIFY(judge(asked("stop"), parts));
+        }
+        const Observation swap = meet([&](Circles &c, double h) { whole(c, h, false); });
+        VERIFY_ACCEPTED(judge(asked("swap_velocities"), swap));
+        QVERIFY(judge(asked("swap_normal"), swap));
+        const Observation stop = meet([&](Circles &c, double h) { whole(c, h, true); });
+        VERIFY_ACCEPTED(judge(asked("stop"), stop));
+        QVERIFY(judge(asked("swap_normal"), stop));
+    }
 }
 
 QTEST_APPLESS_MAIN(TestChecksContacts)
