@@ -49,7 +49,8 @@ void TestCheckKinds::everyParameterIsDescribed()
             const QByteArray place = (kind.name + QLatin1Char('.') + p.name).toUtf8();
             QVERIFY2(!p.label.isEmpty() && !p.help.isEmpty(), place);
             QVERIFY2(names.insert(p.name).second, place);
-            QVERIFY2(!p.least || !p.most || *p.least < *p.most, place);
+            QVERIFY2(p.least.has_value() == p.most.has_value(), place);
+            QVERIFY2(!p.least || *p.least < *p.most, place);
             const bool chosen =
                 p.type == ParameterInfo::Type::Choice || p.type == ParameterInfo::Type::Choices;
             QCOMPARE(p.choices.isEmpty(), !chosen);
