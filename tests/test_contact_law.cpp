@@ -26,6 +26,7 @@ private slots:
     void returnFromTheWallTellsMemoryFromDirection();
     void hitsRightOnOneSideOnlySaySo_data();
     void hitsRightOnOneSideOnlySaySo();
+    void hitsOfOneWayOfMovingSaySo();
     void pauseAfterAHitIsNamed_data();
     void pauseAfterAHitIsNamed();
     void leapAfterAHitIsNamed();
@@ -228,6 +229,25 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo()
             bench.contact(written(program, structure)),
             QStringList(QStringLiteral("Hits come out right only where circle 2 is %1 circle 1")
                             .arg(side)));
+    }
+}
+
+/// Whoever asks for one part of the velocity is not said to ask on which side the other is.
+void TestContactLaw::hitsOfOneWayOfMovingSaySo()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    for (const auto &[approach, way] :
+         {std::pair("p.velocity.x > q.velocity.x", "to the right of"),
+          std::pair("p.velocity.x < q.velocity.x", "to the left of"),
+          std::pair("p.velocity.y > q.velocity.y", "upward beside"),
+          std::pair("p.velocity.y < q.velocity.y", "downward beside")}) {
+        const LawProgram program = withHit(
+            hitOf(hitWays[0], {.approach = QLatin1String(approach), .mass = QStringLiteral("1")}));
+        for (const int structure : {0, 3})
+            QCOMPARE(bench.contact(written(program, structures[structure])),
+                     QStringList(
+                         QStringLiteral("Hits are answered only where circle 1 moves %1 circle 2")
+                             .arg(QLatin1String(way))));
     }
 }
 

@@ -207,6 +207,9 @@ void TestFlightLaw::faultIsNamed_data()
         {late});
     row("L42T4", "y twice", "vec(c.velocity.x, 2 * c.velocity.y) * h", fall,
         text("Every step moves both circles twice (only in y)"));
+    row("L42T4", "no fall faster than 4 m/s", way,
+        "(c.velocity.y > -4 and gravity * h or vec(0, 0))",
+        text("What changes the velocity of both circles asks how it moves"));
     const QString leaps = QStringLiteral("Between hits the velocity of both circles changes");
     row("L42T4", "at most 1 m/s", way,
         "gravity * h - c.velocity * (1 - math.min(1, 1 / c.velocity:length()))", {leaps});

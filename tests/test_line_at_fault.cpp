@@ -350,6 +350,12 @@ void TestLineAtFault::findingMarksTheLine_data()
         "  b.velocity = b.velocity + p / mb");
     row("setter: normal of the first hit", objects, "d:normalized()",
         "d:normalized() balls.n = balls.n or n n = balls.n");
+    row("approach faster than a threshold", weighed, "if closing <= 0", "if closing <= 0.05");
+    row("setter: approach along x alone", objects, "if u <= 0 then",
+        "if a.velocity().x <= b.velocity().x then");
+    row("walls some mm early, by a value for all", objects, "square.half_width - c.radius\n",
+        "square.half_width - 1.05 * c.radius\n");
+    row("distance of another formula", flat, "dx * dx + dy * dy)", "dx * dx)");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

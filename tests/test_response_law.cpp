@@ -262,6 +262,15 @@ void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
     const HitLaw verySlow{.approach = text("closing > 0.04"), .e = e};
     const HitLaw slowRebound{
         .e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")};
+    const HitLaw late{.e = text("kept.e or 1"),
+                      .answer = HitLaw().answer + text(" kept.e = restitution")};
+    // Both get half of what they have in common, whatever they weigh.
+    const HitLaw mean{.answer = text("local u1, u2 = p.velocity:dot(n), q.velocity:dot(n) "
+                                     "local u = (u1 + u2) / 2 "
+                                     "local w1 = u - restitution * m2 / (m1 + m2) * (u1 - u2) "
+                                     "local w2 = u + restitution * m1 / (m1 + m2) * (u1 - u2) "
+                                     "p.velocity, q.velocity = "
+                                     "p.velocity + (w1 - u1) * n, q.velocity + (w2 - u2) * n")};
     const HitLaw right{.e = e};
     const QString line = text("A later hit is answered along the line of an earlier one");
     for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})
@@ -275,6 +284,11 @@ void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
     for (const char *step : {"L42T12", "L42T17"})
         QTest::addRow("very slow, %s", step)
             << text(step) << verySlow << text("Circles that come nearer slowly are not answered");
+    QTest::addRow("e too late") << text("L42T16") << late
+                                << text("e acts only after the first hit");
+    QTest::addRow("mean for what is common")
+        << text("L42T16") << mean
+        << text("Where the masses differ, the total momentum is not kept");
     QTest::addRow("slow e") << text("L42T16") << slowRebound
                             << text("Circles that meet slowly are answered in another way");
     for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})

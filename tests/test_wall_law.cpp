@@ -202,6 +202,8 @@ void TestWallLaw::faultIsNamed_data()
          {text("At the walls the root of e acts on both circles")});
     rows("1 - e", "c.radius", "1 - restitution", "1",
          {text("At the walls 1 − e stands where e belongs, for both circles")});
+    rows("2 e - 1", "c.radius", "2 * restitution - 1", "1",
+         {text("The walls do not give both circles e times the speed back")});
     rows("elastic", "c.radius", "1", "1",
          {text("The walls give both circles all of the speed back")});
     rows("a number", "c.radius", "0.75", "1",

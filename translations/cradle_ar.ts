@@ -3306,6 +3306,42 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source> (only in x)</source>
         <translation> (في x فقط)</translation>
     </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
+        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 نحو اليمين بالنسبة إلى الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
+        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 نحو اليسار بالنسبة إلى الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
+        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 إلى أعلى بالنسبة إلى الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
+        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 إلى أسفل بالنسبة إلى الدائرة 2</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
+        <translation>عندما كان خط المركزين، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ وعند ⁦%3°⁩ يُستجاب لهما، لأن الدائرة 1 تتحرك في ذلك الاتجاه عرضيًا على الخط. ما يدل على اقتراب دائرتين هو مركّبة سرعة إحداهما بالنسبة إلى الأخرى على خط المركزين، لا x أو y فيها.</translation>
+    </message>
+    <message>
+        <source>Where the masses differ, the total momentum is not kept</source>
+        <translation>عندما تختلف الكتلتان لا يُحفَظ الزخم الكلي</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
+        <translation>مع ⁦ρ₁ = %1⁩ و⁦ρ₂ = %2⁩ كان تغيّر v₁ يساوي ⁦%3⁩ مرة من تغيّر v₂ عندما ⁦e = %4⁩، و⁦%5⁩ مرة عندما ⁦e = %6⁩؛ والصحيح ⁦m₂/m₁ = %7⁩ مهما كانت e. دفعة واحدة تغيّر الاثنتين: انظر إلى ما تشترك فيه الصيغتان.</translation>
+    </message>
+    <message>
+        <source>e acts only after the first hit</source>
+        <translation>لا تعمل e إلا بعد التصادم الأول</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
+        <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة تساوي ⁦%2⁩ مرة من سرعة التقائهما؛ وفي تصادمهما الثاني، بعد العودة من جدار، كانت ⁦%3⁩ مرة. انظر متى تعرف استجابتك قيمة e: ذلك يأتي متأخرًا.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3282,6 +3282,42 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source> (only in x)</source>
         <translation> (nur in x)</translation>
     </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
+        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach rechts bewegt</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
+        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach links bewegt</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
+        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach oben bewegt</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
+        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach unten bewegt</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
+        <translation>Bei einer Verbindungslinie der Mittelpunkte, von 1 nach 2, unter %1° näherten sie sich mit %2 m/s und liefen ineinander; unter %3° werden sie beantwortet, weil sich Kreis 1 quer zur Linie dorthin bewegt. Ob sich zwei nähern, sagt der Teil der einen Geschwindigkeit gegenüber der anderen entlang dieser Verbindungslinie, nicht ihr x oder y.</translation>
+    </message>
+    <message>
+        <source>Where the masses differ, the total momentum is not kept</source>
+        <translation>Bei verschiedenen Massen bleibt der Gesamtimpuls nicht erhalten</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
+        <translation>Mit ρ₁ = %1 und ρ₂ = %2 war die Änderung von v₁ das %3-Fache der von v₂, wo e = %4 ist, und das %5-Fache, wo e = %6 ist; m₂/m₁ = %7 ist richtig, wie groß e auch ist. Ein Stoß ändert beide: Sieh nach, was die beiden Formeln gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>e acts only after the first hit</source>
+        <translation>e wirkt erst nach dem ersten Stoß</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
+        <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-Fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, zurück von einer Wand, war es das %3-Fache. Sieh nach, wann deine Antwort erfährt, was e ist: Das kommt zu spät.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3282,6 +3282,42 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source> (only in x)</source>
         <translation> (seulement en x)</translation>
     </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
+        <translation>Seuls les chocs où le cercle 1 va vers la droite par rapport au cercle 2 ont une réponse</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
+        <translation>Seuls les chocs où le cercle 1 va vers la gauche par rapport au cercle 2 ont une réponse</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
+        <translation>Seuls les chocs où le cercle 1 va vers le haut par rapport au cercle 2 ont une réponse</translation>
+    </message>
+    <message>
+        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
+        <translation>Seuls les chocs où le cercle 1 va vers le bas par rapport au cercle 2 ont une réponse</translation>
+    </message>
+    <message>
+        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
+        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se rapprochaient à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3° il y a une réponse, car le cercle 1 va dans ce sens en travers de la ligne. Si deux cercles se rapprochent, c&apos;est la partie de la vitesse de l&apos;un par rapport à l&apos;autre le long de la ligne des centres qui le dit, non son x ou son y.</translation>
+    </message>
+    <message>
+        <source>Where the masses differ, the total momentum is not kept</source>
+        <translation>Quand les masses diffèrent, la quantité de mouvement totale n&apos;est pas conservée</translation>
+    </message>
+    <message>
+        <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
+        <translation>Avec ρ₁ = %1 et ρ₂ = %2, la variation de v₁ valait %3 fois celle de v₂ pour e = %4, et %5 fois pour e = %6&#xa0;; m₂/m₁ = %7 est juste, quel que soit e. Une seule impulsion change les deux&#xa0;: regardez ce que les deux formules ont en commun.</translation>
+    </message>
+    <message>
+        <source>e acts only after the first hit</source>
+        <translation>e n&apos;agit qu&apos;après le premier choc</translation>
+    </message>
+    <message>
+        <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
+        <translation>Avec e = %1, deux cercles se sont quittés à %2 fois la vitesse de leur rencontre&#xa0;; à leur deuxième choc, au retour d&apos;un mur, c&apos;était %3 fois. Regardez quand votre réponse apprend ce que vaut e&#xa0;: cela vient trop tard.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -82,6 +82,24 @@ bool AskedValues::asksReach(int line) const
            || (!row.empty() && isOfRadius(row.front(), row.back() + 1));
 }
 
+int AskedValues::valueBehind(int line, bool isReach) const
+{
+    int found = 0;
+    for (const std::size_t i : m_program.tokensOf(line)) {
+        // A part of a vector is asked, not what the whole of it is.
+        if (m_program.tokens()[i].kind != ProgramToken::Kind::Name || m_program.is(i + 1, ".")
+            || m_program.is(i + 1, ":"))
+            continue;
+        const auto value = valueAt(i, line);
+        if (!value || value->isReach != isReach || value->line == found)
+            continue;
+        if (found != 0)
+            return 0;
+        found = value->line;
+    }
+    return found;
+}
+
 bool AskedValues::isJoined(int line) const
 {
     const std::vector<std::size_t> &row = m_program.tokensOf(line);

@@ -23,6 +23,9 @@ public:
     [[nodiscard]] std::vector<AskedValue> of(int line) const;
     /// Whether \p line compares a distance: what is worked out of a radius.
     [[nodiscard]] bool asksReach(int line) const;
+    /// The line in which a local value that \p line takes is worked out, with a radius in it or
+    /// without one; 0 if there is none, or several.
+    [[nodiscard]] int valueBehind(int line, bool isReach) const;
     /// Whether it asks for several things.
     [[nodiscard]] bool isJoined(int line) const;
 

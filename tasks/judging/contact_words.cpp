@@ -35,7 +35,7 @@ public:
             findDistance();
         findLeap();
         // A wrong direction shows here, too; it is the response that is wrong.
-        if (!isDirectionWrong()) {
+        if (!m_isModeTold && !isDirectionWrong()) {
             findModes();
             findPartings();
         }
@@ -166,6 +166,7 @@ private:
     /// A side of circle 1: the sign of one coordinate of the line of centres.
     struct Side {
         QString headline;
+        QString moving; ///< the headline where it is the velocity that must point there
         double (*coordinate)(double angle);
         double sign;
     };
@@ -176,13 +177,55 @@ private:
         const auto sine = [](double angle) { return std::sin(angle); };
         return {
             {ContactText::tr("Hits come out right only where circle 2 is to the right of circle 1"),
+             ContactText::tr(
+                 "Hits are answered only where circle 1 moves to the right of circle 2"),
              cosine, 1.0},
             {ContactText::tr("Hits come out right only where circle 2 is to the left of circle 1"),
+             ContactText::tr("Hits are answered only where circle 1 moves to the left of circle 2"),
              cosine, -1.0},
-            {ContactText::tr("Hits come out right only where circle 2 is above circle 1"), sine,
-             1.0},
-            {ContactText::tr("Hits come out right only where circle 2 is below circle 1"), sine,
-             -1.0}};
+            {ContactText::tr("Hits come out right only where circle 2 is above circle 1"),
+             ContactText::tr("Hits are answered only where circle 1 moves upward beside circle 2"),
+             sine, 1.0},
+            {ContactText::tr("Hits come out right only where circle 2 is below circle 1"),
+             ContactText::tr(
+                 "Hits are answered only where circle 1 moves downward beside circle 2"),
+             sine, -1.0}};
+    }
+
+    /// A hit with circle 2 on the other side that is answered because circle 1 moves to this one;
+    /// null where the side counts, or where that was not looked at.
+    [[nodiscard]] const PairHit *answeredByVelocity(const Side &side) const
+    {
+        const PairHit *found = nullptr;
+        for (const PairHit &hit : m_own.askew) {
+            const Vec2 n{std::cos(hit.meeting.degrees * std::numbers::pi / 180.0),
+                         std::sin(hit.meeting.degrees * std::numbers::pi / 180.0)};
+            const PairVelocities &v = hit.meeting.velocities;
+            const Vec2 u = hit.meeting.closing() * n + (v.across1 - v.across2) * perpendicular(n);
+            const double place =
+                side.sign * side.coordinate(hit.meeting.degrees * std::numbers::pi / 180.0);
+            const double way = side.sign * side.coordinate(std::atan2(u.y, u.x));
+            if (place * way > 0.0)
+                continue; // it moves to where the other is
+            if (hit.isMet() != (way > 0.0))
+                return nullptr;
+            found = hit.isMet() ? &hit : found;
+        }
+        return found;
+    }
+
+    void addVelocitySide(const Side &side, const PairHit &missed, const PairHit &met)
+    {
+        add(side.moving,
+            ContactText::tr("With their line of centres, from 1 to 2, at %1° they came nearer with "
+                            "%2 m/s and ran into each other; at %3° they are answered, as circle 1 "
+                            "moves that way across the line. Whether two come nearer is told by "
+                            "the part of one velocity relative to the other along the line of "
+                            "centres, not by its x or y.")
+                .arg(brief(missed.meeting.degrees),
+                     brief(missed.slowness * missed.meeting.closing()), brief(met.meeting.degrees)),
+            missed);
+        m_isModeTold = true;
     }
 
     static bool isInTime(const PairHit &h) { return h.isMet() && h.fits(h.meeting.sum()); }
@@ -226,6 +269,10 @@ private:
             if (!splits || !good)
                 continue;
             const auto right = m_right.contacts.begin() + (late - all.begin());
+            if (const PairHit *moves = answeredByVelocity(side)) {
+                addVelocitySide(side, late->answered ? *late : withStepOf(*late, *right), *moves);
+                return true;
+            }
             add(side.headline,
                 ContactText::tr("With their line of centres, from 1 to 2, at %1° they came nearer "
                                 "with %2 m/s and ran into each other; at %3° they are answered "
@@ -320,12 +367,19 @@ private:
             return;
         }
         const bool early = hit.reached > hit.meeting.sum();
+        // What comes right from some sides has the reach right; the distance is not.
+        const bool isOfSides = std::any_of(all.begin(), all.end(), [&](const PairHit &h) {
+            return h.meeting.radius1 == hit.meeting.radius1
+                   && h.meeting.radius2 == hit.meeting.radius2 && isInTime(h);
+        });
         add(early ? ContactText::tr("The circles answer before they touch")
                   : ContactText::tr("The circles answer too late"),
             seen(hit) + QLatin1Char(' ')
                 + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
                       .arg(brief(hit.meeting.sum())),
             hit, Suspect::Reach);
+        if (isOfSides)
+            m_found.back().topic = Topic::Distance;
     }
 
     /// A hit puts each circle near its own path, not at the place of the other.
@@ -374,7 +428,7 @@ private:
             isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
             : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
                     : ContactText::tr("Not every meeting is answered"),
-            *left);
+            left->answered ? *left : whereTheyTouch(*left));
     }
 
     void addUnanswered(const QString &headline, const PairHit &hit)
@@ -416,7 +470,7 @@ private:
                             "is whether they overlap and come nearer.")
                 .arg(brief(hit.slowness * hit.meeting.closing()),
                      brief(hit.slowness * m_own.contacts.front().meeting.closing())),
-            whereTheyTouch(hit));
+            hit.held ? hit : whereTheyTouch(hit));
     }
 
     /// The same for one that nothing is compared with.
@@ -424,8 +478,9 @@ private:
     {
         const Preset &preset = hit.stage.preset;
         const Vec2 d = preset.circles[1].body.position - preset.circles[0].body.position;
-        const double way = hit.meeting.closing() * preset.timestep;
-        hit.step = 2 + static_cast<qint64>((length(d) - hit.meeting.sum()) / way);
+        const double angle = hit.meeting.degrees * std::numbers::pi / 180.0;
+        const double gap = dot(d, {std::cos(angle), std::sin(angle)}) - hit.meeting.sum();
+        hit.step = 1 + static_cast<qint64>(gap / (hit.meeting.closing() * preset.timestep));
         return hit;
     }
 
@@ -486,6 +541,7 @@ private:
     const MeasuredPair &m_right;
     const Ground &m_ground;
     std::vector<LawDeviation> m_found;
+    bool m_isModeTold = false; ///< it is said already of whose velocities they are answered
 };
 
 } // namespace

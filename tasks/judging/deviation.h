@@ -39,6 +39,7 @@ enum class Topic {
     Other,
     Direction,   ///< where a push points, or the line along which they come nearer
     Restitution, ///< what e does
+    Distance,    ///< how far two circles are apart, not with what that is compared
 };
 
 /// One thing in which a program's law is not the one that is asked for.
@@ -50,6 +51,7 @@ struct LawDeviation {
     int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
     QString family{}; ///< what may become of it when some of it is mended; empty: only the same
     Topic topic = Topic::Other;
+    bool isEverywhere = false; ///< of a wall's reach: no wall is known where it is right
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

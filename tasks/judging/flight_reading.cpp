@@ -220,6 +220,22 @@ void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t
     flight.lateFirstWay = late.before[i].position - late.start[i].position;
 }
 
+/// What falls fast must get the same from gravity as what does not.
+void readFastFall(Flight &flight, const Steps &falling, double h, std::size_t i)
+{
+    if (!falling.made)
+        return;
+    const Circle &before = falling.before[i];
+    const Vec2 turn = falling.after[i].velocity - before.velocity;
+    const Vec2 expected = flight.after(before, h).velocity - before.velocity;
+    // Only what gravity gives: anything else shows in the first step.
+    if (length(turn) > 1e-9 || length(turn - expected) <= 1e-6)
+        return;
+    flight.isTurnLinear = false;
+    flight.isKnown = false;
+    flight.seen[1] = {before.velocity, falling.after[i].position - before.position, turn};
+}
+
 /// What the first step of a flight makes of its velocity, if it is not what the next ones do.
 std::optional<Flight::Leap> leapOf(const Flight &flight, const Steps &run, double h, std::size_t i,
                                    bool isFast)
@@ -269,6 +285,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         !ground.timesteps.empty() && h != ground.timesteps.front()
         && std::find(ground.timesteps.begin(), ground.timesteps.end(), h) != ground.timesteps.end();
     const Steps quick = isFurther ? Steps() : run(Scene::Fast);
+    const Steps falling = isFurther || gravity == Vec2{} ? Steps() : run(Scene::Falling);
     const Steps late =
         isFurther ? Steps()
                   : fly(program, flightPreset(ground, gravity, h, Scene::First), lateSteps);
@@ -292,6 +309,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
             if (!flights[i].leap)
                 flights[i].leap = leapOf(flights[i], second, h, i, false);
             flights[i].isKnown = !flights[i].leap;
+            if (flights[i].isKnown)
+                readFastFall(flights[i], falling, h, i);
             if (!flights[i].leap)
                 flights[i].leap = leapOf(flights[i], quick, h, i, true);
         }

@@ -34,6 +34,8 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
             c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
         else if (scene == Scene::Fast)
             c.velocity = fast * velocityOf(0, i);
+        else if (scene == Scene::Falling)
+            c.velocity = {velocityOf(1, i).x, -fast * std::abs(velocityOf(0, i).x)};
         else if (scene == Scene::Alone && i == mover)
             c.velocity = velocityOf(0, i);
         else if (scene == Scene::Shifted)

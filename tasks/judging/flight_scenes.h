@@ -22,8 +22,8 @@ struct Steps {
 };
 
 /// How the circles start: at rest, with two kinds of velocities that have nothing in common, in
-/// another place, one alone with a velocity, all with a high one.
-enum class Scene { Rest, First, Second, Shifted, Alone, Fast };
+/// another place, one alone with a velocity, all with a high one, all falling fast.
+enum class Scene { Rest, First, Second, Shifted, Alone, Fast, Falling };
 /// After so many steps a run is late.
 inline constexpr qint64 lateSteps = 97;
 

@@ -69,8 +69,9 @@ private:
         if (f.isTimeless || !right().isTimeless)
             return std::nullopt;
         const QString later = brief(static_cast<double>(flights::lateSteps) * timestep());
-        const bool isWay = brief(f.lateWay) != brief(f.wayMade);
+        // Who has another velocity goes another way.
         const bool isTurn = brief(f.lateVelocity) != brief(f.turnedInto);
+        const bool isWay = !isTurn && brief(f.lateWay) != brief(f.wayMade);
         const QString headline =
             FlightText::tr("The step of %who depends on how long the run has lasted");
         const QString where = FlightText::tr("How long a step lasts is the parameter of "
@@ -205,6 +206,14 @@ private:
         return std::nullopt;
     }
 
+    /// A change of the velocity of which a condition is to blame.
+    [[nodiscard]] FlightSaid conditional(const QString &headline, const QString &body) const
+    {
+        FlightSaid fault = said(headline, body, false);
+        fault.suspect = Suspect::Question;
+        return fault;
+    }
+
     /// A change of the velocity that depends on it otherwise than by a share.
     [[nodiscard]] FlightSaid oddTurn() const
     {
@@ -222,12 +231,11 @@ private:
             const Vec2 wanted = f.startedWith + asked(f.startedWith);
             if (brief(f.turnedInto) != brief(wanted))
                 return leapSaid({f.startedWith, f.turnedInto, false});
-            return said(headline,
-                        FlightText::tr("Look at the conditions in front of the lines that change "
-                                       "the velocity."),
-                        false);
+            return conditional(
+                headline, FlightText::tr("Look at the conditions in front of the lines that change "
+                                         "the velocity."));
         }
-        return said(
+        return conditional(
             headline,
             FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
                            "m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are "
@@ -235,8 +243,7 @@ private:
                            "velocity.")
                 .arg(brief(gravity()), brief(a.velocity), brief(a.turn), briefTimestep(timestep()),
                      brief(b.velocity), brief(b.turn), brief(asked(a.velocity)),
-                     brief(asked(b.velocity))),
-            false);
+                     brief(asked(b.velocity))));
     }
 
     [[nodiscard]] std::optional<FlightSaid> growth() const

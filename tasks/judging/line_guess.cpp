@@ -190,7 +190,7 @@ int questionOf(Suspect suspect, const std::vector<int> &special, const QStringLi
                const RanLines &ran, const Lines &within, const AskedValues &asked)
 {
     const auto fits = [&](int line) {
-        return suspect == Suspect::Reach ? asked.asksReach(line)
+        return suspect == Suspect::Reach ? asked.asksReach(line) || asksForWall(rows[line - 1])
                                          : !asked.asksReach(line) || asked.isJoined(line);
     };
     std::vector<int> questions; // the likeliest first
@@ -234,6 +234,50 @@ bool takes(const QString &row, const QString &giving)
            && row.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(match.captured(1))));
 }
 
+/// The condition of the block in which \p line stands; 0 if there is none in its function.
+int conditionAbove(int line, const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression condition(QStringLiteral("\\bif\\b.*\\bthen\\b"));
+    static const QRegularExpression closes(QStringLiteral("^\\s*end\\b"));
+    int closed = 0;
+    for (int at = line; at >= functionOf(rows, line).first; --at) {
+        closed += at < line && rows[at - 1].contains(closes) ? 1 : 0;
+        if (!rows[at - 1].contains(condition) || !ran.now.contains(at))
+            continue;
+        const bool isOneLine =
+            rows[at - 1].contains(QRegularExpression(QStringLiteral("\\bend\\b")));
+        if (closed == 0 && (at == line || !isOneLine))
+            return at;
+        closed -= isOneLine ? 0 : 1;
+    }
+    return 0;
+}
+
+/// The question about two circles that no answer leads to: the last that was asked for the first
+/// time, which let them go on; of those for a reach the only one. 0 if there is none.
+int unledQuestion(Suspect suspect, const QStringList &rows, const RanLines &ran,
+                  const AskedValues &asked)
+{
+    const auto isOne = [&](int line) {
+        return line >= 1 && line <= rows.size() && compares(rows[line - 1])
+               && !asksForWall(rows[line - 1]);
+    };
+    int found = 0;
+    if (suspect != Suspect::Reach) {
+        for (const int line : ran.special())
+            found = isOne(line) ? line : found;
+        return found;
+    }
+    for (const int line : ran.now) {
+        if (!isOne(line) || !asked.asksReach(line))
+            continue;
+        if (found != 0)
+            return 0;
+        found = line;
+    }
+    return found == 0 ? 0 : askedIn(found, suspect, asked);
+}
+
 /// The line with most work; of those with as much the one that goes on with the others.
 int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
 {
@@ -274,6 +318,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
         return line;
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
+    const ProgramLines lines(program);
     switch (deviation.suspect) {
     case Suspect::Omission:
         return 0;
@@ -304,12 +349,12 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     Lines within;
     const auto specialAround = [&](int at) {
         within = functionOf(rows, at);
-        std::vector<int> lines = ran.special();
-        std::erase_if(lines, [&](int line) {
+        std::vector<int> found = ran.special();
+        std::erase_if(found, [&](int line) {
             return line < within.first || line > within.last || !isRow(line)
                    || (isOfPair && asksForWall(rows[line - 1]));
         });
-        return lines;
+        return found;
     };
     int acting = actingLine(rows, last, assignment.calls);
     std::vector<int> special = specialAround(acting);
@@ -320,19 +365,29 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     if (assignment.origin && isBehind) {
         acting = *assignment.origin;
         if (acting == 0)
-            return 0;
+            return isOfPair && isOfQuestion(deviation.suspect)
+                       ? unledQuestion(deviation.suspect, rows, ran, AskedValues(lines))
+                       : 0;
         // At a wall that is all there is.
         if (!isOfPair && !isOfQuestion(deviation.suspect))
             return acting;
         special = specialAround(acting);
     }
-    const ProgramLines lines(program);
+    if (deviation.aspect == Aspect::Motion && deviation.suspect == Suspect::Question) {
+        const int condition = conditionAbove(last, rows, ran);
+        return condition == 0 ? last : condition;
+    }
     if (isOfQuestion(deviation.suspect)) {
         const AskedValues asked(lines);
         const int line =
             special.empty() ? 0 : questionOf(deviation.suspect, special, rows, ran, within, asked);
         if (line == 0 && !compares(rows[acting - 1]))
-            return 0;
+            return isOfPair ? unledQuestion(deviation.suspect, rows, ran, asked) : 0;
+        const int question = line == 0 ? acting : line;
+        const bool isReach = deviation.isEverywhere;
+        const bool isShared = isReach || deviation.topic == Topic::Distance;
+        if (const int value = isShared ? asked.valueBehind(question, isReach) : 0)
+            return value;
         return askedIn(line == 0 ? acting : line, deviation.suspect, asked);
     }
     if (deviation.aspect == Aspect::Response && assignment.isSizeWrong()) {

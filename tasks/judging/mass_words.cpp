@@ -184,6 +184,46 @@ std::optional<LawDeviation> exchangedRebound(const MeasuredPair &own, const Meas
         *shown, Suspect::Formula);
 }
 
+/// Two changes of velocity whose ratio hangs on e are not those of one push.
+std::optional<LawDeviation> lostMomentum(const MeasuredPair &own, const MeasuredPair &right)
+{
+    // What goes wrong between equal circles, too, is another law.
+    const auto isSame = [](const PairHit &a, const PairHit &b) {
+        return length(a.left1 - b.left1) + length(a.left2 - b.left2)
+               < 0.01 * (length(b.left1) + length(b.left2));
+    };
+    if (!std::equal(own.rebounds.begin(), own.rebounds.end(), right.rebounds.begin(),
+                    right.rebounds.end(), isSame))
+        return std::nullopt;
+    for (const PairHit &hit : own.densities) {
+        const auto same =
+            std::find_if(own.densities.begin(), own.densities.end(), [&](const PairHit &other) {
+                return other.meeting.density1 == hit.meeting.density1
+                       && other.meeting.density2 == hit.meeting.density2
+                       && other.meeting.restitution != hit.meeting.restitution;
+            });
+        if (same == own.densities.end())
+            continue;
+        const auto one = massRatio(hit);
+        const auto two = massRatio(*same);
+        const std::size_t at = static_cast<std::size_t>(&hit - own.densities.data());
+        const auto good = massRatio(right.densities[at]);
+        if (!one || !two || !good || std::abs(*one / *two - 1.0) < 0.05)
+            continue;
+        return responseDeviation(
+            MassText::tr("Where the masses differ, the total momentum is not kept"),
+            MassText::tr("With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where "
+                         "e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e "
+                         "is. One push changes both: look at what the two formulas have in "
+                         "common.")
+                .arg(brief(hit.meeting.density1), brief(hit.meeting.density2), brief(*one),
+                     brief(hit.meeting.restitution), brief(*two), brief(same->meeting.restitution),
+                     brief(*good)),
+            hit, Suspect::Formula);
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool isHeadOn(const PairHit &hit)
@@ -241,6 +281,8 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
         return {*one};
     if (const auto rebound = exchangedRebound(own, right))
         return {*rebound};
+    if (const auto lost = lostMomentum(own, right))
+        return {*lost};
     const auto ratio = fixedMassRatio(own);
     if (const auto other = ratio ? equalRatioOf(own.densities) : std::nullopt;
         other && std::abs(*other / *ratio - 1.0) > ratioBlur)

@@ -18,6 +18,15 @@ constexpr double leastRestitution = 0.2; ///< with less, circle 2 stays with the
 
 constexpr double hitBlur = 4e-3; ///< of velocities after a hit in such a step, relative
 
+/// A line of centres, and how fast circle 1 moves across it, of the speed with which they come
+/// nearer: so much that it moves to the right while circle 2 is to its left, and so on.
+struct Askew {
+    double degrees;
+    double across;
+};
+constexpr std::array askewWays{Askew{110.0, -0.6}, Askew{70.0, 0.6}, Askew{-20.0, 0.6},
+                               Askew{20.0, -0.6}};
+
 PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
 {
     const Vec2 t = perpendicular(n);
@@ -75,6 +84,18 @@ bool PairHit::isAligned() const
     return length(normal - Vec2{std::cos(angle), std::sin(angle)}) < 0.002;
 }
 
+double PairHit::rebound() const
+{
+    const Vec2 n = normalized(push2());
+    return dot(left2 - left1, n) / dot(came1 - came2, n);
+}
+
+bool LaterHit::isFirstOdd() const
+{
+    const double e = first.meeting.restitution;
+    return std::abs(first.rebound() - e) > 0.03 && std::abs(second.rebound() - e) < 0.01;
+}
+
 bool PairHit::fits(double distance) const
 {
     return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
@@ -129,6 +150,15 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
             contacts.push_back(range.scan({degrees, large, small, light, light, e, gentle}));
         contacts.push_back(range.scan({111.0, largest, largest, light, light, e, gentle}));
     }
+    const bool missesSome = std::any_of(contacts.begin(), contacts.end(),
+                                        [](const PairHit &hit) { return !hit.isMet(); });
+    if (missesSome && asked.oblique) {
+        for (const Askew &way : askewWays) {
+            PairVelocities v = gentle;
+            v.across1 = v.across2 + way.across * (v.along1 - v.along2);
+            askew.push_back(range.scan({way.degrees, small, large, light, light, e, v}));
+        }
+    }
     const std::vector<PairVelocities> all = throws(asked);
     for (const double degrees : {33.0, 118.0}) {
         for (const PairVelocities &v : all)
@@ -171,6 +201,9 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const double second = asked.bothMove ? -0.4 * slowly : 0.0;
     slow = range.look(
         {33.0, small, small, light, light, some, {.along1 = second + slowly, .along2 = second}});
+    // One that is not answered is looked at from near, where words point to a step of it.
+    if (!slow->answered)
+        slow = range.approach(slow->meeting);
     if (asked.oblique && asked.bothMove && range.isUsual() && some >= leastRestitution)
         later = range.later(small, light, some);
 }
@@ -219,6 +252,8 @@ bool MeasuredPair::responseIsLike(const MeasuredPair &other) const
         return false;
     if (own && !partsAlike(own->leftParts(), other.own->leftParts())
         && length(own->left1 - other.own->left1) + length(own->left2 - other.own->left2) > 0.1)
+        return false;
+    if (later && other.later && later->isFirstOdd() != other.later->isFirstOdd())
         return false;
     return answersAlike(equals, other.equals) && answersAlike(radii, other.radii)
            && answersAlike(densities, other.densities) && answersAlike(rebounds, other.rebounds);

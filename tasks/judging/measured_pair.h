@@ -65,12 +65,17 @@ struct PairHit {
     [[nodiscard]] bool isAligned() const;
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;
+    /// Speed with which they parted, of that with which they met, along the push on circle 2.
+    [[nodiscard]] double rebound() const;
 };
 
 /// Two hits of the same circles one after the other.
 struct LaterHit {
     PairHit first{};
     PairHit second{};
+
+    /// Whether the first was answered with another e, and the second with that of the scene.
+    [[nodiscard]] bool isFirstOdd() const;
 };
 
 /// How a program answers the meetings of circles 1 and 2.
@@ -96,6 +101,7 @@ struct MeasuredPair {
     int ownContacts = 0;                ///< how often they meet again when a wall sends one back
     bool ranThrough = false;            ///< and whether it ran through the other then
     bool ranThroughAtOnce = false;      ///< only from so near a wall that it is back at once
+    std::vector<PairHit> askew{};       ///< where some are missed: on one side, moving to the other
     std::optional<PairHit> slow{};      ///< equal circles meet slowly, with an e of the middle
     std::optional<LaterHit> later{};    ///< two hits with different lines of centres
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time

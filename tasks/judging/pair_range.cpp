@@ -73,6 +73,12 @@ Meeting PairRange::straight(Meeting meeting)
     return meeting;
 }
 
+PairHit PairRange::approach(const Meeting &meeting) const
+{
+    const double way = meeting.closing() * m_h;
+    return meet(meeting, meeting.sum() + 2.4 * way, meeting.sum(), m_h, 2 * fewSteps);
+}
+
 PairHit PairRange::part(const Meeting &meeting) const
 {
     const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;

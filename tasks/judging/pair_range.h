@@ -28,6 +28,9 @@ public:
     /// The same in so short steps that the answer can be read exactly.
     [[nodiscard]] PairHit look(const Meeting &meeting) const;
 
+    /// Comes from a step or two away.
+    [[nodiscard]] PairHit approach(const Meeting &meeting) const;
+
     /// Overlaps and moves apart: one step.
     [[nodiscard]] PairHit part(const Meeting &meeting) const;
 

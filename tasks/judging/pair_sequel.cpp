@@ -76,7 +76,7 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
     const std::vector<Flight> &flights = m_flight.at({}, m_h);
     std::optional<PairHit> first;
     bool was = false;
-    for (int k = 1; k * m_h < toWall + back + 12.0 * m_h; ++k) {
+    for (int k = 1; k * m_h < toWall + 1.6 * back + 12.0 * m_h; ++k) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;

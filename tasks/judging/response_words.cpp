@@ -37,7 +37,9 @@ public:
             for (LawDeviation &mass : massDeviations(m_own, m_right))
                 m_found.push_back(std::move(mass));
         }
-        if (!isWhole(m_own.rebounds, m_right.rebounds)) {
+        if (m_isRight && m_own.later && m_right.later && m_own.later->isFirstOdd()) {
+            addLateE();
+        } else if (!isWhole(m_own.rebounds, m_right.rebounds)) {
             for (LawDeviation &deviation : rebound.deviations)
                 m_found.push_back(std::move(deviation));
         }
@@ -325,12 +327,9 @@ private:
                 two, Suspect::Kept);
             return;
         }
-        const auto rebound = [](const PairHit &hit, Vec2 n) {
-            return dot(hit.left2 - hit.left1, n) / dot(hit.came1 - hit.came2, n);
-        };
         const double e = one.meeting.restitution;
-        const double first = rebound(one, n1);
-        const double second = rebound(two, n2);
+        const double first = one.rebound();
+        const double second = two.rebound();
         if (off(n1, one) < 0.1 && off(n2, two) < 0.1 && std::abs(first - e) < 0.01
             && std::abs(second - e) > 0.03)
             add(ResponseText::tr("A later hit is answered with another e"),
@@ -339,6 +338,19 @@ private:
                                  "times. Look at what your program keeps from one hit to the next.")
                     .arg(brief(e), brief(first), brief(second)),
                 two, Suspect::Kept);
+    }
+
+    /// What a program takes for e before its first hit is not what it takes after.
+    void addLateE()
+    {
+        const PairHit &one = m_own.later->first;
+        add(ResponseText::tr("e acts only after the first hit"),
+            ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they met "
+                             "with; in their second hit, back from a wall, it was %3 times. Look "
+                             "at when your answer learns what e is: that comes too late.")
+                .arg(brief(one.meeting.restitution), brief(one.rebound()),
+                     brief(m_own.later->second.rebound())),
+            one, Suspect::Kept);
     }
 
     /// What a hit made, in units of the speed with which they came nearer: how a slow one differs

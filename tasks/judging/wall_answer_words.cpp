@@ -188,13 +188,17 @@ private:
     [[nodiscard]] const WallHit *otherShare(const std::vector<std::size_t> &odd,
                                             const WallHit &hit) const
     {
-        for (const std::size_t i : odd) {
+        const WallHit *right = nullptr;
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
             const WallHit &other = m_own.hits[i];
-            if (other.restitution != hit.restitution && other.turned
-                && !isNear(other.back, hit.back, blur()))
+            if (other.restitution == hit.restitution || !other.turned || other.circle != hit.circle
+                || isNear(other.back, hit.back, blur()))
+                continue;
+            if (std::find(odd.begin(), odd.end(), i) != odd.end())
                 return &other;
+            right = other.wall == hit.wall ? &other : right;
         }
-        return nullptr;
+        return right;
     }
 
     /// What may stand where the speed that comes back does.

@@ -52,6 +52,7 @@ public:
             // A length that is right at some walls and wrong at others has another name.
             found.back().family = QStringLiteral("reach");
             found.back().shown = shownBy(said[i].second);
+            found.back().isEverywhere = wrongWalls(said[i].second.front()).size() > 3;
         }
         return found;
     }
@@ -62,6 +63,7 @@ public:
             deviation(WallText::tr("The walls turn %who round too early") + inBrackets({hit.wall}),
                       between(hit), hit, circles, Suspect::Reach);
         found.family = QStringLiteral("reach");
+        found.isEverywhere = true;
         return found;
     }
 
