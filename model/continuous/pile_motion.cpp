@@ -11,9 +11,12 @@ namespace {
 
 /// A larger overlap than may be shrinks, this share of it in a step.
 constexpr double repaired = 0.1;
-/// Sweeps over the contacts in a step, at most; of heaps higher than those of 1,000 circles so many
-/// more for each row that as many alike would fill a square with.
-constexpr int mostSweeps = 120;
+/// Sweeps over the contacts in a step, at most: as many as set so many contacts right, for what a
+/// heavy circle does to light ones takes many, and in a small pile they cost little. But so many in
+/// any case, of heaps higher than those of 1,000 circles so many more for each row that as many
+/// alike would fill a square with.
+constexpr int mostSetRight = 120000;
+constexpr int surelySweeps = 120;
 constexpr double sweepsPerRow = 10.0;
 constexpr double fewRows = 32.0;
 /// Then it is seen whether there are other contacts.
@@ -22,6 +25,15 @@ constexpr int firstSweeps = 16;
 constexpr int mostRounds = 40;
 /// A pile whose pushes throw circles farther than was foreseen looks around anew, so often.
 constexpr int mostLooks = 4;
+
+/// Sweeps over so many contacts in a step, at most.
+int mostSweeps(const Pile &pile, std::size_t contacts)
+{
+    const double rows = std::sqrt(static_cast<double>(pile.count()));
+    const int surely =
+        surelySweeps + static_cast<int>(sweepsPerRow * std::max(0.0, rows - fewRows));
+    return std::max(surely, mostSetRight / static_cast<int>(std::max<std::size_t>(contacts, 1)));
+}
 
 /// At which speed a contact may close in the step, m/s; where they overlap it shall part.
 double limitOf(const Pile &pile, double gap)
@@ -113,13 +125,13 @@ void findMotion(const Pile &pile, PilePushes &pushes, PileMotion &motion)
     beginContacts(pile, pushes, ways, false, motion);
     PileBodies bodies{{}, pile.inverseMasses};
     int looks = 1;
-    const double rows = std::sqrt(static_cast<double>(pile.count()));
-    int left = mostSweeps + static_cast<int>(sweepsPerRow * std::max(0.0, rows - fewRows));
+    int taken = 0; // sweeps
     int part = firstSweeps;
     for (int round = 0; round < mostRounds; ++round) {
         pile.setFree(bodies);
         const int sweeps = solvePile(motion.contacts, bodies, pile.tolerance, part);
-        left -= sweeps;
+        taken += sweeps;
+        const int left = mostSweeps(pile, motion.contacts.size()) - taken;
         const bool ends = left <= 0 || sweeps < part;
         part = std::clamp(left, firstSweeps, 2 * part);
         if (looks < mostLooks && haveComeFar(pile, bodies.velocities, ways)) {
