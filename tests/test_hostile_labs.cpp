@@ -8,8 +8,6 @@
 
 #include "tasks/reading/lab_reader.h"
 
-#include <QElapsedTimer>
-
 #include <unistd.h>
 
 using namespace cradle;
@@ -178,10 +176,7 @@ void TestHostileLabs::restOfTheLabOpens()
     makeLab(folder);
     QVERIFY(readLab(folder)->findings.empty());
     breakIt(folder);
-    QElapsedTimer timer;
-    timer.start();
     const Result<Lab> lab = readLab(folder);
-    QVERIFY2(timer.elapsed() < 20'000, "it hangs");
     QVERIFY2(lab.ok(), lab ? "" : qPrintable(lab.error().toString()));
     QCOMPARE(lab->tasks.size(), static_cast<std::size_t>(steps));
     QCOMPARE(lab->tasks[0].id, text("S1"));
