@@ -24,6 +24,8 @@ private slots:
     void typedWordsHaveTheirWidth();
     void pastedWordsHaveTheirWidth();
     void undoTakesWordsBack();
+    void undoTakesTheFirstLetterBackAtOnce();
+    void dashesStandWhereTheyDoBeforeLatin();
 
 private:
     [[nodiscard]] QsciScintilla &area() { return *m_editor->findChild<QsciScintilla *>(); }
@@ -116,6 +118,61 @@ void TestRightToLeftCode::undoTakesWordsBack()
     }
     QCOMPARE(m_editor->text(), QStringLiteral("x = 1"));
     QVERIFY(!m_editor->canUndo());
+}
+
+void TestRightToLeftCode::undoTakesTheFirstLetterBackAtOnce()
+{
+    m_editor->setText(QStringLiteral("-- "));
+    area().SendScintilla(QsciScintilla::SCI_DOCUMENTEND);
+    const QString words = QStringLiteral("مرة");
+    for (const QChar letter : words)
+        QTest::sendKeyEvent(QTest::Click, &area(), Qt::Key_unknown, letter, Qt::NoModifier);
+    QTest::qWait(20);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- ") + words);
+    m_editor->undo(); // what followed the first letter
+    QTest::qWait(20);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- ") + words.left(1));
+    m_editor->undo();
+    QTest::qWait(20);
+    QCOMPARE(m_editor->text(), QStringLiteral("-- "));
+    QVERIFY(!m_editor->canUndo());
+}
+
+/// A font that joins two dashes to one sign drew it a letter further left before Arabic.
+void TestRightToLeftCode::dashesStandWhereTheyDoBeforeLatin()
+{
+    // Columns of pixels with ink where the two dashes stand, past the cursor.
+    const auto inked = [this](const QString &line) {
+        m_editor->setText(line + QLatin1Char('\n'));
+        area().SendScintilla(QsciScintilla::SCI_DOCUMENTEND);
+        QTest::qWait(20);
+        const QImage image = area().viewport()->grab().toImage();
+        const auto place = [this](long position) {
+            return static_cast<int>(
+                area().SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, position));
+        };
+        const int height =
+            static_cast<int>(area().SendScintilla(QsciScintilla::SCI_TEXTHEIGHT, 0UL));
+        const QColor ground = image.pixelColor(place(0) - 1, height / 2);
+        QList<int> dashes;
+        for (int dash = 0; dash < 2; ++dash) {
+            int columns = 0;
+            for (int x = place(dash); x < place(dash + 1); ++x) {
+                for (int y = 0; y < height; ++y) {
+                    if (qAbs(image.pixelColor(x, y).lightness() - ground.lightness()) > 40) {
+                        ++columns;
+                        break;
+                    }
+                }
+            }
+            dashes.append(columns);
+        }
+        return dashes;
+    };
+    for (const int columns : inked(QStringLiteral("-- runs once")))
+        QVERIFY(columns >= 4);
+    for (const int columns : inked(QStringLiteral("-- تُنفَّذ مرة واحدة")))
+        QVERIFY(columns >= 4);
 }
 
 QTEST_MAIN(TestRightToLeftCode)

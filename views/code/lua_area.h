@@ -61,6 +61,7 @@ protected:
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void inputMethodEvent(QInputMethodEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool focusNextPrevChild(bool next) override;
@@ -75,6 +76,7 @@ private:
     void reindent(int character);
     void noteWriting(int position, int kind, const char *text, int length);
     void markRuns();
+    [[nodiscard]] bool beginsRun(const QString &written) const;
     void toggleComment();
 
     LuaLexer *m_lexer;

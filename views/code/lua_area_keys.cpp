@@ -116,7 +116,27 @@ void LuaArea::keyPressEvent(QKeyEvent *event)
         return;
     if (isReturn(event->key()) && plain && !isReadOnly())
         return breakLine();
+    // The first of words from the right and the marks round them are one step of Undo.
+    const bool isRun = beginsRun(event->text());
+    if (isRun)
+        SendScintilla(SCI_BEGINUNDOACTION);
     QsciScintilla::keyPressEvent(event);
+    if (isRun) {
+        markRuns();
+        SendScintilla(SCI_ENDUNDOACTION);
+    }
+}
+
+void LuaArea::inputMethodEvent(QInputMethodEvent *event)
+{
+    const bool isRun = beginsRun(event->commitString());
+    if (isRun)
+        SendScintilla(SCI_BEGINUNDOACTION);
+    QsciScintilla::inputMethodEvent(event);
+    if (isRun) {
+        markRuns();
+        SendScintilla(SCI_ENDUNDOACTION);
+    }
 }
 
 void LuaArea::contextMenuEvent(QContextMenuEvent *event)

@@ -16,6 +16,12 @@ void LuaArea::noteWriting(int /*position*/, int kind, const char *text, int leng
     QMetaObject::invokeMethod(this, &LuaArea::markRuns, Qt::QueuedConnection);
 }
 
+bool LuaArea::beginsRun(const QString &written) const
+{
+    return !isReadOnly() && needsRunMarks(written)
+           && !isWithinRunMarks(QString::fromUtf8(bytesBefore()));
+}
+
 /// Only in the lines that lack some; the cursor stays between its letters.
 void LuaArea::markRuns()
 {

@@ -4,6 +4,7 @@
 
 #include "tasks/script/lua_tokens.h"
 #include "views/code/lua_indent.h"
+#include "views/code/run_marks.h"
 
 #include <Qsci/qsciscintilla.h>
 
@@ -61,6 +62,7 @@ void LuaLexer::setLook(const CodeColours &colours, const QFont &font)
         {Plain, colours.text},        {Comment, colours.muted},   {Keyword, colours.keyword},
         {Constant, colours.constant}, {String, colours.string},   {Call, colours.call},
         {Circle1, colours.circle1},   {Circle2, colours.circle2}, {Sign, colours.text},
+        {Dash, colours.muted},
     };
     for (const auto &[style, colour] : table) {
         setColor(colour, style);
@@ -96,6 +98,8 @@ void LuaLexer::styleText(int, int)
             for (qsizetype k = 0; k < token.length; ++k)
                 setStyling(1, joins(text[token.start + k]) && (token.start + k) % 2 != 0 ? Sign
                                                                                          : Plain);
+        } else if (token.kind == LuaToken::Kind::Comment) {
+            styleComment(token.in(text));
         } else {
             setStyling(static_cast<int>(token.length), styleOf(token, text, next));
         }
@@ -104,6 +108,18 @@ void LuaLexer::styleText(int, int)
     if (at < text.size())
         setStyling(static_cast<int>(text.size() - at), Plain);
     fold(text);
+}
+
+/// Dashes that the font has joined stand one letter too far left before words from the right, where
+/// the first is lost in the margin.
+void LuaLexer::styleComment(QByteArrayView comment)
+{
+    qsizetype dashes = 0;
+    if (needsRunMarks(QString::fromUtf8(comment))) {
+        for (; dashes < comment.size() && comment[dashes] == '-'; ++dashes)
+            setStyling(1, dashes % 2 == 0 ? Dash : Comment);
+    }
+    setStyling(static_cast<int>(comment.size() - dashes), Comment);
 }
 
 void LuaLexer::fold(const QByteArray &text)

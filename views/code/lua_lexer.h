@@ -23,6 +23,7 @@ public:
         Circle1,
         Circle2,
         Sign, ///< looks like Plain: in turn they keep the font from joining "<=" to one sign
+        Dash, ///< looks like Comment, and does the same for "--" before words from the right
         StyleCount
     };
 
@@ -37,6 +38,7 @@ public:
     void styleText(int start, int end) override;
 
 private:
+    void styleComment(QByteArrayView comment);
     void fold(const QByteArray &text);
 };
 

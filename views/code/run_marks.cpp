@@ -34,6 +34,11 @@ bool needsRunMarks(const QString &text)
     return std::any_of(text.begin(), text.end(), isFromTheRight);
 }
 
+bool isWithinRunMarks(const QString &before)
+{
+    return before.count(isolateFromTheRight) > before.count(endOfIsolate);
+}
+
 QString withRunMarks(const QString &program)
 {
     const QString plain = withoutRunMarks(program);

@@ -13,6 +13,9 @@ namespace cradle {
 /// right. The marks are the editor's: no file and no program has them.
 [[nodiscard]] bool needsRunMarks(const QString &text);
 
+/// Whether what follows \p before stands within marks that are there already.
+[[nodiscard]] bool isWithinRunMarks(const QString &before);
+
 /// \p program with marks round all words that go from the right, and nowhere else.
 [[nodiscard]] QString withRunMarks(const QString &program);
 [[nodiscard]] QString withoutRunMarks(QString program);
