@@ -9,6 +9,7 @@
 #include <QFontMetrics>
 #include <QScopedValueRollback>
 #include <QTabBar>
+#include <QTabWidget>
 
 #include <algorithm>
 
@@ -28,12 +29,28 @@ FittedTabs::FittedTabs(QTabBar &bar, Distance distance)
     bar.setElideMode(Qt::ElideNone);
     bar.setUsesScrollButtons(true);
     bar.installEventFilter(this);
+    if (qobject_cast<QTabWidget *>(bar.parentWidget()))
+        bar.parentWidget()->installEventFilter(this);
     fit();
+}
+
+/// Over its pages a bar is only as wide as its tabs are.
+int FittedTabs::room() const
+{
+    const auto *pages = qobject_cast<const QTabWidget *>(m_bar.parentWidget());
+    if (!pages)
+        return m_bar.width();
+    int width = pages->width();
+    for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::TopRightCorner}) {
+        if (const QWidget *beside = pages->cornerWidget(corner))
+            width -= beside->sizeHint().width();
+    }
+    return width;
 }
 
 FittedTabs::Grounds FittedTabs::grounds() const
 {
-    Grounds all{.titles = {}, .room = m_bar.width(), .font = QApplication::font(&m_bar)};
+    Grounds all{.titles = {}, .room = room(), .font = QApplication::font(&m_bar)};
     for (int tab = 0; tab < m_bar.count(); ++tab)
         all.titles.append(m_bar.tabText(tab));
     return all;

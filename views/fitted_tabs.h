@@ -35,6 +35,7 @@ private:
         friend bool operator==(const Grounds &, const Grounds &) = default;
     };
 
+    [[nodiscard]] int room() const; ///< px
     [[nodiscard]] Grounds grounds() const;
     [[nodiscard]] static int widthOf(const QStringList &titles, const QFont &font);
     void fit();

@@ -15,7 +15,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int rowPadding = 17; ///< px, at the left and right of a row, with its frame
+constexpr int rowPadding = 14; ///< px, at the left and right of a row together
 
 /// Looks at the keys of a list before the list does.
 class RowKeyFilter final : public QObject
