@@ -26,6 +26,7 @@ private slots:
     void wrongMotionIsNoFaultOfTheWalls_data();
     void wrongMotionIsNoFaultOfTheWalls();
     void wallInAWrongPlaceIsNamed();
+    void lookingASecondAheadIsNamed();
     void wallsThatAreRightAreNotCalledWrong();
     void oneCircleIsNamedForItsOwnWalls();
     void wallsThatActAlikeAreAlike();
@@ -253,6 +254,24 @@ void TestWallLaw::wallInAWrongPlaceIsNamed()
     const QStringList said = step.walls(program);
     QVERIFY(!said.isEmpty());
     QCOMPARE(said.front(), text("The floor does not turn both circles where it stands"));
+}
+
+void TestWallLaw::lookingASecondAheadIsNamed()
+{
+    const LawBench step(task(QStringLiteral("L42T2")));
+    const auto said = [&](const char *ahead) {
+        return step.walls(
+            QStringLiteral("function on_update(h) local c = circle1 "
+                           "local p, v, w = c.position + c.velocity%1, c.velocity, 4 - c.radius "
+                           "if p.x > w or p.x < -w then v = vec(-v.x, v.y) end "
+                           "if p.y > w or p.y < -w then v = vec(v.x, -v.y) end "
+                           "c.velocity = v c.position = c.position + v * h end")
+                .arg(QLatin1String(ahead)));
+    };
+    QCOMPARE(said(" * h"), QStringList());
+    QCOMPARE(said(""), QStringList(text("The walls turn circle 1 round a whole second too early")));
+    QVERIFY(
+        !said(" * 0.5").contains(text("The walls turn circle 1 round a whole second too early")));
 }
 
 void TestWallLaw::wallsThatAreRightAreNotCalledWrong()

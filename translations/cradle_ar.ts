@@ -3342,6 +3342,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة تساوي ⁦%2⁩ مرة من سرعة التقائهما؛ وفي تصادمهما الثاني، بعد العودة من جدار، كانت ⁦%3⁩ مرة. انظر متى تعرف استجابتك قيمة e: ذلك يأتي متأخرًا.</translation>
     </message>
+    <message>
+        <source>The walls turn %who round a whole second too early</source>
+        <translation>الجدران تردّ %who قبل الأوان بثانية كاملة</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
+        <translation>جاءت الدائرة ⁦%1⁩ إلى ⁦%2⁩ بسرعة ⁦%3 m/s⁩ وانعكست حين كانت حافتها على بُعد بين ⁦%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁦%7⁩ و⁦%8 m⁩. هذه إزاحة ثانية كاملة: الخطوة تنقلها ⁦v Δt⁩ لا v.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3318,6 +3318,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-Fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, zurück von einer Wand, war es das %3-Fache. Sieh nach, wann deine Antwort erfährt, was e ist: Das kommt zu spät.</translation>
     </message>
+    <message>
+        <source>The walls turn %who round a whole second too early</source>
+        <translation>Die Wände kehren %who eine ganze Sekunde zu früh um</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
+        <translation>Kreis %1 kam mit %3 m/s zu diesem Rand des Quadrats (%2) und kehrte um, als sein eigener Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3318,6 +3318,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>Avec e = %1, deux cercles se sont quittés à %2 fois la vitesse de leur rencontre&#xa0;; à leur deuxième choc, au retour d&apos;un mur, c&apos;était %3 fois. Regardez quand votre réponse apprend ce que vaut e&#xa0;: cela vient trop tard.</translation>
     </message>
+    <message>
+        <source>The walls turn %who round a whole second too early</source>
+        <translation>Les parois renvoient %who une seconde entière trop tôt</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
+        <translation>Le cercle %1 est arrivé à %3 m/s (%2) et a fait demi-tour quand son bord en était entre %4 et %5 m&#xa0;; à %6 m/s, entre %7 et %8 m. C&apos;est le chemin d&apos;une seconde&#xa0;: un pas le fait avancer de v Δt, non de v.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

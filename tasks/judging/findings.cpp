@@ -76,7 +76,7 @@ public:
         take(Aspect::Start, deviationsOf(m_own, Aspect::Start));
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
-            if (isAsked(aspect))
+            if (isAsked(aspect) && (aspect != Aspect::Motion || !isTurnedAhead()))
                 take(aspect, deviationsOf(m_own, aspect));
         }
         if (m_findings.empty() && !m_asked) {
@@ -164,6 +164,25 @@ private:
             break;
         }
         return responseDeviations(laws.pair(), m_right.pair(), m_ground);
+    }
+
+    /// Whether only what looks too far ahead for walls changes the velocities of fast circles far
+    /// from them: that is no fault of the motion.
+    [[nodiscard]] bool isTurnedAhead() const
+    {
+        for (std::size_t i = 0; i < m_ground.flights.size(); ++i) {
+            const Flight &flight = m_own.flight().at(
+                m_ground.gravities.front(), m_ground.timesteps.front(), static_cast<int>(i));
+            if (!flight.isKnown || (flight.leap && !flight.leap->isFast))
+                return false;
+        }
+        if (m_ground.walls.circles.empty() || deviationsOf(m_own, Aspect::Motion).size() != 1)
+            return false;
+        const auto walls = deviationsOf(m_own, Aspect::Walls);
+        return failedOf(Aspect::Walls)
+               && std::any_of(walls.begin(), walls.end(), [](const LawDeviation &wall) {
+                      return wall.family == QLatin1String("ahead");
+                  });
     }
 
     void take(Aspect aspect, const std::vector<LawDeviation> &deviations)

@@ -54,6 +54,13 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
+        const bool turnsAtOnce = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+            return hit.circle == circle && hit.turned && hit.step == 1;
+        });
+        for (const double speed : {0.9, 0.45}) {
+            if (turnsAtOnce)
+                far.push_back(range.comeFromFar(circle, speed));
+        }
         if (!range.canDrop(circle))
             continue;
         for (const double height : {0.0113, 0.0247, 0.0391})

@@ -64,6 +64,7 @@ struct MeasuredWalls {
     std::vector<WallHit>
         corners{};               ///< of those hits both parts should turn; \c along tells the other
     std::vector<WallHit> slow{}; ///< two of each circle, with an e of the middle
+    std::vector<WallHit> far{};  ///< of circles that are turned at once: two from far away
     std::vector<Drop> drops{};
     std::vector<int> judged{}; ///< the circles whose free flight is known
     double blur = 1e-3;        ///< of back and along: how far gravity blurs them

@@ -112,6 +112,19 @@ WallHit WallRange::creep(int circle, Wall wall, double e) const
     return hit;
 }
 
+WallHit WallRange::comeFromFar(int circle, double speed) const
+{
+    WallHit hit{.circle = circle, .restitution = m_ground.walls.restitutions.back()};
+    hit.radius = hit.otherRadius = m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, speed / flightOf(circle).way.x, 0.29, false);
+    const Vec2 n = outwardNormal(hit.wall);
+    Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+    const double way = 1.5 * speed;
+    c.position += (hit.stage.preset.halfWidth - c.radius - way - dot(n, c.position)) * n;
+    watch(hit, false);
+    return hit;
+}
+
 Drop WallRange::lob(int circle, double e, double speed) const
 {
     Drop lob{.circle = circle, .wall = Wall::Top, .restitution = e};

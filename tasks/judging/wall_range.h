@@ -26,6 +26,9 @@ public:
     /// So slowly that a program may take it for rest, from near the wall.
     [[nodiscard]] WallHit creep(int circle, Wall wall, double e) const;
 
+    /// From so far that one that looks a second ahead is not there yet.
+    [[nodiscard]] WallHit comeFromFar(int circle, double speed) const;
+
     /// A slow throw at the ceiling, in the longest steps: it comes back by less than it overshot.
     [[nodiscard]] Drop lob(int circle, double e, double speed) const;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace cradle {
 
@@ -50,7 +51,9 @@ public:
             found.push_back(deviation(said[i].first, bodies[i].first, *bodies[i].second,
                                       said[i].second, Suspect::Reach));
             // A length that is right at some walls and wrong at others has another name.
-            found.back().family = QStringLiteral("reach");
+            found.back().family = bodies[i].second->step == 1 && aheadWords(said[i].second.front())
+                                      ? QStringLiteral("ahead")
+                                      : QStringLiteral("reach");
             found.back().shown = shownBy(said[i].second);
             found.back().isEverywhere = wrongWalls(said[i].second.front()).size() > 3;
         }
@@ -150,6 +153,8 @@ private:
 
     [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
     {
+        if (const auto ahead = hit.step == 1 ? aheadWords(circle) : std::nullopt)
+            return *ahead;
         // Turned before it had flown a step: where it would have turned else is not seen.
         if (hit.step == 1 && wrongWalls(circle).size() == 1 && isMirrored(hit))
             return {WallText::tr("The %1 does not turn %who where it stands")
@@ -181,6 +186,35 @@ private:
             return {atWalls(fitting.front().headline, walls), body};
         }
         return {atWalls(lateOrEarly(circle), walls), between(hit)};
+    }
+
+    /// That a circle turns where its velocity, without the timestep, takes its rim to the wall.
+    [[nodiscard]] std::optional<std::pair<QString, QString>> aheadWords(int circle) const
+    {
+        std::vector<const WallHit *> far;
+        for (const WallHit &hit : m_own.far) {
+            const Vec2 v = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body.velocity;
+            const double second = dot(v, outwardNormal(hit.wall)) * 1.0; // m in 1 s
+            if (hit.circle != circle)
+                continue;
+            if (!hit.turned || hit.step == 1 || !hit.fits(hit.radius + second))
+                return std::nullopt;
+            far.push_back(&hit);
+        }
+        if (far.size() < 2)
+            return std::nullopt;
+        const auto rim = [](double place, const WallHit &hit) { return brief(place - hit.radius); };
+        const auto speed = [](const WallHit &hit) {
+            return brief(dot(hit.came, outwardNormal(hit.wall)));
+        };
+        return std::pair(
+            WallText::tr("The walls turn %who round a whole second too early"),
+            WallText::tr("Circle %1 came to the %2 with %3 m/s and turned when its rim was between "
+                         "%4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of "
+                         "a second: a step takes it v Δt further, not v.")
+                .arg(QString::number(circle + 1), motion::wallName(far[0]->wall), speed(*far[0]),
+                     rim(far[0]->reached, *far[0]), rim(far[0]->before, *far[0]), speed(*far[1]),
+                     rim(far[1]->reached, *far[1]), rim(far[1]->before, *far[1])));
     }
 
     /// Whether a hit turned the part into the wall round and left the other as it was.
