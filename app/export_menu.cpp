@@ -3,6 +3,7 @@
 #include "app/export_menu.h"
 
 #include "app/main_window.h"
+#include "app/menu_entries.h"
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
 #include "views/menu.h"
@@ -12,10 +13,6 @@
 namespace cradle {
 
 namespace {
-
-struct MenuText {
-    Q_DECLARE_TR_FUNCTIONS(MainMenu)
-};
 
 /// A submenu that is filled when it is opened, so that it knows what can be done.
 void addExportOf(Menu *exports, const QString &name, PlotPane *chart)
@@ -29,17 +26,17 @@ void addExportOf(Menu *exports, const QString &name, PlotPane *chart)
 
 void fillExport(MainWindow &window, Menu *exports)
 {
-    for (ChartPane *chart : window.findChildren<ChartPane *>())
+    for (ChartPane *chart : window.panes().charts())
         addExportOf(exports, chart->name(), chart);
-    addExportOf(exports, window.phaseChart().windowTitle(), &window.phaseChart());
+    addExportOf(exports, window.panes().phase->windowTitle(), window.panes().phase);
     exports->addSeparator();
-    MainWindow *w = &window;
+    RunDesk *desk = &window.runDesk();
     const std::pair<RunTable, QString> tables[] = {
         {RunTable::States, MenuText::tr("&States of the run as CSV…")},
         {RunTable::Totals, MenuText::tr("&Totals of the run as CSV…")},
         {RunTable::Events, MenuText::tr("&Hits of the run as CSV…")}};
     for (const auto &[table, text] : tables)
-        exports->addAction(text, w, [w, kind = table] { w->exportRun(kind); });
+        exports->addAction(text, desk, [desk, kind = table] { desk->exportRun(kind); });
 }
 
 } // namespace

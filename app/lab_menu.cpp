@@ -29,7 +29,7 @@ void addEntry(MainWindow &window, Menu *menu, QActionGroup *group, const ListedL
     action->setChecked(lab.folder == window.workbench().lab().folder);
     group->addAction(action);
     QObject::connect(action, &QAction::triggered, &window,
-                     [w = &window, folder = lab.folder] { w->openLab(folder); });
+                     [w = &window.opening(), folder = lab.folder] { w->openLab(folder); });
 }
 
 void fill(MainWindow &window, Menu *menu)

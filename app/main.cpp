@@ -197,10 +197,11 @@ int main(int argc, char **argv)
             open(window, bench, *request, picture ? passing->path() : userLabsFolder()))
         return complain(QStringLiteral("cradle: ") + error->toString());
     if (picture && request->author)
-        return takeScreenshot(*window.author(), *request->screenshot, request->at, request->size);
+        return takeScreenshot(*window.authors().newest(), *request->screenshot, request->at,
+                              request->size);
     if (picture)
         return takeScreenshot(window, *request->screenshot, request->at, request->size);
-    QWidget &first = request->author ? static_cast<QWidget &>(*window.author()) : window;
+    QWidget &first = request->author ? static_cast<QWidget &>(*window.authors().newest()) : window;
     first.show();
     return QApplication::exec();
 }

@@ -112,16 +112,16 @@ std::optional<Error> openAuthor(MainWindow &window, const QString &lab, const QS
     const Result<QString> folder = unpacked(lab, labs);
     if (!folder)
         return folder.error();
-    if (auto error = window.openAuthor(*folder))
+    if (auto error = window.authors().open(*folder))
         return error;
-    AuthorDocument &document = window.author()->document();
+    AuthorDocument &document = window.authors().newest()->document();
     if (!step.isEmpty() && !document.steps().contains(step))
         return Error{.message =
                          QCoreApplication::translate("Main", "there is no step %1; there are %2")
                              .arg(step, document.steps().join(QStringLiteral(", ")))};
     if (!step.isEmpty())
         document.setStep(step);
-    window.author()->showTab(static_cast<int>(tabs.indexOf(tab)));
+    window.authors().newest()->showTab(static_cast<int>(tabs.indexOf(tab)));
     return std::nullopt;
 }
 

@@ -5851,6 +5851,41 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Step</source>
+        <translation>المرحلة</translation>
+    </message>
+    <message>
+        <source>lab.lua</source>
+        <translation>lab.lua</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>الخصائص</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>النسخ</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>ملاحظات</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>كمية الحركة</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>الطاقة</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>القيم</translation>
+    </message>
+</context>
+<context>
     <name>ParameterText</name>
     <message>
         <source>from %1 to %2%3</source>
@@ -9363,6 +9398,218 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>cradle::HelpDesk</name>
+    <message>
+        <source>The step</source>
+        <translation>المرحلة</translation>
+    </message>
+    <message>
+        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
+        <translation>هنا يرد ما تفعله ولماذا. النقاط هي مراحل المختبر؛ والتلميحات تنتظر تحت النص.</translation>
+    </message>
+    <message>
+        <source>Your program</source>
+        <translation>برنامجك</translation>
+    </message>
+    <message>
+        <source>The scene in numbers</source>
+        <translation>المشهد بالأرقام</translation>
+    </message>
+    <message>
+        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
+        <translation>لديك برنامج واحد عبر كل المراحل. يُحفظ ويعمل وأنت تكتب؛ وF1 يشرح الكلمة التي تحت المؤشر.</translation>
+    </message>
+    <message>
+        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
+        <translation>العالم والقوانين والدوائر: ما تغيّره هنا أو بالسحب في المشهد يبدأ التشغيل من جديد.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>المشهد</translation>
+    </message>
+    <message>
+        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
+        <translation>ما تفعله دوائرك. عند التصادم تُظهر الأسهم مركّبات السرعات على الناظم ومعامدةً له.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>المخططات</translation>
+    </message>
+    <message>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>كمية الحركة والطاقة للتشغيل نفسه. انقر حيث تريد أعداد تلك اللحظة؛ وكل تصادم معلَّم.</translation>
+    </message>
+    <message>
+        <source>Any moment again</source>
+        <translation>أي لحظة من جديد</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
+        <translation>اسحب إلى أي لحظة من التشغيل، أو اضغط «التصادم التالي». مفتاح المسافة يشغّل ويوقف مؤقتًا.</translation>
+    </message>
+    <message>
+        <source>Run and check</source>
+        <translation>التشغيل والتحقّق</translation>
+    </message>
+    <message>
+        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
+        <translation>«تشغيل» للمشاهدة؛ و«تحقّق» حين تنتهي: يقول ما الصواب وما الخطأ ولماذا.</translation>
+    </message>
+    <message>
+        <source>:/help/lua-for-csharp.md</source>
+        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-for-csharp.ar.md</translation>
+    </message>
+    <message>
+        <source>Lua for C# people</source>
+        <translation>‏Lua لمن يعرف ⁦C#⁩</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>جعل الأسطر تعليقات أو لا</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>الكلمات المناسبة هنا</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>ما يأخذه الاستدعاء</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>الخروج من البرنامج</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Esc ثم Tab</translation>
+    </message>
+    <message>
+        <source>Select several circles</source>
+        <translation>تحديد عدة دوائر</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
+        <translation>‏Ctrl + نقر، Shift + سحب، Shift + أسهم</translation>
+    </message>
+    <message>
+        <source>Move what is selected</source>
+        <translation>نقل المحدد</translation>
+    </message>
+    <message>
+        <source>drag; Ctrl+arrows, finer with Shift</source>
+        <translation>سحب؛ Ctrl + أسهم، وأدق مع Shift</translation>
+    </message>
+    <message>
+        <source>Drag free of the grid</source>
+        <translation>السحب بعيدًا عن الشبكة</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>إلغاء السحب</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>حذف المحدد</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>تحريك الرؤية</translation>
+    </message>
+    <message>
+        <source>drag on empty space, or the middle button</source>
+        <translation>سحب في موضع خالٍ، أو الزر الأوسط</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>تكبير عند المؤشر</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>العجلة</translation>
+    </message>
+    <message>
+        <source>A step back or on</source>
+        <translation>خطوة إلى الوراء أو الأمام</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>السهمان الأيسر والأيمن</translation>
+    </message>
+    <message>
+        <source>The hit before or after</source>
+        <translation>التصادم السابق أو التالي</translation>
+    </message>
+    <message>
+        <source>PgUp, PgDown</source>
+        <translation>‏PgUp، PgDown</translation>
+    </message>
+    <message>
+        <source>Start and end of the run</source>
+        <translation>بداية التشغيل ونهايته</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>‏Home، End</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>من منحنى إلى منحنى في المخطط، ومن عمود إلى عمود في مخطط السرعات</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>السهمان الأعلى والأسفل</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>سماع هذا المنحنى من اليسار إلى اليمين</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Along the dots of the steps, and open</source>
+        <translation>على نقاط المراحل، وفتح</translation>
+    </message>
+    <message>
+        <source>Left, Right, Return</source>
+        <translation>السهمان الأيسر والأيمن، وEnter</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>في كل مكان</translation>
+    </message>
+    <message>
+        <source>On the timeline and the steps</source>
+        <translation>على خط الزمن والمراحل</translation>
+    </message>
+    <message>
+        <source>In the program</source>
+        <translation>في البرنامج</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>في المشهد</translation>
+    </message>
+    <message>
+        <source>About Cradle</source>
+        <translation>حول Cradle</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;⁦Cradle %1⁩&lt;/h3&gt;&lt;p&gt;تعلّم كيف يعمل محرّك الفيزياء بأن تكتب واحدًا.&lt;/p&gt;&lt;p&gt;برنامج حر تحت رخصة GNU العمومية العامة، النسخة 3 أو ما بعدها. بُني بـ Qt وLua وQScintilla وMathJax وvalijson.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>cradle::HintsList</name>
     <message>
         <source>A new hint</source>
@@ -9773,479 +10020,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
-    <name>cradle::MainWindow</name>
-    <message>
-        <source>Step</source>
-        <translation>المرحلة</translation>
-    </message>
-    <message>
-        <source>lab.lua</source>
-        <translation>lab.lua</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>الخصائص</translation>
-    </message>
-    <message>
-        <source>Versions</source>
-        <translation>النسخ</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>ملاحظات</translation>
-    </message>
-    <message>
-        <source>Momentum</source>
-        <translation>كمية الحركة</translation>
-    </message>
-    <message>
-        <source>Energy</source>
-        <translation>الطاقة</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>القيم</translation>
-    </message>
-    <message>
-        <source>Open a lab&apos;s folder</source>
-        <translation>فتح مجلد مختبر</translation>
-    </message>
-    <message>
-        <source>Open a lab in one file</source>
-        <translation>فتح مختبر في ملف واحد</translation>
-    </message>
-    <message>
-        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
-        <translation>مختبرات وأعمال (*.cradle *.cradle-work);;كل الملفات (*)</translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation>فتح مشهد</translation>
-    </message>
-    <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>مشاهد (*.json);;كل الملفات (*)</translation>
-    </message>
-    <message>
-        <source>Save the scene</source>
-        <translation>حفظ المشهد</translation>
-    </message>
-    <message>
-        <source>About Cradle</source>
-        <translation>حول Cradle</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;⁦Cradle %1⁩&lt;/h3&gt;&lt;p&gt;تعلّم كيف يعمل محرّك الفيزياء بأن تكتب واحدًا.&lt;/p&gt;&lt;p&gt;برنامج حر تحت رخصة GNU العمومية العامة، النسخة 3 أو ما بعدها. بُني بـ Qt وLua وQScintilla وMathJax وvalijson.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
-        <translation>غيّر برنامج آخر برنامجك. يُعرض نصه الآن؛ ونصك بين نسخ هذه المرحلة.</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
-        <translation>غيّر برنامج آخر برنامجك وأنت تكتب. يبقى نصك؛ والآخر بين نسخ هذه المرحلة.</translation>
-    </message>
-    <message>
-        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
-        <translation>جعل برنامج آخر ⁨%1⁩ ملفًا ليس برنامجًا. يُحفظ باسم ⁨%2⁩؛ وما يُقرأ منه بين نسخ هذه المرحلة.</translation>
-    </message>
-    <message>
-        <source>Your number</source>
-        <translation>رقمك</translation>
-    </message>
-    <message>
-        <source>This lab draws its values for each student by the number that you hand in with.
-Your number:</source>
-        <translation>يختار هذا المختبر قيمه لكل طالب بحسب الرقم الذي تسلّم به.
-رقمك:</translation>
-    </message>
-    <message>
-        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
-        <translation>قيم هذا المختبر ليست قيم أحد حتى تعطي رقمك: افتح المختبر مرة أخرى لذلك.</translation>
-    </message>
-    <message>
-        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
-        <translation>عمل سلّمه ⁨%1⁩. شغّله وافحصه واقرأ نسخه وملاحظاته: لا يُغيَّر فيه شيء، ولا يُصدَّق شيء مما يقوله عن نفسه.</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>شخص ما</translation>
-    </message>
-    <message>
-        <source>They write: “%1”</source>
-        <translation>ويكتب: «⁨%1⁩»</translation>
-    </message>
-    <message>
-        <source>Make a program of it</source>
-        <translation>جعله برنامجًا</translation>
-    </message>
-    <message>
-        <source>Back to the newest version</source>
-        <translation>العودة إلى أحدث نسخة</translation>
-    </message>
-    <message>
-        <source>Begin this step anew</source>
-        <translation>بدء هذه المرحلة من جديد</translation>
-    </message>
-    <message>
-        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
-        <translation>ملف برنامجك ليس برنامجًا، ويُترك كما هو. ⁨%1⁩ أيًّا كان اختيارك، يُحفظ الملف بجواره.</translation>
-    </message>
-    <message>
-        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
-        <translation>تواصل هذه المرحلة من التي قبلها، ولم تنجزها. تبدأ ببرنامجك أنت.</translation>
-    </message>
-    <message>
-        <source>Begin with the solution of “%1”</source>
-        <translation>البدء بحل «⁨%1⁩»</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
-        <translation>اقرأ المرحلة على اليمين، واكتب برنامجك في الوسط، واضغط «تشغيل» للمشاهدة، و«تحقّق» حين تنتهي.</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
-        <translation>اقرأ المرحلة على اليمين، واضبط القيم بجانب المشهد، واضغط «تشغيل» للمشاهدة، و«تحقّق» حين تنتهي.</translation>
-    </message>
-    <message>
-        <source>Show me around</source>
-        <translation>خذني في جولة</translation>
-    </message>
-    <message>
-        <source>Got it</source>
-        <translation>فهمت</translation>
-    </message>
-    <message>
-        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
-        <translation>تعمل نافذة أخرى على هذا المختبر (العملية ⁨%1⁩ على ⁨%2⁩، منذ ⁨%3⁩). يمكنك هنا أن تنظر، لكن لا يُحفظ شيء.</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>تولّي العمل هنا</translation>
-    </message>
-    <message>
-        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>ما تجتازه يُحفظ في تاريخك بتوقيع «Student». ويمكن توقيعه باسمك.</translation>
-    </message>
-    <message>
-        <source>Give your name…</source>
-        <translation>إعطاء اسمك…</translation>
-    </message>
-    <message>
-        <source>Your name</source>
-        <translation>اسمك</translation>
-    </message>
-    <message>
-        <source>Your name:</source>
-        <translation>اسمك:</translation>
-    </message>
-    <message>
-        <source>Nothing of this work is kept on a disk.</source>
-        <translation>لا يُحفظ شيء من هذا العمل على قرص.</translation>
-    </message>
-    <message>
-        <source>Open a step of a lab first.</source>
-        <translation>افتح مرحلة من مختبر أولًا.</translation>
-    </message>
-    <message>
-        <source>Your program is not saved</source>
-        <translation>برنامجك لم يُحفظ</translation>
-    </message>
-    <message>
-        <source>What you typed since it was last saved is lost if you close the window.</source>
-        <translation>ما كتبته منذ آخر حفظ يضيع إن أغلقت النافذة.</translation>
-    </message>
-    <message>
-        <source>Select several circles</source>
-        <translation>تحديد عدة دوائر</translation>
-    </message>
-    <message>
-        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
-        <translation>‏Ctrl + نقر، Shift + سحب، Shift + أسهم</translation>
-    </message>
-    <message>
-        <source>Move what is selected</source>
-        <translation>نقل المحدد</translation>
-    </message>
-    <message>
-        <source>drag; Ctrl+arrows, finer with Shift</source>
-        <translation>سحب؛ Ctrl + أسهم، وأدق مع Shift</translation>
-    </message>
-    <message>
-        <source>Drag free of the grid</source>
-        <translation>السحب بعيدًا عن الشبكة</translation>
-    </message>
-    <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Take a drag back</source>
-        <translation>إلغاء السحب</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>تحريك الرؤية</translation>
-    </message>
-    <message>
-        <source>drag on empty space, or the middle button</source>
-        <translation>سحب في موضع خالٍ، أو الزر الأوسط</translation>
-    </message>
-    <message>
-        <source>Zoom at the pointer</source>
-        <translation>تكبير عند المؤشر</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>العجلة</translation>
-    </message>
-    <message>
-        <source>A step back or on</source>
-        <translation>خطوة إلى الوراء أو الأمام</translation>
-    </message>
-    <message>
-        <source>Left, Right</source>
-        <translation>السهمان الأيسر والأيمن</translation>
-    </message>
-    <message>
-        <source>The hit before or after</source>
-        <translation>التصادم السابق أو التالي</translation>
-    </message>
-    <message>
-        <source>PgUp, PgDown</source>
-        <translation>‏PgUp، PgDown</translation>
-    </message>
-    <message>
-        <source>Start and end of the run</source>
-        <translation>بداية التشغيل ونهايته</translation>
-    </message>
-    <message>
-        <source>Home, End</source>
-        <translation>‏Home، End</translation>
-    </message>
-    <message>
-        <source>Up, Down</source>
-        <translation>السهمان الأعلى والأسفل</translation>
-    </message>
-    <message>
-        <source>Along the dots of the steps, and open</source>
-        <translation>على نقاط المراحل، وفتح</translation>
-    </message>
-    <message>
-        <source>Left, Right, Return</source>
-        <translation>السهمان الأيسر والأيمن، وEnter</translation>
-    </message>
-    <message>
-        <source>Anywhere</source>
-        <translation>في كل مكان</translation>
-    </message>
-    <message>
-        <source>On the timeline and the steps</source>
-        <translation>على خط الزمن والمراحل</translation>
-    </message>
-    <message>
-        <source>In the program</source>
-        <translation>في البرنامج</translation>
-    </message>
-    <message>
-        <source>In the scene</source>
-        <translation>في المشهد</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n runs are pinned; remove one of them first.</source>
-        <translation>
-            <numerusform>لا تشغيلات مثبّتة.</numerusform>
-            <numerusform>تشغيل واحد مثبّت؛ أزله أولًا.</numerusform>
-            <numerusform>تشغيلان مثبّتان؛ أزل أحدهما أولًا.</numerusform>
-            <numerusform>%n تشغيلات مثبّتة؛ أزل أحدها أولًا.</numerusform>
-            <numerusform>%n تشغيلًا مثبّتًا؛ أزل أحدها أولًا.</numerusform>
-            <numerusform>%n تشغيل مثبّت؛ أزل أحدها أولًا.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There is no run yet: press Run, then pin it.</source>
-        <translation>لا يوجد تشغيل بعد: اضغط «تشغيل»، ثم ثبّته.</translation>
-    </message>
-    <message>
-        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
-        <translation>يضبط برنامجك قيم الدوائر عند تحميله: ويبدأ التشغيل الجديد بها.</translation>
-    </message>
-    <message>
-        <source>Save the data of the run</source>
-        <translation>حفظ بيانات التشغيل</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>جداول (*.csv)</translation>
-    </message>
-    <message>
-        <source>The step</source>
-        <translation>المرحلة</translation>
-    </message>
-    <message>
-        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>هنا يرد ما تفعله ولماذا. النقاط هي مراحل المختبر؛ والتلميحات تنتظر تحت النص.</translation>
-    </message>
-    <message>
-        <source>Your program</source>
-        <translation>برنامجك</translation>
-    </message>
-    <message>
-        <source>The scene in numbers</source>
-        <translation>المشهد بالأرقام</translation>
-    </message>
-    <message>
-        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
-        <translation>لديك برنامج واحد عبر كل المراحل. يُحفظ ويعمل وأنت تكتب؛ وF1 يشرح الكلمة التي تحت المؤشر.</translation>
-    </message>
-    <message>
-        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
-        <translation>العالم والقوانين والدوائر: ما تغيّره هنا أو بالسحب في المشهد يبدأ التشغيل من جديد.</translation>
-    </message>
-    <message>
-        <source>The scene</source>
-        <translation>المشهد</translation>
-    </message>
-    <message>
-        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
-        <translation>ما تفعله دوائرك. عند التصادم تُظهر الأسهم مركّبات السرعات على الناظم ومعامدةً له.</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>المخططات</translation>
-    </message>
-    <message>
-        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
-        <translation>كمية الحركة والطاقة للتشغيل نفسه. انقر حيث تريد أعداد تلك اللحظة؛ وكل تصادم معلَّم.</translation>
-    </message>
-    <message>
-        <source>Any moment again</source>
-        <translation>أي لحظة من جديد</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
-        <translation>اسحب إلى أي لحظة من التشغيل، أو اضغط «التصادم التالي». مفتاح المسافة يشغّل ويوقف مؤقتًا.</translation>
-    </message>
-    <message>
-        <source>Run and check</source>
-        <translation>التشغيل والتحقّق</translation>
-    </message>
-    <message>
-        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
-        <translation>«تشغيل» للمشاهدة؛ و«تحقّق» حين تنتهي: يقول ما الصواب وما الخطأ ولماذا.</translation>
-    </message>
-    <message>
-        <source>:/help/lua-for-csharp.md</source>
-        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
-        <translation>:/help/lua-for-csharp.ar.md</translation>
-    </message>
-    <message>
-        <source>Lua for C# people</source>
-        <translation>‏Lua لمن يعرف ⁦C#⁩</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>المشهد</translation>
-    </message>
-    <message>
-        <source>Nothing hits anything within the next minute.</source>
-        <translation>لا شيء يصدم شيئًا خلال الدقيقة التالية.</translation>
-    </message>
-    <message>
-        <source># %1
-
-This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
-        <translation># %1
-
-لا ينتمي هذا المشهد إلى أي مرحلة: العب به. اختر مرحلة في الأعلى للعودة إلى المختبر.</translation>
-    </message>
-    <message>
-        <source>A scene of your own</source>
-        <translation>مشهد خاص بك</translation>
-    </message>
-    <message>
-        <source>Explore</source>
-        <translation>استكشاف</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>برمجة</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>المرجع</translation>
-    </message>
-    <message>
-        <source>so far in this step</source>
-        <translation>حتى الآن في هذه المرحلة</translation>
-    </message>
-    <message>
-        <source>Check passed.</source>
-        <translation>اجتزت التحقّق.</translation>
-    </message>
-    <message>
-        <source>Not yet: %1</source>
-        <translation>ليس بعد: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check, at the moment where it went wrong.</source>
-        <translation>هذا مشهد من الفحص، عند لحظة حدوث الخطأ.</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check.</source>
-        <translation>هذا مشهد من الفحص.</translation>
-    </message>
-    <message>
-        <source>Back to my scene</source>
-        <translation>العودة إلى مشهدي</translation>
-    </message>
-    <message>
-        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
-        <translation>لا صوت هنا: تعذّر الوصول إلى خادم صوت (⁦PulseAudio⁩ أو ⁦PipeWire⁩). وكل ما عداه يستمر.</translation>
-    </message>
-    <message>
-        <source>Hear that curve from left to right</source>
-        <translation>سماع هذا المنحنى من اليسار إلى اليمين</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
-        <translation>من منحنى إلى منحنى في المخطط، ومن عمود إلى عمود في مخطط السرعات</translation>
-    </message>
-    <message>
-        <source>Comment lines, or not</source>
-        <translation>جعل الأسطر تعليقات أو لا</translation>
-    </message>
-    <message>
-        <source>Words that fit here</source>
-        <translation>الكلمات المناسبة هنا</translation>
-    </message>
-    <message>
-        <source>What the call takes</source>
-        <translation>ما يأخذه الاستدعاء</translation>
-    </message>
-    <message>
-        <source>Out of the program</source>
-        <translation>الخروج من البرنامج</translation>
-    </message>
-    <message>
-        <source>Esc, then Tab</source>
-        <translation>Esc ثم Tab</translation>
-    </message>
-    <message>
-        <source>Remove what is selected</source>
-        <translation>حذف المحدد</translation>
-    </message>
-</context>
-<context>
     <name>cradle::MarkdownView</name>
     <message>
         <source>(a picture)</source>
@@ -10315,6 +10089,33 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Got it</source>
         <translation>فهمت</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Opening</name>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>فتح مجلد مختبر</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>فتح مختبر في ملف واحد</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>مختبرات وأعمال (*.cradle *.cradle-work);;كل الملفات (*)</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>فتح مشهد</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>مشاهد (*.json);;كل الملفات (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>حفظ المشهد</translation>
     </message>
 </context>
 <context>
@@ -10644,6 +10445,13 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>And after</source>
         <translation>وبعد</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Presenter</name>
+    <message>
+        <source>Scene</source>
+        <translation>المشهد</translation>
     </message>
 </context>
 <context>
@@ -11424,6 +11232,36 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::RunDesk</name>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>لا تشغيلات مثبّتة.</numerusform>
+            <numerusform>تشغيل واحد مثبّت؛ أزله أولًا.</numerusform>
+            <numerusform>تشغيلان مثبّتان؛ أزل أحدهما أولًا.</numerusform>
+            <numerusform>%n تشغيلات مثبّتة؛ أزل أحدها أولًا.</numerusform>
+            <numerusform>%n تشغيلًا مثبّتًا؛ أزل أحدها أولًا.</numerusform>
+            <numerusform>%n تشغيل مثبّت؛ أزل أحدها أولًا.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no run yet: press Run, then pin it.</source>
+        <translation>لا يوجد تشغيل بعد: اضغط «تشغيل»، ثم ثبّته.</translation>
+    </message>
+    <message>
+        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
+        <translation>يضبط برنامجك قيم الدوائر عند تحميله: ويبدأ التشغيل الجديد بها.</translation>
+    </message>
+    <message>
+        <source>Save the data of the run</source>
+        <translation>حفظ بيانات التشغيل</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>جداول (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SceneActions</name>
     <message>
         <source>Cu&amp;t circles</source>
@@ -11452,6 +11290,33 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Select a&amp;ll circles</source>
         <translation>تحديد كل الدوائر (&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneDesk</name>
+    <message>
+        <source>Nothing hits anything within the next minute.</source>
+        <translation>لا شيء يصدم شيئًا خلال الدقيقة التالية.</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>المرجع</translation>
+    </message>
+    <message>
+        <source>so far in this step</source>
+        <translation>حتى الآن في هذه المرحلة</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check, at the moment where it went wrong.</source>
+        <translation>هذا مشهد من الفحص، عند لحظة حدوث الخطأ.</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check.</source>
+        <translation>هذا مشهد من الفحص.</translation>
+    </message>
+    <message>
+        <source>Back to my scene</source>
+        <translation>العودة إلى مشهدي</translation>
     </message>
 </context>
 <context>
@@ -11796,6 +11661,13 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::Sounds</name>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>لا صوت هنا: تعذّر الوصول إلى خادم صوت (⁦PulseAudio⁩ أو ⁦PipeWire⁩). وكل ما عداه يستمر.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SpeedHistogram</name>
     <message>
         <source>Speeds</source>
@@ -11859,6 +11731,29 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
         <translation>من ⁦%1⁩ إلى ⁦%2 m/s⁩: ⁦%3 %⁩، والمنحنى ⁦%4 %⁩</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepDesk</name>
+    <message>
+        <source># %1
+
+This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
+        <translation># %1
+
+لا ينتمي هذا المشهد إلى أي مرحلة: العب به. اختر مرحلة في الأعلى للعودة إلى المختبر.</translation>
+    </message>
+    <message>
+        <source>A scene of your own</source>
+        <translation>مشهد خاص بك</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>استكشاف</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>برمجة</translation>
     </message>
 </context>
 <context>
@@ -12705,6 +12600,17 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::VerdictDesk</name>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>ليس بعد: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Check passed.</source>
+        <translation>اجتزت التحقّق.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::VersionsList</name>
     <message>
         <source>Written</source>
@@ -12795,10 +12701,134 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::WorkDialogs</name>
+    <message>
+        <source>Nothing of this work is kept on a disk.</source>
+        <translation>لا يُحفظ شيء من هذا العمل على قرص.</translation>
+    </message>
+    <message>
+        <source>Open a step of a lab first.</source>
+        <translation>افتح مرحلة من مختبر أولًا.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkJob</name>
     <message>
         <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
         <translation>تعذّر حفظ ما كتبته أخيرًا؛ وعملك على القرص أقدم. احفظه أولًا: تقول النافذة ما الذي يعيق.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorkNotices</name>
+    <message>
+        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
+        <translation>غيّر برنامج آخر برنامجك. يُعرض نصه الآن؛ ونصك بين نسخ هذه المرحلة.</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
+        <translation>غيّر برنامج آخر برنامجك وأنت تكتب. يبقى نصك؛ والآخر بين نسخ هذه المرحلة.</translation>
+    </message>
+    <message>
+        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
+        <translation>جعل برنامج آخر ⁨%1⁩ ملفًا ليس برنامجًا. يُحفظ باسم ⁨%2⁩؛ وما يُقرأ منه بين نسخ هذه المرحلة.</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>رقمك</translation>
+    </message>
+    <message>
+        <source>This lab draws its values for each student by the number that you hand in with.
+Your number:</source>
+        <translation>يختار هذا المختبر قيمه لكل طالب بحسب الرقم الذي تسلّم به.
+رقمك:</translation>
+    </message>
+    <message>
+        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
+        <translation>قيم هذا المختبر ليست قيم أحد حتى تعطي رقمك: افتح المختبر مرة أخرى لذلك.</translation>
+    </message>
+    <message>
+        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
+        <translation>عمل سلّمه ⁨%1⁩. شغّله وافحصه واقرأ نسخه وملاحظاته: لا يُغيَّر فيه شيء، ولا يُصدَّق شيء مما يقوله عن نفسه.</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>شخص ما</translation>
+    </message>
+    <message>
+        <source>They write: “%1”</source>
+        <translation>ويكتب: «⁨%1⁩»</translation>
+    </message>
+    <message>
+        <source>Make a program of it</source>
+        <translation>جعله برنامجًا</translation>
+    </message>
+    <message>
+        <source>Back to the newest version</source>
+        <translation>العودة إلى أحدث نسخة</translation>
+    </message>
+    <message>
+        <source>Begin this step anew</source>
+        <translation>بدء هذه المرحلة من جديد</translation>
+    </message>
+    <message>
+        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
+        <translation>ملف برنامجك ليس برنامجًا، ويُترك كما هو. ⁨%1⁩ أيًّا كان اختيارك، يُحفظ الملف بجواره.</translation>
+    </message>
+    <message>
+        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
+        <translation>تواصل هذه المرحلة من التي قبلها، ولم تنجزها. تبدأ ببرنامجك أنت.</translation>
+    </message>
+    <message>
+        <source>Begin with the solution of “%1”</source>
+        <translation>البدء بحل «⁨%1⁩»</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
+        <translation>اقرأ المرحلة على اليمين، واكتب برنامجك في الوسط، واضغط «تشغيل» للمشاهدة، و«تحقّق» حين تنتهي.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
+        <translation>اقرأ المرحلة على اليمين، واضبط القيم بجانب المشهد، واضغط «تشغيل» للمشاهدة، و«تحقّق» حين تنتهي.</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>خذني في جولة</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>فهمت</translation>
+    </message>
+    <message>
+        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
+        <translation>تعمل نافذة أخرى على هذا المختبر (العملية ⁨%1⁩ على ⁨%2⁩، منذ ⁨%3⁩). يمكنك هنا أن تنظر، لكن لا يُحفظ شيء.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>تولّي العمل هنا</translation>
+    </message>
+    <message>
+        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
+        <translation>ما تجتازه يُحفظ في تاريخك بتوقيع «Student». ويمكن توقيعه باسمك.</translation>
+    </message>
+    <message>
+        <source>Give your name…</source>
+        <translation>إعطاء اسمك…</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>اسمك</translation>
+    </message>
+    <message>
+        <source>Your name:</source>
+        <translation>اسمك:</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>برنامجك لم يُحفظ</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>ما كتبته منذ آخر حفظ يضيع إن أغلقت النافذة.</translation>
     </message>
 </context>
 <context>

@@ -5815,6 +5815,41 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>lab.lua</source>
+        <translation>lab.lua</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+</context>
+<context>
     <name>ParameterText</name>
     <message>
         <source>from %1 to %2%3</source>
@@ -9291,6 +9326,218 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::HelpDesk</name>
+    <message>
+        <source>The step</source>
+        <translation>Der Schritt</translation>
+    </message>
+    <message>
+        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
+        <translation>Hier steht, was zu tun ist und warum. Die Punkte sind die Schritte des Praktikums; unter dem Text warten Hinweise.</translation>
+    </message>
+    <message>
+        <source>Your program</source>
+        <translation>Dein Programm</translation>
+    </message>
+    <message>
+        <source>The scene in numbers</source>
+        <translation>Die Szene in Zahlen</translation>
+    </message>
+    <message>
+        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
+        <translation>Du behältst ein Programm durch alle Schritte. Es wird gespeichert und läuft, während du schreibst; F1 erklärt das Wort an der Schreibmarke.</translation>
+    </message>
+    <message>
+        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
+        <translation>Welt, Gesetze und Kreise: Was du hier oder durch Ziehen in der Szene änderst, beginnt den Lauf von vorn.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
+        <translation>Was deine Kreise tun. Bei einem Stoß zeigen Pfeile die Teile der Geschwindigkeiten längs und quer zur Normalen.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>Impuls und Energie desselben Laufs. Klick dorthin, wo du die Zahlen des Augenblicks sehen willst; jeder Stoß ist markiert.</translation>
+    </message>
+    <message>
+        <source>Any moment again</source>
+        <translation>Jeder Augenblick noch einmal</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
+        <translation>Zieh zu einem beliebigen Augenblick des Laufs, oder drück Nächster Stoß. Die Leertaste startet und hält an.</translation>
+    </message>
+    <message>
+        <source>Run and check</source>
+        <translation>Starten und prüfen</translation>
+    </message>
+    <message>
+        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
+        <translation>Starten, um zuzusehen; Prüfen, wenn du fertig bist: Es sagt, was richtig ist, was nicht, und warum.</translation>
+    </message>
+    <message>
+        <source>:/help/lua-for-csharp.md</source>
+        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-for-csharp.de.md</translation>
+    </message>
+    <message>
+        <source>Lua for C# people</source>
+        <translation>Lua für Leute, die C# können</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>Zeilen auskommentieren oder nicht</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>Wörter, die hier passen</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>Was der Aufruf erwartet</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>Aus dem Programm heraus</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Esc, dann Tab</translation>
+    </message>
+    <message>
+        <source>Select several circles</source>
+        <translation>Mehrere Kreise auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
+        <translation>Strg+Klick, Umschalt+Ziehen, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Move what is selected</source>
+        <translation>Ausgewähltes verschieben</translation>
+    </message>
+    <message>
+        <source>drag; Ctrl+arrows, finer with Shift</source>
+        <translation>ziehen; Strg+Pfeile, feiner mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Drag free of the grid</source>
+        <translation>Frei vom Raster ziehen</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>Ziehen zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Ausgewähltes entfernen</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>drag on empty space, or the middle button</source>
+        <translation>an leerer Stelle ziehen, oder mit der mittleren Taste</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Am Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>A step back or on</source>
+        <translation>Einen Schritt zurück oder weiter</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>The hit before or after</source>
+        <translation>Der Stoß davor oder danach</translation>
+    </message>
+    <message>
+        <source>PgUp, PgDown</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>Start and end of the run</source>
+        <translation>Anfang und Ende des Laufs</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>Von Kurve zu Kurve eines Diagramms, von Balken zu Balken der Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>Diese Kurve von links nach rechts hören</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Along the dots of the steps, and open</source>
+        <translation>Die Punkte der Schritte entlang, und öffnen</translation>
+    </message>
+    <message>
+        <source>Left, Right, Return</source>
+        <translation>Links, Rechts, Eingabe</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>On the timeline and the steps</source>
+        <translation>Auf der Zeitleiste und den Schritten</translation>
+    </message>
+    <message>
+        <source>In the program</source>
+        <translation>Im Programm</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>In der Szene</translation>
+    </message>
+    <message>
+        <source>About Cradle</source>
+        <translation>Über Cradle</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Lerne, wie eine Physik-Engine arbeitet, indem du eine schreibst.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Gebaut mit Qt, Lua, QScintilla, MathJax und valijson.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>cradle::HintsList</name>
     <message>
         <source>A new hint</source>
@@ -9701,475 +9948,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
-    <name>cradle::MainWindow</name>
-    <message>
-        <source># %1
-
-This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
-        <translation># %1
-
-Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt, um zum Lab zurückzukehren.</translation>
-    </message>
-    <message>
-        <source>A scene of your own</source>
-        <translation>Eine eigene Szene</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check, at the moment where it went wrong.</source>
-        <translation>Das ist eine Szene der Prüfung, in dem Moment, in dem sie schiefging.</translation>
-    </message>
-    <message>
-        <source>Back to my scene</source>
-        <translation>Zurück zu meiner Szene</translation>
-    </message>
-    <message>
-        <source>Open a lab&apos;s folder</source>
-        <translation>Ordner eines Labs öffnen</translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation>Szene öffnen</translation>
-    </message>
-    <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the scene</source>
-        <translation>Szene speichern</translation>
-    </message>
-    <message>
-        <source>About Cradle</source>
-        <translation>Über Cradle</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>Inspektor</translation>
-    </message>
-    <message>
-        <source>Momentum</source>
-        <translation>Impuls</translation>
-    </message>
-    <message>
-        <source>Energy</source>
-        <translation>Energie</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
-        <source>Nothing hits anything within the next minute.</source>
-        <translation>In der nächsten Minute stößt nichts zusammen.</translation>
-    </message>
-    <message>
-        <source>Explore</source>
-        <translation>Erkunden</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Musterlösung</translation>
-    </message>
-    <message>
-        <source>Not yet: %1</source>
-        <translation>Noch nicht: %1</translation>
-    </message>
-    <message>
-        <source>lab.lua</source>
-        <translation>lab.lua</translation>
-    </message>
-    <message>
-        <source>so far in this step</source>
-        <translation>bisher in diesem Schritt</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Lerne, wie eine Physik-Engine arbeitet, indem du eine schreibst.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Gebaut mit Qt, Lua, QScintilla, MathJax und valijson.&lt;/p&gt;</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n runs are pinned; remove one of them first.</source>
-        <translation>
-            <numerusform>%n Lauf ist angeheftet; entferne ihn zuerst.</numerusform>
-            <numerusform>%n Läufe sind angeheftet; entferne zuerst einen davon.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There is no run yet: press Run, then pin it.</source>
-        <translation>Es gibt noch keinen Lauf: Drücke Starten, dann hefte ihn an.</translation>
-    </message>
-    <message>
-        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
-        <translation>Dein Programm setzt beim Laden Werte von Kreisen: Mit denen beginnt der neue Lauf.</translation>
-    </message>
-    <message>
-        <source>Save the data of the run</source>
-        <translation>Daten des Laufs sichern</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Open a lab in one file</source>
-        <translation>Ein Lab aus einer Datei öffnen</translation>
-    </message>
-    <message>
-        <source>Select several circles</source>
-        <translation>Mehrere Kreise auswählen</translation>
-    </message>
-    <message>
-        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
-        <translation>Strg+Klick, Umschalt+Ziehen, Umschalt+Pfeile</translation>
-    </message>
-    <message>
-        <source>Move what is selected</source>
-        <translation>Ausgewähltes verschieben</translation>
-    </message>
-    <message>
-        <source>drag; Ctrl+arrows, finer with Shift</source>
-        <translation>ziehen; Strg+Pfeile, feiner mit Umschalt</translation>
-    </message>
-    <message>
-        <source>Drag free of the grid</source>
-        <translation>Frei vom Raster ziehen</translation>
-    </message>
-    <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Take a drag back</source>
-        <translation>Ziehen zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>Ausschnitt verschieben</translation>
-    </message>
-    <message>
-        <source>drag on empty space, or the middle button</source>
-        <translation>an leerer Stelle ziehen, oder mit der mittleren Taste</translation>
-    </message>
-    <message>
-        <source>Zoom at the pointer</source>
-        <translation>Am Zeiger vergrößern</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>In the scene</source>
-        <translation>In der Szene</translation>
-    </message>
-    <message>
-        <source>Versions</source>
-        <translation>Fassungen</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notizen</translation>
-    </message>
-    <message>
-        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
-        <translation>Labs und Arbeiten (*.cradle *.cradle-work);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
-        <translation>Ein anderes Programm hat dein Programm geändert. Jetzt steht sein Text da; deiner ist unter den Fassungen dieses Schritts.</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
-        <translation>Ein anderes Programm hat dein Programm geändert, während du getippt hast. Deines bleibt; das andere ist unter den Fassungen dieses Schritts.</translation>
-    </message>
-    <message>
-        <source>Make a program of it</source>
-        <translation>Ein Programm daraus machen</translation>
-    </message>
-    <message>
-        <source>Begin this step anew</source>
-        <translation>Diesen Schritt neu beginnen</translation>
-    </message>
-    <message>
-        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
-        <translation>Die Datei deines Programms ist kein Programm und bleibt, wie sie ist. %1 Was du auch wählst, die Datei wird daneben aufgehoben.</translation>
-    </message>
-    <message>
-        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
-        <translation>Dieser Schritt baut auf dem vorigen auf, den du nicht gemacht hast. Du beginnst mit deinem eigenen Programm.</translation>
-    </message>
-    <message>
-        <source>Begin with the solution of “%1”</source>
-        <translation>Mit der Lösung von „%1“ beginnen</translation>
-    </message>
-    <message>
-        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
-        <translation>Ein anderes Fenster arbeitet an diesem Lab (Prozess %1 auf %2, seit %3). In diesem kannst du dich umsehen, aber nichts wird gespeichert.</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Nothing of this work is kept on a disk.</source>
-        <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufgehoben.</translation>
-    </message>
-    <message>
-        <source>Open a step of a lab first.</source>
-        <translation>Öffne zuerst einen Schritt eines Labs.</translation>
-    </message>
-    <message>
-        <source>Your program is not saved</source>
-        <translation>Dein Programm ist nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>What you typed since it was last saved is lost if you close the window.</source>
-        <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
-    </message>
-    <message>
-        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
-        <translation>Arbeit, die %1 abgegeben hat. Starte und prüfe sie, lies ihre Fassungen und Notizen: Nichts davon wird geändert, und nichts von dem, was sie über sich selbst sagt, wird geglaubt.</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>jemand</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check.</source>
-        <translation>Das ist eine Szene der Prüfung.</translation>
-    </message>
-    <message>
-        <source>Back to the newest version</source>
-        <translation>Zurück zur neuesten Fassung</translation>
-    </message>
-    <message>
-        <source>A step back or on</source>
-        <translation>Einen Schritt zurück oder weiter</translation>
-    </message>
-    <message>
-        <source>Left, Right</source>
-        <translation>Links, Rechts</translation>
-    </message>
-    <message>
-        <source>The hit before or after</source>
-        <translation>Der Stoß davor oder danach</translation>
-    </message>
-    <message>
-        <source>PgUp, PgDown</source>
-        <translation>Bild auf, Bild ab</translation>
-    </message>
-    <message>
-        <source>Start and end of the run</source>
-        <translation>Anfang und Ende des Laufs</translation>
-    </message>
-    <message>
-        <source>Home, End</source>
-        <translation>Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>Along the dots of the steps, and open</source>
-        <translation>Die Punkte der Schritte entlang, und öffnen</translation>
-    </message>
-    <message>
-        <source>Left, Right, Return</source>
-        <translation>Links, Rechts, Eingabe</translation>
-    </message>
-    <message>
-        <source>Anywhere</source>
-        <translation>Überall</translation>
-    </message>
-    <message>
-        <source>On the timeline and the steps</source>
-        <translation>Auf der Zeitleiste und den Schritten</translation>
-    </message>
-    <message>
-        <source>In the program</source>
-        <translation>Im Programm</translation>
-    </message>
-    <message>
-        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
-        <translation>Ein anderes Programm hat aus %1 eine Datei gemacht, die kein Programm ist. Sie ist als %2 aufgehoben; was davon lesbar ist, steht unter den Fassungen dieses Schritts.</translation>
-    </message>
-    <message>
-        <source>They write: “%1”</source>
-        <translation>Dazu steht: „%1“</translation>
-    </message>
-    <message>
-        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>Was besteht, wird in deinem Verlauf aufgehoben, gezeichnet „Student“. Es kann mit deinem Namen gezeichnet werden.</translation>
-    </message>
-    <message>
-        <source>Give your name…</source>
-        <translation>Namen angeben …</translation>
-    </message>
-    <message>
-        <source>Your name</source>
-        <translation>Dein Name</translation>
-    </message>
-    <message>
-        <source>Your name:</source>
-        <translation>Dein Name:</translation>
-    </message>
-    <message>
-        <source>Your number</source>
-        <translation>Ihre Nummer</translation>
-    </message>
-    <message>
-        <source>This lab draws its values for each student by the number that you hand in with.
-Your number:</source>
-        <translation>Dieses Praktikum zieht seine Werte für jede Person anhand der Nummer, mit der Sie abgeben.
-Ihre Nummer:</translation>
-    </message>
-    <message>
-        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
-        <translation>Die Werte dieses Praktikums gelten für niemanden, bis Sie Ihre Nummer angeben: Öffnen Sie es dazu noch einmal.</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, schreib in der Mitte dein Programm, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
-    </message>
-    <message>
-        <source>Got it</source>
-        <translation>Verstanden</translation>
-    </message>
-    <message>
-        <source>Show me around</source>
-        <translation>Zeig mir alles</translation>
-    </message>
-    <message>
-        <source>The step</source>
-        <translation>Der Schritt</translation>
-    </message>
-    <message>
-        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>Hier steht, was zu tun ist und warum. Die Punkte sind die Schritte des Praktikums; unter dem Text warten Hinweise.</translation>
-    </message>
-    <message>
-        <source>Your program</source>
-        <translation>Dein Programm</translation>
-    </message>
-    <message>
-        <source>The scene in numbers</source>
-        <translation>Die Szene in Zahlen</translation>
-    </message>
-    <message>
-        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
-        <translation>Du behältst ein Programm durch alle Schritte. Es wird gespeichert und läuft, während du schreibst; F1 erklärt das Wort an der Schreibmarke.</translation>
-    </message>
-    <message>
-        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
-        <translation>Welt, Gesetze und Kreise: Was du hier oder durch Ziehen in der Szene änderst, beginnt den Lauf von vorn.</translation>
-    </message>
-    <message>
-        <source>The scene</source>
-        <translation>Die Szene</translation>
-    </message>
-    <message>
-        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
-        <translation>Was deine Kreise tun. Bei einem Stoß zeigen Pfeile die Teile der Geschwindigkeiten längs und quer zur Normalen.</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
-        <translation>Impuls und Energie desselben Laufs. Klick dorthin, wo du die Zahlen des Augenblicks sehen willst; jeder Stoß ist markiert.</translation>
-    </message>
-    <message>
-        <source>Any moment again</source>
-        <translation>Jeder Augenblick noch einmal</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
-        <translation>Zieh zu einem beliebigen Augenblick des Laufs, oder drück Nächster Stoß. Die Leertaste startet und hält an.</translation>
-    </message>
-    <message>
-        <source>Run and check</source>
-        <translation>Starten und prüfen</translation>
-    </message>
-    <message>
-        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
-        <translation>Starten, um zuzusehen; Prüfen, wenn du fertig bist: Es sagt, was richtig ist, was nicht, und warum.</translation>
-    </message>
-    <message>
-        <source>:/help/lua-for-csharp.md</source>
-        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
-        <translation>:/help/lua-for-csharp.de.md</translation>
-    </message>
-    <message>
-        <source>Lua for C# people</source>
-        <translation>Lua für Leute, die C# können</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>Check passed.</source>
-        <translation>Prüfung bestanden.</translation>
-    </message>
-    <message>
-        <source>Up, Down</source>
-        <translation>Auf, Ab</translation>
-    </message>
-    <message>
-        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
-        <translation>Hier gibt es keinen Ton: Kein Klangserver (PulseAudio oder PipeWire) ist zu erreichen. Alles andere geht weiter.</translation>
-    </message>
-    <message>
-        <source>Hear that curve from left to right</source>
-        <translation>Diese Kurve von links nach rechts hören</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
-        <translation>Von Kurve zu Kurve eines Diagramms, von Balken zu Balken der Geschwindigkeiten</translation>
-    </message>
-    <message>
-        <source>Comment lines, or not</source>
-        <translation>Zeilen auskommentieren oder nicht</translation>
-    </message>
-    <message>
-        <source>Words that fit here</source>
-        <translation>Wörter, die hier passen</translation>
-    </message>
-    <message>
-        <source>What the call takes</source>
-        <translation>Was der Aufruf erwartet</translation>
-    </message>
-    <message>
-        <source>Out of the program</source>
-        <translation>Aus dem Programm heraus</translation>
-    </message>
-    <message>
-        <source>Esc, then Tab</source>
-        <translation>Esc, dann Tab</translation>
-    </message>
-    <message>
-        <source>Remove what is selected</source>
-        <translation>Ausgewähltes entfernen</translation>
-    </message>
-</context>
-<context>
     <name>cradle::MarkdownView</name>
     <message>
         <source>(a picture)</source>
@@ -10239,6 +10017,33 @@ Ihre Nummer:</translation>
     <message>
         <source>Got it</source>
         <translation>Verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Opening</name>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>Ordner eines Labs öffnen</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ein Lab aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>Labs und Arbeiten (*.cradle *.cradle-work);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Szene speichern</translation>
     </message>
 </context>
 <context>
@@ -10564,6 +10369,13 @@ Ihre Nummer:</translation>
     <message>
         <source>And after</source>
         <translation>Und nachher</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Presenter</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
     </message>
 </context>
 <context>
@@ -11344,6 +11156,32 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::RunDesk</name>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n Lauf ist angeheftet; entferne ihn zuerst.</numerusform>
+            <numerusform>%n Läufe sind angeheftet; entferne zuerst einen davon.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no run yet: press Run, then pin it.</source>
+        <translation>Es gibt noch keinen Lauf: Drücke Starten, dann hefte ihn an.</translation>
+    </message>
+    <message>
+        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
+        <translation>Dein Programm setzt beim Laden Werte von Kreisen: Mit denen beginnt der neue Lauf.</translation>
+    </message>
+    <message>
+        <source>Save the data of the run</source>
+        <translation>Daten des Laufs sichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SceneActions</name>
     <message>
         <source>Cu&amp;t circles</source>
@@ -11372,6 +11210,33 @@ Ihre Nummer:</translation>
     <message>
         <source>Select a&amp;ll circles</source>
         <translation>A&amp;lle Kreise auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneDesk</name>
+    <message>
+        <source>Nothing hits anything within the next minute.</source>
+        <translation>In der nächsten Minute stößt nichts zusammen.</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Musterlösung</translation>
+    </message>
+    <message>
+        <source>so far in this step</source>
+        <translation>bisher in diesem Schritt</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check, at the moment where it went wrong.</source>
+        <translation>Das ist eine Szene der Prüfung, in dem Moment, in dem sie schiefging.</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check.</source>
+        <translation>Das ist eine Szene der Prüfung.</translation>
+    </message>
+    <message>
+        <source>Back to my scene</source>
+        <translation>Zurück zu meiner Szene</translation>
     </message>
 </context>
 <context>
@@ -11700,6 +11565,13 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::Sounds</name>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>Hier gibt es keinen Ton: Kein Klangserver (PulseAudio oder PipeWire) ist zu erreichen. Alles andere geht weiter.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SpeedHistogram</name>
     <message>
         <source>Speeds</source>
@@ -11763,6 +11635,29 @@ Ihre Nummer:</translation>
     <message>
         <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
         <translation>%1 bis %2 m/s: %3 %, die Kurve %4 %</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepDesk</name>
+    <message>
+        <source># %1
+
+This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
+        <translation># %1
+
+Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt, um zum Lab zurückzukehren.</translation>
+    </message>
+    <message>
+        <source>A scene of your own</source>
+        <translation>Eine eigene Szene</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
     </message>
 </context>
 <context>
@@ -12605,6 +12500,17 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::VerdictDesk</name>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Noch nicht: %1</translation>
+    </message>
+    <message>
+        <source>Check passed.</source>
+        <translation>Prüfung bestanden.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::VersionsList</name>
     <message>
         <source>Written</source>
@@ -12695,10 +12601,134 @@ Ihre Nummer:</translation>
     </message>
 </context>
 <context>
+    <name>cradle::WorkDialogs</name>
+    <message>
+        <source>Nothing of this work is kept on a disk.</source>
+        <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Open a step of a lab first.</source>
+        <translation>Öffne zuerst einen Schritt eines Labs.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkJob</name>
     <message>
         <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
         <translation>Was du zuletzt getippt hast, konnte nicht gespeichert werden; auf der Platte ist deine Arbeit älter. Zuerst muss sie gespeichert sein: Das Fenster sagt, was im Weg ist.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorkNotices</name>
+    <message>
+        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat dein Programm geändert. Jetzt steht sein Text da; deiner ist unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat dein Programm geändert, während du getippt hast. Deines bleibt; das andere ist unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
+        <translation>Ein anderes Programm hat aus %1 eine Datei gemacht, die kein Programm ist. Sie ist als %2 aufgehoben; was davon lesbar ist, steht unter den Fassungen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Ihre Nummer</translation>
+    </message>
+    <message>
+        <source>This lab draws its values for each student by the number that you hand in with.
+Your number:</source>
+        <translation>Dieses Praktikum zieht seine Werte für jede Person anhand der Nummer, mit der Sie abgeben.
+Ihre Nummer:</translation>
+    </message>
+    <message>
+        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
+        <translation>Die Werte dieses Praktikums gelten für niemanden, bis Sie Ihre Nummer angeben: Öffnen Sie es dazu noch einmal.</translation>
+    </message>
+    <message>
+        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
+        <translation>Arbeit, die %1 abgegeben hat. Starte und prüfe sie, lies ihre Fassungen und Notizen: Nichts davon wird geändert, und nichts von dem, was sie über sich selbst sagt, wird geglaubt.</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>They write: “%1”</source>
+        <translation>Dazu steht: „%1“</translation>
+    </message>
+    <message>
+        <source>Make a program of it</source>
+        <translation>Ein Programm daraus machen</translation>
+    </message>
+    <message>
+        <source>Back to the newest version</source>
+        <translation>Zurück zur neuesten Fassung</translation>
+    </message>
+    <message>
+        <source>Begin this step anew</source>
+        <translation>Diesen Schritt neu beginnen</translation>
+    </message>
+    <message>
+        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
+        <translation>Die Datei deines Programms ist kein Programm und bleibt, wie sie ist. %1 Was du auch wählst, die Datei wird daneben aufgehoben.</translation>
+    </message>
+    <message>
+        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
+        <translation>Dieser Schritt baut auf dem vorigen auf, den du nicht gemacht hast. Du beginnst mit deinem eigenen Programm.</translation>
+    </message>
+    <message>
+        <source>Begin with the solution of “%1”</source>
+        <translation>Mit der Lösung von „%1“ beginnen</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
+        <translation>Lies links den Schritt, schreib in der Mitte dein Programm, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
+        <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Zeig mir alles</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
+        <translation>Ein anderes Fenster arbeitet an diesem Lab (Prozess %1 auf %2, seit %3). In diesem kannst du dich umsehen, aber nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
+        <translation>Was besteht, wird in deinem Verlauf aufgehoben, gezeichnet „Student“. Es kann mit deinem Namen gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Give your name…</source>
+        <translation>Namen angeben …</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Dein Name</translation>
+    </message>
+    <message>
+        <source>Your name:</source>
+        <translation>Dein Name:</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>Dein Programm ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>Was du seit dem letzten Speichern getippt hast, geht verloren, wenn du das Fenster schließt.</translation>
     </message>
 </context>
 <context>

@@ -158,22 +158,22 @@
     </message>
 </context>
 <context>
-    <name>cradle::MainWindow</name>
-    <message numerus="yes">
-        <source>%n runs are pinned; remove one of them first.</source>
-        <translation>
-            <numerusform>%n run is pinned; remove it first.</numerusform>
-            <numerusform>%n runs are pinned; remove one of them first.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>cradle::PinnedRuns</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>
             <numerusform>%1 and %n more</numerusform>
             <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RunDesk</name>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n run is pinned; remove it first.</numerusform>
+            <numerusform>%n runs are pinned; remove one of them first.</numerusform>
         </translation>
     </message>
 </context>

@@ -5815,6 +5815,41 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>lab.lua</source>
+        <translation>lab.lua</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Quantité de mouvement</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+</context>
+<context>
     <name>ParameterText</name>
     <message>
         <source>from %1 to %2%3</source>
@@ -9291,6 +9326,218 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::HelpDesk</name>
+    <message>
+        <source>The step</source>
+        <translation>L&apos;étape</translation>
+    </message>
+    <message>
+        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
+        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP&#xa0;; des indices attendent sous le texte.</translation>
+    </message>
+    <message>
+        <source>Your program</source>
+        <translation>Votre programme</translation>
+    </message>
+    <message>
+        <source>The scene in numbers</source>
+        <translation>La scène en chiffres</translation>
+    </message>
+    <message>
+        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
+        <translation>Vous gardez un seul programme à travers toutes les étapes. Il est enregistré et tourne pendant que vous tapez&#xa0;; F1 explique le mot sous le curseur.</translation>
+    </message>
+    <message>
+        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
+        <translation>Monde, lois et cercles&#xa0;: ce que vous changez ici, ou en faisant glisser dans la scène, relance l&apos;exécution depuis le début.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La scène</translation>
+    </message>
+    <message>
+        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
+        <translation>Ce que font vos cercles. Lors d&apos;un choc, des flèches montrent les composantes normale et tangentielle des vitesses.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
+        <translation>Quantité de mouvement et énergie de la même exécution. Cliquez là où vous voulez les nombres de cet instant&#xa0;; chaque choc est marqué.</translation>
+    </message>
+    <message>
+        <source>Any moment again</source>
+        <translation>Revoir n&apos;importe quel instant</translation>
+    </message>
+    <message>
+        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
+        <translation>Glissez jusqu&apos;à n&apos;importe quel instant de l&apos;exécution, ou appuyez sur Choc suivant. Espace lance et met en pause.</translation>
+    </message>
+    <message>
+        <source>Run and check</source>
+        <translation>Lancer et vérifier</translation>
+    </message>
+    <message>
+        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
+        <translation>Lancez pour observer&#xa0;; vérifiez quand vous avez fini&#xa0;: vous saurez ce qui est juste, ce qui ne l&apos;est pas, et pourquoi.</translation>
+    </message>
+    <message>
+        <source>:/help/lua-for-csharp.md</source>
+        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
+        <translation>:/help/lua-for-csharp.fr.md</translation>
+    </message>
+    <message>
+        <source>Lua for C# people</source>
+        <translation>Lua pour qui connaît C#</translation>
+    </message>
+    <message>
+        <source>Comment lines, or not</source>
+        <translation>Commenter les lignes, ou non</translation>
+    </message>
+    <message>
+        <source>Words that fit here</source>
+        <translation>Mots qui conviennent ici</translation>
+    </message>
+    <message>
+        <source>What the call takes</source>
+        <translation>Ce que l&apos;appel attend</translation>
+    </message>
+    <message>
+        <source>Out of the program</source>
+        <translation>Sortir du programme</translation>
+    </message>
+    <message>
+        <source>Esc, then Tab</source>
+        <translation>Échap, puis Tab</translation>
+    </message>
+    <message>
+        <source>Select several circles</source>
+        <translation>Sélectionner plusieurs cercles</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
+        <translation>Ctrl+clic, Maj+glisser, Maj+flèches</translation>
+    </message>
+    <message>
+        <source>Move what is selected</source>
+        <translation>Déplacer la sélection</translation>
+    </message>
+    <message>
+        <source>drag; Ctrl+arrows, finer with Shift</source>
+        <translation>glisser&#xa0;; Ctrl+flèches, plus fin avec Maj</translation>
+    </message>
+    <message>
+        <source>Drag free of the grid</source>
+        <translation>Glisser sans la grille</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation>Annuler un glissement</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Remove what is selected</source>
+        <translation>Retirer la sélection</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Déplacer la vue</translation>
+    </message>
+    <message>
+        <source>drag on empty space, or the middle button</source>
+        <translation>glisser sur le vide, ou bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Zoomer au pointeur</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>A step back or on</source>
+        <translation>Un pas en arrière ou en avant</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>The hit before or after</source>
+        <translation>Le choc précédent ou suivant</translation>
+    </message>
+    <message>
+        <source>PgUp, PgDown</source>
+        <translation>Page préc., Page suiv.</translation>
+    </message>
+    <message>
+        <source>Start and end of the run</source>
+        <translation>Début et fin de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Début, Fin</translation>
+    </message>
+    <message>
+        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
+        <translation>D&apos;une courbe à l&apos;autre d&apos;un graphique, d&apos;une barre à l&apos;autre des vitesses</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Haut, Bas</translation>
+    </message>
+    <message>
+        <source>Hear that curve from left to right</source>
+        <translation>Écouter cette courbe de gauche à droite</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Along the dots of the steps, and open</source>
+        <translation>Parcourir les points des étapes, ouvrir</translation>
+    </message>
+    <message>
+        <source>Left, Right, Return</source>
+        <translation>Gauche, Droite, Entrée</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>On the timeline and the steps</source>
+        <translation>Sur la ligne de temps et les étapes</translation>
+    </message>
+    <message>
+        <source>In the program</source>
+        <translation>Dans le programme</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>Dans la scène</translation>
+    </message>
+    <message>
+        <source>About Cradle</source>
+        <translation>À propos de Cradle</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Comprendre un moteur physique en l&apos;écrivant soi-même.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, Lua, QScintilla, MathJax et valijson.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>cradle::HintsList</name>
     <message>
         <source>A new hint</source>
@@ -9701,475 +9948,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
-    <name>cradle::MainWindow</name>
-    <message>
-        <source>Step</source>
-        <translation>Étape</translation>
-    </message>
-    <message>
-        <source>lab.lua</source>
-        <translation>lab.lua</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>Inspecteur</translation>
-    </message>
-    <message>
-        <source>Versions</source>
-        <translation>Versions</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
-        <source>Momentum</source>
-        <translation>Quantité de mouvement</translation>
-    </message>
-    <message>
-        <source>Energy</source>
-        <translation>Énergie</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Valeurs</translation>
-    </message>
-    <message>
-        <source>Open a lab&apos;s folder</source>
-        <translation>Ouvrir le dossier d&apos;un TP</translation>
-    </message>
-    <message>
-        <source>Open a lab in one file</source>
-        <translation>Ouvrir un TP en un seul fichier</translation>
-    </message>
-    <message>
-        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
-        <translation>TP et travaux (*.cradle *.cradle-work);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Open a scene</source>
-        <translation>Ouvrir une scène</translation>
-    </message>
-    <message>
-        <source>Scenes (*.json);;All files (*)</source>
-        <translation>Scènes (*.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Save the scene</source>
-        <translation>Enregistrer la scène</translation>
-    </message>
-    <message>
-        <source>About Cradle</source>
-        <translation>À propos de Cradle</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Learn how a physics engine works by writing one.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Built with Qt, Lua, QScintilla, MathJax and valijson.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Cradle %1&lt;/h3&gt;&lt;p&gt;Comprendre un moteur physique en l&apos;écrivant soi-même.&lt;/p&gt;&lt;p&gt;Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure. Construit avec Qt, Lua, QScintilla, MathJax et valijson.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
-        <translation>Un autre programme a modifié votre programme. Son texte est affiché maintenant&#xa0;; le vôtre est parmi les versions de cette étape.</translation>
-    </message>
-    <message>
-        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
-        <translation>Un autre programme a modifié votre programme pendant que vous tapiez. Le vôtre reste&#xa0;; l&apos;autre est parmi les versions de cette étape.</translation>
-    </message>
-    <message>
-        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
-        <translation>Un autre programme a fait de %1 un fichier qui n&apos;est pas un programme. Il est gardé sous %2&#xa0;; ce qu&apos;on peut en lire est parmi les versions de cette étape.</translation>
-    </message>
-    <message>
-        <source>Your number</source>
-        <translation>Votre numéro</translation>
-    </message>
-    <message>
-        <source>This lab draws its values for each student by the number that you hand in with.
-Your number:</source>
-        <translation>Ce TP tire ses valeurs pour chaque étudiant selon le numéro avec lequel vous rendez.
-Votre numéro&#xa0;:</translation>
-    </message>
-    <message>
-        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
-        <translation>Les valeurs de ce TP ne sont celles de personne tant que vous ne donnez pas votre numéro&#xa0;: pour cela, rouvrez le TP.</translation>
-    </message>
-    <message>
-        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
-        <translation>Travail rendu par %1. Lancez-le, vérifiez-le, lisez ses versions et ses remarques&#xa0;: rien n&apos;y est modifié, et rien de ce qu&apos;il dit de lui-même n&apos;est cru.</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>quelqu&apos;un</translation>
-    </message>
-    <message>
-        <source>They write: “%1”</source>
-        <translation>Le message joint&#xa0;: «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Make a program of it</source>
-        <translation>En faire un programme</translation>
-    </message>
-    <message>
-        <source>Back to the newest version</source>
-        <translation>Revenir à la version la plus récente</translation>
-    </message>
-    <message>
-        <source>Begin this step anew</source>
-        <translation>Recommencer cette étape</translation>
-    </message>
-    <message>
-        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
-        <translation>Le fichier de votre programme n&apos;est pas un programme, et est laissé tel quel. %1 Quoi que vous choisissiez, ce fichier est gardé à côté.</translation>
-    </message>
-    <message>
-        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
-        <translation>Cette étape prolonge la précédente, que vous n&apos;avez pas faite. Vous commencez avec votre propre programme.</translation>
-    </message>
-    <message>
-        <source>Begin with the solution of “%1”</source>
-        <translation>Commencer avec le corrigé de «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
-        <translation>Lisez l&apos;étape à gauche, écrivez votre programme au milieu, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
-    </message>
-    <message>
-        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lisez l&apos;étape à gauche, réglez les valeurs à côté de la scène, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
-    </message>
-    <message>
-        <source>Show me around</source>
-        <translation>Faire la visite</translation>
-    </message>
-    <message>
-        <source>Got it</source>
-        <translation>Compris</translation>
-    </message>
-    <message>
-        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
-        <translation>Une autre fenêtre travaille sur ce TP (processus %1 sur %2, depuis %3). Dans celle-ci vous pouvez regarder, mais rien n&apos;est enregistré.</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>Prendre la main</translation>
-    </message>
-    <message>
-        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>Ce que vous réussissez est conservé dans votre historique, signé «&#xa0;Student&#xa0;». Il peut être signé de votre nom.</translation>
-    </message>
-    <message>
-        <source>Give your name…</source>
-        <translation>Donner votre nom…</translation>
-    </message>
-    <message>
-        <source>Your name</source>
-        <translation>Votre nom</translation>
-    </message>
-    <message>
-        <source>Your name:</source>
-        <translation>Votre nom&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Nothing of this work is kept on a disk.</source>
-        <translation>Rien de ce travail n&apos;est conservé sur un disque.</translation>
-    </message>
-    <message>
-        <source>Open a step of a lab first.</source>
-        <translation>Ouvrez d&apos;abord une étape d&apos;un TP.</translation>
-    </message>
-    <message>
-        <source>Your program is not saved</source>
-        <translation>Votre programme n&apos;est pas enregistré</translation>
-    </message>
-    <message>
-        <source>What you typed since it was last saved is lost if you close the window.</source>
-        <translation>Ce que vous avez tapé depuis le dernier enregistrement est perdu si vous fermez la fenêtre.</translation>
-    </message>
-    <message>
-        <source>Select several circles</source>
-        <translation>Sélectionner plusieurs cercles</translation>
-    </message>
-    <message>
-        <source>Ctrl+click, Shift+drag, Shift+arrows</source>
-        <translation>Ctrl+clic, Maj+glisser, Maj+flèches</translation>
-    </message>
-    <message>
-        <source>Move what is selected</source>
-        <translation>Déplacer la sélection</translation>
-    </message>
-    <message>
-        <source>drag; Ctrl+arrows, finer with Shift</source>
-        <translation>glisser&#xa0;; Ctrl+flèches, plus fin avec Maj</translation>
-    </message>
-    <message>
-        <source>Drag free of the grid</source>
-        <translation>Glisser sans la grille</translation>
-    </message>
-    <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Take a drag back</source>
-        <translation>Annuler un glissement</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Échap</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>Déplacer la vue</translation>
-    </message>
-    <message>
-        <source>drag on empty space, or the middle button</source>
-        <translation>glisser sur le vide, ou bouton du milieu</translation>
-    </message>
-    <message>
-        <source>Zoom at the pointer</source>
-        <translation>Zoomer au pointeur</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>molette</translation>
-    </message>
-    <message>
-        <source>A step back or on</source>
-        <translation>Un pas en arrière ou en avant</translation>
-    </message>
-    <message>
-        <source>Left, Right</source>
-        <translation>Gauche, Droite</translation>
-    </message>
-    <message>
-        <source>The hit before or after</source>
-        <translation>Le choc précédent ou suivant</translation>
-    </message>
-    <message>
-        <source>PgUp, PgDown</source>
-        <translation>Page préc., Page suiv.</translation>
-    </message>
-    <message>
-        <source>Start and end of the run</source>
-        <translation>Début et fin de l&apos;exécution</translation>
-    </message>
-    <message>
-        <source>Home, End</source>
-        <translation>Début, Fin</translation>
-    </message>
-    <message>
-        <source>Up, Down</source>
-        <translation>Haut, Bas</translation>
-    </message>
-    <message>
-        <source>Along the dots of the steps, and open</source>
-        <translation>Parcourir les points des étapes, ouvrir</translation>
-    </message>
-    <message>
-        <source>Left, Right, Return</source>
-        <translation>Gauche, Droite, Entrée</translation>
-    </message>
-    <message>
-        <source>Anywhere</source>
-        <translation>Partout</translation>
-    </message>
-    <message>
-        <source>On the timeline and the steps</source>
-        <translation>Sur la ligne de temps et les étapes</translation>
-    </message>
-    <message>
-        <source>In the program</source>
-        <translation>Dans le programme</translation>
-    </message>
-    <message>
-        <source>In the scene</source>
-        <translation>Dans la scène</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n runs are pinned; remove one of them first.</source>
-        <translation>
-            <numerusform>%n exécution est épinglée&#xa0;; retirez-la d&apos;abord.</numerusform>
-            <numerusform>%n exécutions sont épinglées&#xa0;; retirez-en d&apos;abord une.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There is no run yet: press Run, then pin it.</source>
-        <translation>Il n&apos;y a pas encore d&apos;exécution&#xa0;: appuyez sur Lancer, puis épinglez-la.</translation>
-    </message>
-    <message>
-        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
-        <translation>Votre programme fixe des valeurs de cercles à son chargement&#xa0;: la nouvelle exécution démarre avec celles-là.</translation>
-    </message>
-    <message>
-        <source>Save the data of the run</source>
-        <translation>Enregistrer les données de l&apos;exécution</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tableaux (*.csv)</translation>
-    </message>
-    <message>
-        <source>The step</source>
-        <translation>L&apos;étape</translation>
-    </message>
-    <message>
-        <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>Ici est écrit ce qu&apos;il faut faire, et pourquoi. Les points sont les étapes du TP&#xa0;; des indices attendent sous le texte.</translation>
-    </message>
-    <message>
-        <source>Your program</source>
-        <translation>Votre programme</translation>
-    </message>
-    <message>
-        <source>The scene in numbers</source>
-        <translation>La scène en chiffres</translation>
-    </message>
-    <message>
-        <source>You keep one program through all steps. It is saved and runs as you type; F1 explains the word under the cursor.</source>
-        <translation>Vous gardez un seul programme à travers toutes les étapes. Il est enregistré et tourne pendant que vous tapez&#xa0;; F1 explique le mot sous le curseur.</translation>
-    </message>
-    <message>
-        <source>World, laws and circles: what you change here or by dragging in the scene starts the run anew.</source>
-        <translation>Monde, lois et cercles&#xa0;: ce que vous changez ici, ou en faisant glisser dans la scène, relance l&apos;exécution depuis le début.</translation>
-    </message>
-    <message>
-        <source>The scene</source>
-        <translation>La scène</translation>
-    </message>
-    <message>
-        <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
-        <translation>Ce que font vos cercles. Lors d&apos;un choc, des flèches montrent les composantes normale et tangentielle des vitesses.</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
-        <source>Momentum and energy of the same run. Click where you want the numbers of that moment; every hit is marked.</source>
-        <translation>Quantité de mouvement et énergie de la même exécution. Cliquez là où vous voulez les nombres de cet instant&#xa0;; chaque choc est marqué.</translation>
-    </message>
-    <message>
-        <source>Any moment again</source>
-        <translation>Revoir n&apos;importe quel instant</translation>
-    </message>
-    <message>
-        <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
-        <translation>Glissez jusqu&apos;à n&apos;importe quel instant de l&apos;exécution, ou appuyez sur Choc suivant. Espace lance et met en pause.</translation>
-    </message>
-    <message>
-        <source>Run and check</source>
-        <translation>Lancer et vérifier</translation>
-    </message>
-    <message>
-        <source>Run to watch; Check when you are done: it says what is right, what is not, and why.</source>
-        <translation>Lancez pour observer&#xa0;; vérifiez quand vous avez fini&#xa0;: vous saurez ce qui est juste, ce qui ne l&apos;est pas, et pourquoi.</translation>
-    </message>
-    <message>
-        <source>:/help/lua-for-csharp.md</source>
-        <extracomment>The file of the page in your language: docs/lua-for-csharp.LANGUAGE.md, if there is one</extracomment>
-        <translation>:/help/lua-for-csharp.fr.md</translation>
-    </message>
-    <message>
-        <source>Lua for C# people</source>
-        <translation>Lua pour qui connaît C#</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
-    </message>
-    <message>
-        <source>Nothing hits anything within the next minute.</source>
-        <translation>Aucun choc dans la minute qui vient.</translation>
-    </message>
-    <message>
-        <source># %1
-
-This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
-        <translation># %1
-
-Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez une étape ci-dessus pour revenir au TP.</translation>
-    </message>
-    <message>
-        <source>A scene of your own</source>
-        <translation>Votre propre scène</translation>
-    </message>
-    <message>
-        <source>Explore</source>
-        <translation>Explorer</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>corrigé</translation>
-    </message>
-    <message>
-        <source>so far in this step</source>
-        <translation>jusqu&apos;ici dans cette étape</translation>
-    </message>
-    <message>
-        <source>Check passed.</source>
-        <translation>Vérification réussie.</translation>
-    </message>
-    <message>
-        <source>Not yet: %1</source>
-        <translation>Pas encore&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check, at the moment where it went wrong.</source>
-        <translation>C&apos;est une scène de la vérification, à l&apos;instant où cela a échoué.</translation>
-    </message>
-    <message>
-        <source>This is a scene of the check.</source>
-        <translation>C&apos;est une scène de la vérification.</translation>
-    </message>
-    <message>
-        <source>Back to my scene</source>
-        <translation>Revenir à ma scène</translation>
-    </message>
-    <message>
-        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
-        <translation>Il n&apos;y a pas de son ici&#xa0;: aucun serveur de son (PulseAudio ou PipeWire) n&apos;a pu être joint. Tout le reste continue.</translation>
-    </message>
-    <message>
-        <source>Hear that curve from left to right</source>
-        <translation>Écouter cette courbe de gauche à droite</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>From curve to curve of a chart, from bar to bar of the speeds</source>
-        <translation>D&apos;une courbe à l&apos;autre d&apos;un graphique, d&apos;une barre à l&apos;autre des vitesses</translation>
-    </message>
-    <message>
-        <source>Comment lines, or not</source>
-        <translation>Commenter les lignes, ou non</translation>
-    </message>
-    <message>
-        <source>Words that fit here</source>
-        <translation>Mots qui conviennent ici</translation>
-    </message>
-    <message>
-        <source>What the call takes</source>
-        <translation>Ce que l&apos;appel attend</translation>
-    </message>
-    <message>
-        <source>Out of the program</source>
-        <translation>Sortir du programme</translation>
-    </message>
-    <message>
-        <source>Esc, then Tab</source>
-        <translation>Échap, puis Tab</translation>
-    </message>
-    <message>
-        <source>Remove what is selected</source>
-        <translation>Retirer la sélection</translation>
-    </message>
-</context>
-<context>
     <name>cradle::MarkdownView</name>
     <message>
         <source>(a picture)</source>
@@ -10239,6 +10017,33 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Got it</source>
         <translation>Compris</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Opening</name>
+    <message>
+        <source>Open a lab&apos;s folder</source>
+        <translation>Ouvrir le dossier d&apos;un TP</translation>
+    </message>
+    <message>
+        <source>Open a lab in one file</source>
+        <translation>Ouvrir un TP en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Labs and work (*.cradle *.cradle-work);;All files (*)</source>
+        <translation>TP et travaux (*.cradle *.cradle-work);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a scene</source>
+        <translation>Ouvrir une scène</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;All files (*)</source>
+        <translation>Scènes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Enregistrer la scène</translation>
     </message>
 </context>
 <context>
@@ -10564,6 +10369,13 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>And after</source>
         <translation>Et après</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::Presenter</name>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
     </message>
 </context>
 <context>
@@ -11344,6 +11156,32 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::RunDesk</name>
+    <message numerus="yes">
+        <source>%n runs are pinned; remove one of them first.</source>
+        <translation>
+            <numerusform>%n exécution est épinglée&#xa0;; retirez-la d&apos;abord.</numerusform>
+            <numerusform>%n exécutions sont épinglées&#xa0;; retirez-en d&apos;abord une.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no run yet: press Run, then pin it.</source>
+        <translation>Il n&apos;y a pas encore d&apos;exécution&#xa0;: appuyez sur Lancer, puis épinglez-la.</translation>
+    </message>
+    <message>
+        <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
+        <translation>Votre programme fixe des valeurs de cercles à son chargement&#xa0;: la nouvelle exécution démarre avec celles-là.</translation>
+    </message>
+    <message>
+        <source>Save the data of the run</source>
+        <translation>Enregistrer les données de l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SceneActions</name>
     <message>
         <source>Cu&amp;t circles</source>
@@ -11372,6 +11210,33 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Select a&amp;ll circles</source>
         <translation>Sé&amp;lectionner tous les cercles</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::SceneDesk</name>
+    <message>
+        <source>Nothing hits anything within the next minute.</source>
+        <translation>Aucun choc dans la minute qui vient.</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>corrigé</translation>
+    </message>
+    <message>
+        <source>so far in this step</source>
+        <translation>jusqu&apos;ici dans cette étape</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check, at the moment where it went wrong.</source>
+        <translation>C&apos;est une scène de la vérification, à l&apos;instant où cela a échoué.</translation>
+    </message>
+    <message>
+        <source>This is a scene of the check.</source>
+        <translation>C&apos;est une scène de la vérification.</translation>
+    </message>
+    <message>
+        <source>Back to my scene</source>
+        <translation>Revenir à ma scène</translation>
     </message>
 </context>
 <context>
@@ -11700,6 +11565,13 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::Sounds</name>
+    <message>
+        <source>There is no sound here: no sound server (PulseAudio or PipeWire) could be reached. Everything else goes on.</source>
+        <translation>Il n&apos;y a pas de son ici&#xa0;: aucun serveur de son (PulseAudio ou PipeWire) n&apos;a pu être joint. Tout le reste continue.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::SpeedHistogram</name>
     <message>
         <source>Speeds</source>
@@ -11763,6 +11635,29 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>%1 to %2 m/s: %3 %, the curve %4 %</source>
         <translation>%1 à %2 m/s&#xa0;: %3&#xa0;%, la courbe %4&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::StepDesk</name>
+    <message>
+        <source># %1
+
+This scene belongs to no step: play with it. Choose a step above to go back to the lab.</source>
+        <translation># %1
+
+Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez une étape ci-dessus pour revenir au TP.</translation>
+    </message>
+    <message>
+        <source>A scene of your own</source>
+        <translation>Votre propre scène</translation>
+    </message>
+    <message>
+        <source>Explore</source>
+        <translation>Explorer</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
     </message>
 </context>
 <context>
@@ -12605,6 +12500,17 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::VerdictDesk</name>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Pas encore&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Check passed.</source>
+        <translation>Vérification réussie.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::VersionsList</name>
     <message>
         <source>Written</source>
@@ -12695,10 +12601,134 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::WorkDialogs</name>
+    <message>
+        <source>Nothing of this work is kept on a disk.</source>
+        <translation>Rien de ce travail n&apos;est conservé sur un disque.</translation>
+    </message>
+    <message>
+        <source>Open a step of a lab first.</source>
+        <translation>Ouvrez d&apos;abord une étape d&apos;un TP.</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkJob</name>
     <message>
         <source>What you typed last could not be saved; on the disk your work is older. Save it first: the window says what is in the way.</source>
         <translation>Ce que vous avez tapé en dernier n&apos;a pas pu être enregistré&#xa0;; sur le disque, votre travail est plus ancien. Enregistrez-le d&apos;abord&#xa0;: la fenêtre dit ce qui l&apos;empêche.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::WorkNotices</name>
+    <message>
+        <source>Another program has changed your program. Its text is shown now; yours is among the versions of this step.</source>
+        <translation>Un autre programme a modifié votre programme. Son texte est affiché maintenant&#xa0;; le vôtre est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Another program has changed your program while you typed. Yours stays; the other is among the versions of this step.</source>
+        <translation>Un autre programme a modifié votre programme pendant que vous tapiez. Le vôtre reste&#xa0;; l&apos;autre est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
+        <translation>Un autre programme a fait de %1 un fichier qui n&apos;est pas un programme. Il est gardé sous %2&#xa0;; ce qu&apos;on peut en lire est parmi les versions de cette étape.</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Votre numéro</translation>
+    </message>
+    <message>
+        <source>This lab draws its values for each student by the number that you hand in with.
+Your number:</source>
+        <translation>Ce TP tire ses valeurs pour chaque étudiant selon le numéro avec lequel vous rendez.
+Votre numéro&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
+        <translation>Les valeurs de ce TP ne sont celles de personne tant que vous ne donnez pas votre numéro&#xa0;: pour cela, rouvrez le TP.</translation>
+    </message>
+    <message>
+        <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
+        <translation>Travail rendu par %1. Lancez-le, vérifiez-le, lisez ses versions et ses remarques&#xa0;: rien n&apos;y est modifié, et rien de ce qu&apos;il dit de lui-même n&apos;est cru.</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>quelqu&apos;un</translation>
+    </message>
+    <message>
+        <source>They write: “%1”</source>
+        <translation>Le message joint&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Make a program of it</source>
+        <translation>En faire un programme</translation>
+    </message>
+    <message>
+        <source>Back to the newest version</source>
+        <translation>Revenir à la version la plus récente</translation>
+    </message>
+    <message>
+        <source>Begin this step anew</source>
+        <translation>Recommencer cette étape</translation>
+    </message>
+    <message>
+        <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
+        <translation>Le fichier de votre programme n&apos;est pas un programme, et est laissé tel quel. %1 Quoi que vous choisissiez, ce fichier est gardé à côté.</translation>
+    </message>
+    <message>
+        <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
+        <translation>Cette étape prolonge la précédente, que vous n&apos;avez pas faite. Vous commencez avec votre propre programme.</translation>
+    </message>
+    <message>
+        <source>Begin with the solution of “%1”</source>
+        <translation>Commencer avec le corrigé de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
+        <translation>Lisez l&apos;étape à gauche, écrivez votre programme au milieu, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
+    </message>
+    <message>
+        <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
+        <translation>Lisez l&apos;étape à gauche, réglez les valeurs à côté de la scène, appuyez sur Lancer pour observer, et sur Vérifier quand vous avez fini.</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Faire la visite</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Compris</translation>
+    </message>
+    <message>
+        <source>Another window works on this lab (process %1 on %2, since %3). In this one you can look, but nothing is saved.</source>
+        <translation>Une autre fenêtre travaille sur ce TP (processus %1 sur %2, depuis %3). Dans celle-ci vous pouvez regarder, mais rien n&apos;est enregistré.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Prendre la main</translation>
+    </message>
+    <message>
+        <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
+        <translation>Ce que vous réussissez est conservé dans votre historique, signé «&#xa0;Student&#xa0;». Il peut être signé de votre nom.</translation>
+    </message>
+    <message>
+        <source>Give your name…</source>
+        <translation>Donner votre nom…</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Votre nom</translation>
+    </message>
+    <message>
+        <source>Your name:</source>
+        <translation>Votre nom&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Your program is not saved</source>
+        <translation>Votre programme n&apos;est pas enregistré</translation>
+    </message>
+    <message>
+        <source>What you typed since it was last saved is lost if you close the window.</source>
+        <translation>Ce que vous avez tapé depuis le dernier enregistrement est perdu si vous fermez la fenêtre.</translation>
     </message>
 </context>
 <context>

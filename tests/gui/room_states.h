@@ -87,7 +87,7 @@ public:
     {
         applyTheme(ThemeChoice::Light);
         m_open.bench.openTask(QStringLiteral("L42T11"));
-        m_open.window.chooseRenderer(Renderer::Raster);
+        m_open.window.choices().chooseRenderer(Renderer::Raster);
         m_open.window.show();
     }
     ~StatefulRoom() { setTextScale(1.0); }
@@ -100,16 +100,16 @@ public:
     void take(const RoomState &state)
     {
         m_language.speak(state.language,
-                         [this](const QString &code) { window().chooseLanguage(code); });
-        if (window().themeChoice() != state.theme)
-            window().chooseTheme(state.theme);
+                         [this](const QString &code) { window().choices().chooseLanguage(code); });
+        if (window().choices().theme() != state.theme)
+            window().choices().chooseTheme(state.theme);
         if (textScale() != state.percent / 100.0)
-            window().chooseTextSize(state.percent);
+            window().choices().chooseTextSize(state.percent);
         m_open.bench.setMode(state.mode);
         check();
         window().resize(state.size);
         calm();
-        window().resetLayout();
+        window().room().resetLayout();
         m_open.simulation().goTo(30);
         calm();
         QCOMPARE(window().size(), state.size); // no larger than the screen that it is for

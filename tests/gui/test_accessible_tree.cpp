@@ -123,7 +123,7 @@ void TestAccessibleTree::hitsAreAnnounced()
             QStringLiteral("Hit at %1 s: circle 1 and ").arg(QString::number(hit.time, 'f', 3))),
         qPrintable(live.said()));
     QVERIFY(live.said().endsWith(QStringLiteral("N s")));
-    open.window.announceHits(false);
+    open.window.choices().announceHits(false);
     const QString before = live.said();
     open.simulation().seekNextHit();
     QCOMPARE(live.said(), before);

@@ -157,8 +157,8 @@ void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
     const QString place = folder.filePath(QStringLiteral("ball"));
     const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(ball && !saveLabFiles(*ball, {}, place));
-    QVERIFY(!student.window.openAuthor(place));
-    AuthorWindow *author = student.window.author();
+    QVERIFY(!student.window.authors().open(place));
+    AuthorWindow *author = student.window.authors().newest();
     author->show();
     AuthorDocument &document = author->document();
     document.setStep(QStringLiteral("BALL3"));
@@ -185,22 +185,22 @@ void TestAuthorLab::everyLabHasAWindowOfItsOwn()
     const QString place = folder.filePath(QStringLiteral("ball"));
     const Result<LabFiles> ball = readLabFiles(sourcePath("tasks/labs/bouncing-ball"));
     QVERIFY(ball && !saveLabFiles(*ball, {}, place));
-    QVERIFY(!student.window.openAuthor(place));
-    const QPointer<AuthorWindow> first = student.window.author();
+    QVERIFY(!student.window.authors().open(place));
+    const QPointer<AuthorWindow> first = student.window.authors().newest();
     first->show();
 
-    student.window.authorLab();
-    const QPointer<AuthorWindow> second = student.window.author();
+    student.window.authors().authorLab();
+    const QPointer<AuthorWindow> second = student.window.authors().newest();
     QVERIFY(second && second != first && second->isVisible());
     QCOMPARE(second->document().folder(), student.bench.lab().folder);
     QCOMPARE(first->document().folder(), place);
 
     // What is open already comes to the front.
-    student.window.authorLab();
-    QCOMPARE(student.window.author(), second.data());
+    student.window.authors().authorLab();
+    QCOMPARE(student.window.authors().newest(), second.data());
     QVERIFY(!student.bench.openLab(place, QStringLiteral("en")));
-    student.window.authorLab();
-    QCOMPARE(student.window.author(), second.data());
+    student.window.authors().authorLab();
+    QCOMPARE(student.window.authors().newest(), second.data());
     const QWidgetList windows = QApplication::topLevelWidgets();
     QCOMPARE(std::count_if(windows.begin(), windows.end(),
                            [](QWidget *window) { return qobject_cast<AuthorWindow *>(window); }),
@@ -208,7 +208,7 @@ void TestAuthorLab::everyLabHasAWindowOfItsOwn()
 
     QVERIFY(second->close());
     QTRY_VERIFY(!second);
-    QCOMPARE(student.window.author(), first.data());
+    QCOMPARE(student.window.authors().newest(), first.data());
     QVERIFY(student.window.close());
     QTRY_VERIFY(!first);
 }

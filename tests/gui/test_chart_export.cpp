@@ -99,7 +99,7 @@ void TestChartExport::tableHasTheRecordedNumbers()
 
 void TestChartExport::tableIsOfTheWindow()
 {
-    m_open->window.timeWindow().zoomTo({1.0, 2.0}, {0.0, 4.0});
+    m_open->window.runDesk().timeWindow().zoomTo({1.0, 2.0}, {0.0, 4.0});
     const auto rows = cellsOf(m_momentum->table());
     QVERIFY(rows[1][0].toDouble() >= 1.0 && rows[1][0].toDouble() < 1.02);
     QVERIFY(rows.last()[0].toDouble() <= 2.0 && rows.last()[0].toDouble() > 1.98);
@@ -123,7 +123,7 @@ void TestChartExport::phaseTableHasTheRecordedNumbers()
 void TestChartExport::statesAreThoseOfTheRecording()
 {
     answerFileDialog(path(QStringLiteral("s.csv")));
-    m_open->window.exportRun(RunTable::States);
+    m_open->window.runDesk().exportRun(RunTable::States);
     const QByteArray text = contentOf(path(QStringLiteral("s.csv")));
     QVERIFY(text.startsWith("step,time,circle,x,y,vx,vy\n"));
     const auto rows = cellsOf(text);
@@ -148,7 +148,7 @@ void TestChartExport::totalsAndEventsAreThoseOfTheRecording()
 {
     const Recording &recording = m_open->simulation().recording();
     answerFileDialog(path(QStringLiteral("t.csv")));
-    m_open->window.exportRun(RunTable::Totals);
+    m_open->window.runDesk().exportRun(RunTable::Totals);
     const auto totals = cellsOf(contentOf(path(QStringLiteral("t.csv"))));
     QCOMPARE(totals.size(), 202);
     for (qint64 i = 0; i <= 200; ++i) {
@@ -158,7 +158,7 @@ void TestChartExport::totalsAndEventsAreThoseOfTheRecording()
         QVERIFY(totals[i + 1][6].toDouble() == sum.total());
     }
     answerFileDialog(path(QStringLiteral("e.csv")));
-    m_open->window.exportRun(RunTable::Events);
+    m_open->window.runDesk().exportRun(RunTable::Events);
     const auto events = cellsOf(contentOf(path(QStringLiteral("e.csv"))));
     QVERIFY(!recording.hits().empty());
     QCOMPARE(events.size(), 1 + qsizetype(recording.hits().size()));
@@ -223,7 +223,7 @@ void TestChartExport::svgIsParsed()
 /// A drawing has no clip, so the curves themselves must end at the plot.
 void TestChartExport::zoomedSvgStaysInItsPlot()
 {
-    m_open->window.timeWindow().zoomTo({1.0, 1.5}, {0.0, 4.0});
+    m_open->window.runDesk().timeWindow().zoomTo({1.0, 1.5}, {0.0, 4.0});
     QVERIFY(
         !savePicture(m_momentum->picture(), path(QStringLiteral("z.svg")), QStringLiteral("svg")));
     const QRectF area = m_momentum->plot().plotArea();

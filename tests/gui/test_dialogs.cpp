@@ -100,7 +100,7 @@ void TestDialogs::lookAt(const char *name, const Act &open,
 void TestDialogs::lookAtSheets()
 {
     MainWindow &window = m_room->window();
-    window.showCSharpSheet();
+    window.help().showCSharpSheet();
     for (auto *sheet : window.findChildren<MarkdownView *>()) {
         if (!sheet->isWindow())
             continue;
@@ -119,7 +119,7 @@ void TestDialogs::lookAtTour()
 {
     MainWindow &window = m_room->window();
     window.activateWindow();
-    window.showTour();
+    window.help().showTour();
     const QPointer<Tour> tour = window.findChild<Tour *>();
     QVERIFY(tour);
     auto *card = tour->findChild<QFrame *>(QString(), Qt::FindDirectChildrenOnly);
@@ -141,31 +141,31 @@ void TestDialogs::everyDialogCanBeUsed()
     m_room->take(state);
     MainWindow &window = m_room->window();
     lookAt(
-        "grading", [&] { window.openGrading(); },
+        "grading", [&] { window.dialogs().openGrading(); },
         [](QWidget &dialog) {
             auto &grading = static_cast<GradeDialog &>(dialog);
             grading.setFolders(QStringLiteral("class"), QStringLiteral("results"));
             emit grading.run().remarked(QStringLiteral("ada: 1 / 2"));
         });
     lookAt(
-        "handing in", [&] { window.openHandIn(); },
+        "handing in", [&] { window.dialogs().openHandIn(); },
         [](QWidget &dialog) {
             auto &handIn = static_cast<HandInDialog &>(dialog);
             QTRY_VERIFY_WITH_TIMEOUT(handIn.isReady(), 30'000);
         });
     lookAt(
-        "report", [&] { window.openReport(); },
+        "report", [&] { window.dialogs().openReport(); },
         [](QWidget &dialog) {
             auto &report = static_cast<ReportDialog &>(dialog);
             QTRY_VERIFY_WITH_TIMEOUT(report.isReady(), 30'000);
         });
-    lookAt("sharing", [&] { window.shareWork(); });
+    lookAt("sharing", [&] { window.dialogs().shareWork(); });
     lookAt("new folder", [&] {
         NewFolderDialog dialog(&window, QStringLiteral("…"));
         dialog.exec();
     });
-    lookAt("keys", [&] { window.showShortcuts(); });
-    lookAt("about", [&] { window.showAbout(); });
+    lookAt("keys", [&] { window.help().showShortcuts(); });
+    lookAt("about", [&] { window.help().showAbout(); });
     lookAtSheets();
     lookAtTour();
     m_found.removeDuplicates();

@@ -157,7 +157,7 @@ void TestExamples::stepIsOneClickAway()
     Preset edited = open.preset();
     edited.restitution = 0.25;
     open.bench.document().edit(QStringLiteral("mine"), edited);
-    open.window.openExample(Example::PistonDrop);
+    open.window.opening().openExample(Example::PistonDrop);
     QVERIFY(open.preset() != edited);
     // An edit of the example is undone like any other.
     Preset bouncier = open.preset();
@@ -170,7 +170,7 @@ void TestExamples::stepIsOneClickAway()
     QVERIFY(!open.bench.example());
     // The speeds that the gas brought to the front go back with it.
     auto &tabs = open.window.findChild<ValuesPane *>()->tabs();
-    open.window.openExample(Example::Gas);
+    open.window.opening().openExample(Example::Gas);
     open.bench.openTask(QStringLiteral("L42T5"));
     QCOMPARE(tabs.currentIndex(), 0);
 }
@@ -178,11 +178,11 @@ void TestExamples::stepIsOneClickAway()
 void TestExamples::textsFollowTheLanguage()
 {
     OpenWindow open(*m_folder);
-    open.window.openExample(Example::PistonDrop);
+    open.window.opening().openExample(Example::PistonDrop);
     QCOMPARE(open.window.windowTitle(), QStringLiteral("Piston drop"));
-    open.window.chooseLanguage(QStringLiteral("de"));
+    open.window.choices().chooseLanguage(QStringLiteral("de"));
     QCOMPARE(open.window.windowTitle(), QStringLiteral("Fallender Kolben"));
-    QVERIFY(entryOf(open.window, QStringLiteral("Fallender Kolben")));
+    QTRY_VERIFY(entryOf(open.window, QStringLiteral("Fallender Kolben")));
 }
 
 void TestExamples::idsAreTheirOwn()

@@ -127,7 +127,7 @@ void TestKeyboard::everyKeyIsListedOnce()
         dialog->close();
     });
     timer.start(20);
-    m_open->window.showShortcuts();
+    m_open->window.help().showShortcuts();
     for (const char *line :
          {"Zoom in", "Charts · Zoom in", "Larger text", "Words that fit here",
           "Comment lines, or not", "Out of the program", "Remove what is selected"})

@@ -130,7 +130,7 @@ void TestLabsMenu::entriesFollowTheLanguage()
 {
     OpenWindow open(*m_folder);
     entryOf(open.window, ball)->trigger();
-    open.window.chooseLanguage(QStringLiteral("de"));
+    open.window.choices().chooseLanguage(QStringLiteral("de"));
     QCOMPARE(open.bench.lab().title, QStringLiteral("Springender Ball"));
     QCOMPARE(open.bench.task()->title, QStringLiteral("Lass ihn fallen"));
 }
@@ -161,7 +161,7 @@ void TestLabsMenu::labsOfTheUserAreThereAtOnce()
 void TestLabsMenu::brokenLabSaysSo()
 {
     OpenWindow open(*m_folder);
-    open.window.openLab(m_userLabs + QStringLiteral("/gone"));
+    open.window.opening().openLab(m_userLabs + QStringLiteral("/gone"));
     QVERIFY(open.window.notice().isVisible());
     QCOMPARE(open.steps()->count(), 17);
 }

@@ -114,7 +114,7 @@ void TestMainWindow::languageIsSwitchedWhileItRuns()
     };
     m_open->press(Qt::Key_Right);
     const QStringList english = shown();
-    m_open->window.chooseLanguage(QStringLiteral("de"));
+    m_open->window.choices().chooseLanguage(QStringLiteral("de"));
     QTRY_COMPARE(shown()[4], QStringLiteral("Prüfen"));
     const QStringList german = shown();
     // "Lab" is the same word in both.
@@ -123,7 +123,7 @@ void TestMainWindow::languageIsSwitchedWhileItRuns()
     QCOMPARE(german[5], QStringLiteral("1 · In Bewegung setzen"));
     QCOMPARE(m_open->settings.value(QStringLiteral("language")).toString(), QStringLiteral("de"));
     QCOMPARE(m_open->simulation().current(), qint64{1});
-    m_open->window.chooseLanguage(QStringLiteral("en"));
+    m_open->window.choices().chooseLanguage(QStringLiteral("en"));
     QTRY_COMPARE(shown(), english);
 }
 
@@ -133,7 +133,7 @@ void TestMainWindow::languageSwitchKeepsTheVisit()
     other.gravity = {0.0, -1.0};
     m_open->bench.document().visit(other);
     QVERIFY(m_open->button(QStringLiteral("Back to my scene")));
-    m_open->window.chooseLanguage(QStringLiteral("de"));
+    m_open->window.choices().chooseLanguage(QStringLiteral("de"));
     QVERIFY(m_open->bench.document().isVisiting());
     QVERIFY2(m_open->window.notice().isVisible(), "no way back is shown");
     QTRY_VERIFY(!m_open->says(QStringLiteral("This is a scene of the check")));
@@ -141,11 +141,11 @@ void TestMainWindow::languageSwitchKeepsTheVisit()
 
 void TestMainWindow::coloursAreSwitched()
 {
-    m_open->window.chooseTheme(ThemeChoice::Dark);
+    m_open->window.choices().chooseTheme(ThemeChoice::Dark);
     QVERIFY(theme().dark);
     QCOMPARE(m_open->window.palette().color(QPalette::Window), Theme::darkTheme().window);
     const QImage dark = m_open->window.grab().toImage();
-    m_open->window.chooseTheme(ThemeChoice::Light);
+    m_open->window.choices().chooseTheme(ThemeChoice::Light);
     QVERIFY(!theme().dark && m_open->window.grab().toImage() != dark);
     QCOMPARE(m_open->settings.value(QStringLiteral("theme")).toInt(),
              static_cast<int>(ThemeChoice::Light));
@@ -156,8 +156,8 @@ void TestMainWindow::panesAreUnlockedAndLocked()
     // A bar of no height hides the style's; without it the pane can be moved.
     QVERIFY(pane("task")->titleBarWidget());
     for (const bool unlocked : {true, false}) {
-        m_open->window.unlockPanes(unlocked);
-        for (const QDockWidget *dock : m_open->window.panes())
+        m_open->window.room().unlockPanes(unlocked);
+        for (const QDockWidget *dock : m_open->window.panes().docks)
             QCOMPARE(dock->titleBarWidget() == nullptr, unlocked);
     }
 }
@@ -174,11 +174,11 @@ void TestMainWindow::layoutIsKept()
 
 void TestMainWindow::layoutIsReset()
 {
-    m_open->window.unlockPanes(true);
+    m_open->window.room().unlockPanes(true);
     pane("energy")->hide();
     pane("values")->setFloating(true);
     m_open->window.addDockWidget(Qt::RightDockWidgetArea, pane("task"));
-    m_open->window.resetLayout();
+    m_open->window.room().resetLayout();
     QVERIFY(pane("energy")->isVisible() && !pane("values")->isFloating());
     QCOMPARE(m_open->window.dockWidgetArea(pane("task")), Qt::LeftDockWidgetArea);
     QCOMPARE(m_open->window.dockWidgetArea(pane("inspector")), Qt::RightDockWidgetArea);

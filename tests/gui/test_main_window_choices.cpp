@@ -87,7 +87,7 @@ void TestMainWindowChoices::choicesAreKeptBetweenSessions()
     m_open = std::make_unique<OpenWindow>(*m_folder);
     QVERIFY(m_open->simulation().pausesAtHits());
     QVERIFY(m_open->simulation().slowsAtHits());
-    QVERIFY(m_open->window.hitSounds().isOn());
+    QVERIFY(m_open->window.sounds().hits().isOn());
     QVERIFY(m_open->simulation().shadow());
     QVERIFY(m_open->window.scene().followsCentreOfMass());
     SceneOptions options;

@@ -62,7 +62,7 @@ void TestMainWindowFiles::openFile(const QString &path)
         QMetaObject::invokeMethod(dialog, "accept");
     });
     watch.start(10);
-    m_open->window.openPresetFile();
+    m_open->window.opening().openPresetFile();
     QVERIFY(accepted);
 }
 

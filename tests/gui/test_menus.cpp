@@ -105,7 +105,7 @@ void TestMenus::lettersAreUnderlinedOnce()
         QTest::qWait(50);
         compareLetters(open.window);
     }
-    open.window.focusCode(); // the menu Edit names other things
+    open.window.stepDesk().focusCode(); // the menu Edit names other things
     QTest::qWait(50);
     compareLetters(open.window);
 }

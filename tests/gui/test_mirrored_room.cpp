@@ -6,12 +6,12 @@
 #include "views/action_button.h"
 #include "views/charts/chart_plot.h"
 #include "views/code/lua_area.h"
+#include "views/menu.h"
 #include "views/task_pane/step_dots.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
 #include "views/values_table.h"
 
-#include <QMenu>
 #include <QMenuBar>
 
 using namespace cradle;
@@ -73,7 +73,7 @@ void TestMirroredRoom::open(Mode mode)
     m_open->bench.setMode(mode);
     m_open->window.resize(1440, 900);
     QTest::qWait(50);
-    m_open->window.resetLayout();
+    m_open->window.room().resetLayout();
     QTest::qWait(150);
 }
 
@@ -162,10 +162,10 @@ void TestMirroredRoom::keysStandAsTheyAre()
     speak(QStringLiteral("ar"));
     open(Mode::Explore);
     const auto menus =
-        m_open->window.menuBar()->findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
+        m_open->window.menuBar()->findChildren<Menu *>(QString(), Qt::FindDirectChildrenOnly);
     QCOMPARE(menus.size(), m_open->window.menuBar()->actions().size());
     QStringList drawn;
-    for (QMenu *menu : menus) {
+    for (Menu *menu : menus) {
         menu->popup(QPoint());
         for (const DrawnText &each : drawnTexts(*menu))
             drawn << each.text;

@@ -117,7 +117,7 @@ void TestPhaseChart::showsPinnedRunsToo()
     QCOMPARE(plot().picture().curves[0].points.last(),
              QPointF(last.circles[1].position.x, last.circles[1].position.y));
     QCOMPARE(*plot().picture().moment, plot().picture().curves[0].points.last());
-    m_open->window.pinRun();
+    m_open->window.runDesk().pinRun();
     simulation().restart();
     simulation().goTo(10);
     settle();
@@ -208,9 +208,9 @@ void TestPhaseChart::menuKeepsTheRun()
         return action && action->isEnabled() && (action->trigger(), true);
     };
     QVERIFY(trigger("Pin this run"));
-    QCOMPARE(m_open->window.pins().runs().size(), std::size_t{1});
+    QCOMPARE(m_open->window.runDesk().pins().runs().size(), std::size_t{1});
     QVERIFY(trigger("Remove"));
-    QVERIFY(m_open->window.pins().runs().empty());
+    QVERIFY(m_open->window.runDesk().pins().runs().empty());
 }
 
 void TestPhaseChart::menuZoomsAndResets()

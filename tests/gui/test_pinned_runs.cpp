@@ -40,7 +40,7 @@ private slots:
 private:
     void settle() { QTest::qWait(80); } ///< longer than the views hold back
     [[nodiscard]] Simulation &simulation() { return m_open->simulation(); }
-    [[nodiscard]] PinnedRuns &pins() { return m_open->window.pins(); }
+    [[nodiscard]] PinnedRuns &pins() { return m_open->window.runDesk().pins(); }
     void edit(const Preset &preset)
     {
         QVERIFY(m_open->bench.document().edit(QStringLiteral("edit"), preset));
@@ -79,7 +79,7 @@ void TestPinnedRuns::cleanup()
 void TestPinnedRuns::pinnedCurvesKeepTheRecordedNumbers()
 {
     const World at150 = simulation().recording().world(150);
-    m_open->window.pinRun();
+    m_open->window.runDesk().pinRun();
     Preset slower = glancing();
     slower.circles[0].body.velocity = {1.0, 0.0};
     edit(slower);
@@ -136,7 +136,7 @@ void TestPinnedRuns::legendTellsWhatDiffers()
 {
     QFETCH(Preset, changed);
     QFETCH(QString, told);
-    m_open->window.pinRun();
+    m_open->window.runDesk().pinRun();
     edit(changed);
     QCOMPARE(m_momentum->legend().lines().size(), std::size_t{1});
     QCOMPARE(m_momentum->legend().lines().front().text, told);
@@ -164,11 +164,11 @@ void TestPinnedRuns::programsDiffer()
 void TestPinnedRuns::noMoreThanThree()
 {
     for (int i = 0; i < 4; ++i)
-        m_open->window.pinRun();
+        m_open->window.runDesk().pinRun();
     QCOMPARE(pins().runs().size(), PinnedRuns::most);
     QVERIFY(m_open->says(QStringLiteral("3 runs are pinned")));
     pins().remove(2);
-    m_open->window.pinRun();
+    m_open->window.runDesk().pinRun();
     QCOMPARE(pins().runs().back().number, 2); // the number that was free
 }
 
@@ -189,7 +189,7 @@ void TestPinnedRuns::pinsAreRemovedFromTheMenu()
 
 void TestPinnedRuns::pinsGoWithTheirStep()
 {
-    m_open->window.pinRun();
+    m_open->window.runDesk().pinRun();
     m_open->bench.openTask(QStringLiteral("L42T5"));
     QVERIFY(pins().runs().empty());
 }
@@ -213,7 +213,7 @@ void TestPinnedRuns::newRunStartsFromTheMoment()
 {
     simulation().seek(130); // after the hit
     const World then = simulation().recording().world(130);
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     QVERIFY(simulation().atStart());
     QCOMPARE(simulation().recording().world(0).circles, then.circles);
     QCOMPARE(pins().runs().size(), std::size_t{1});
@@ -229,7 +229,7 @@ void TestPinnedRuns::newRunStartsFromTheMoment()
 void TestPinnedRuns::oldRunIsComparedFromTheBranchOn()
 {
     simulation().seek(60); // 1 s, before the hit at 1.8 s
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     settle();
     QVERIFY(m_momentum->legend().lines().front().text.contains(
         QStringLiteral("how it went on after 1.0")));
@@ -250,7 +250,7 @@ void TestPinnedRuns::oldRunIsComparedFromTheBranchOn()
 void TestPinnedRuns::newRunFromTheEndPinsNothing()
 {
     simulation().seek(simulation().recording().last());
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     QVERIFY(simulation().atStart());
     QVERIFY(pins().runs().empty()); // nothing came after it
 }
@@ -258,7 +258,7 @@ void TestPinnedRuns::newRunFromTheEndPinsNothing()
 void TestPinnedRuns::branchIsUndone()
 {
     simulation().seek(60);
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     QVERIFY(m_open->preset() != glancing());
     m_open->bench.document().undoStack().undo();
     QCOMPARE(m_open->preset(), glancing());
@@ -272,13 +272,13 @@ void TestPinnedRuns::impossibleBranchIsRefused()
     fast.circles[0].body.velocity = {9.0, 1.0};
     edit(fast);
     simulation().goTo(120);
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     QVERIFY(simulation().atStart()); // outside is allowed where there are no walls
     pins().clear();
     simulation().goTo(5);
     m_open->bench.document().visit(glancing());
     simulation().goTo(5);
-    m_open->window.startNewRunHere();
+    m_open->window.runDesk().startNewRunHere();
     QVERIFY(!simulation().atStart()); // a scene of a check is not the student's
     QVERIFY(pins().runs().empty());
 }

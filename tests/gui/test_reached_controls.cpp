@@ -58,7 +58,7 @@ void TestReachedControls::goRound(bool backwards)
         QVERIFY2(isInSight(*focused), qPrintable(name));
         met.insert(focused);
         if (window.codePane().editor().isAncestorOf(focused))
-            window.focusNextPane(backwards ? -1 : 1);
+            window.focusRounds().focusNextPane(backwards ? -1 : 1);
         else
             QTest::keyClick(focused, backwards ? Qt::Key_Backtab : Qt::Key_Tab,
                             backwards ? Qt::ShiftModifier : Qt::NoModifier);

@@ -94,7 +94,7 @@ void TestRoom::open(Mode mode)
     m_open->window.notice().clearNotice();
     m_open->window.resize(size);
     QTest::qWait(50);
-    m_open->window.resetLayout();
+    m_open->window.room().resetLayout();
     QTest::qWait(150);
     QCOMPARE(m_open->window.size(), size);
 }
@@ -187,7 +187,7 @@ void TestRoom::eachModeKeepsItsArrangement()
     MainWindow &window = m_open->window;
     m_open->bench.openTask(QStringLiteral("L42T11"));
     m_open->bench.setMode(Mode::Code);
-    window.resetLayout();
+    window.room().resetLayout();
     window.addDockWidget(Qt::RightDockWidgetArea, dock("task")); // as by a drag
     m_open->bench.setMode(Mode::Explore);
     QCOMPARE(window.dockWidgetArea(dock("task")), Qt::LeftDockWidgetArea);
@@ -199,7 +199,7 @@ void TestRoom::eachModeKeepsItsArrangement()
     m_open = std::make_unique<OpenWindow>(m_folder);
     m_open->bench.setMode(Mode::Code);
     QCOMPARE(m_open->window.dockWidgetArea(dock("task")), Qt::RightDockWidgetArea);
-    m_open->window.resetLayout();
+    m_open->window.room().resetLayout();
     QCOMPARE(m_open->window.dockWidgetArea(dock("task")), Qt::LeftDockWidgetArea);
 }
 

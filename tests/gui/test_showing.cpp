@@ -39,7 +39,7 @@ private slots:
 private:
     [[nodiscard]] int panesSeen() const
     {
-        const auto &panes = m_open->window.panes();
+        const auto &panes = m_open->window.panes().docks;
         return static_cast<int>(std::count_if(panes.begin(), panes.end(),
                                               [](const QDockWidget *p) { return !p->isHidden(); }));
     }
@@ -80,11 +80,11 @@ void TestShowing::sceneAloneAndBack()
     const int before = panesSeen();
     QVERIFY(before >= 5);
     QTest::keyClick(&m_open->window.scene(), Qt::Key_F11, Qt::ControlModifier);
-    QVERIFY(m_open->window.isSceneAlone());
+    QVERIFY(m_open->window.room().isSceneAlone());
     QCOMPARE(panesSeen(), 0);
     QTRY_VERIFY(m_open->window.scene().width() > 1400);
     QTest::keyClick(&m_open->window.scene(), Qt::Key_F11, Qt::ControlModifier);
-    QVERIFY(!m_open->window.isSceneAlone());
+    QVERIFY(!m_open->window.room().isSceneAlone());
     QCOMPARE(panesSeen(), before);
     QVERIFY(!m_open->settings.contains(QStringLiteral("layout/code")));
 }
@@ -100,15 +100,15 @@ void TestShowing::presentationAndBack()
     QVERIFY(headings.size() > 3);
     const auto *icon = m_open->window.transportBar().findChild<QPushButton *>();
     const QSize iconSize = icon->iconSize();
-    m_open->window.present(true);
+    m_open->window.presenter().present(true);
     QVERIFY(icon->iconSize().width() > iconSize.width());
     QVERIFY(m_open->window.isFullScreen());
-    QVERIFY(m_open->window.isSceneAlone());
+    QVERIFY(m_open->window.room().isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), 1.5 * before.pointSizeF());
     QCOMPARE(&theme(), &Theme::highContrastTheme());
     for (const auto *label : m_open->window.transportBar().findChildren<QLabel *>())
         QTRY_COMPARE(label->font().pointSizeF(), QApplication::font().pointSizeF());
-    PresentationLayer *layer = m_open->window.presentation();
+    PresentationLayer *layer = m_open->window.presenter().layer();
     QVERIFY(layer);
     QTest::keyClick(&m_open->window.scene(), Qt::Key_B);
     QVERIFY(layer->isBlack());
@@ -119,9 +119,9 @@ void TestShowing::presentationAndBack()
     QTRY_VERIFY(layer->trailLength() > 0);
     QTRY_COMPARE(layer->trailLength(), std::size_t(0)); // it fades
     QTest::keyClick(&m_open->window.scene(), Qt::Key_Escape);
-    QVERIFY(!m_open->window.presentation());
+    QVERIFY(!m_open->window.presenter().layer());
     QVERIFY(!m_open->window.isFullScreen());
-    QVERIFY(!m_open->window.isSceneAlone());
+    QVERIFY(!m_open->window.room().isSceneAlone());
     QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF());
     QCOMPARE(&theme(), &Theme::lightTheme());
     QCOMPARE(icon->iconSize(), iconSize);
@@ -132,19 +132,19 @@ void TestShowing::presentationAndBack()
 
 void TestShowing::secondWindowShowsTheSameRun()
 {
-    m_open->window.openSceneWindow();
-    SceneView *second = m_open->window.secondScene();
+    m_open->window.presenter().openSceneWindow();
+    SceneView *second = m_open->window.presenter().secondScene();
     QVERIFY(second && second->isVisible() && second->isWindow());
     QVERIFY(!second->windowTitle().isEmpty());
-    m_open->window.openSceneWindow();
-    QCOMPARE(m_open->window.secondScene(), second);
+    m_open->window.presenter().openSceneWindow();
+    QCOMPARE(m_open->window.presenter().secondScene(), second);
     second->close();
-    QTRY_VERIFY(!m_open->window.secondScene());
+    QTRY_VERIFY(!m_open->window.presenter().secondScene());
 }
 
 void TestShowing::tourGoesThroughSixParts()
 {
-    m_open->window.showTour();
+    m_open->window.help().showTour();
     auto *tour = m_open->window.findChild<Tour *>();
     QVERIFY(tour);
     std::vector<QRect> parts;
@@ -167,7 +167,7 @@ void TestShowing::tourGoesThroughSixParts()
 
 void TestShowing::tourIsEndedByEscape()
 {
-    m_open->window.showTour();
+    m_open->window.help().showTour();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_VERIFY(!m_open->window.findChild<Tour *>());
 }

@@ -84,9 +84,9 @@ void TestSmallWindow::open(const QString &language, Mode mode, const QString &st
     m_open->bench.setMode(mode);
     m_open->bench.openTask(step);
     m_open->window.resize(1280, 720);
-    QTest::qWait(50);             // for layouts
-    m_open->window.resetLayout(); // as if it had been opened so
-    QTest::qWait(100);            // longer than the views hold back
+    QTest::qWait(50);                    // for layouts
+    m_open->window.room().resetLayout(); // as if it had been opened so
+    QTest::qWait(100);                   // longer than the views hold back
     QCOMPARE(m_open->window.size(), QSize(1280, 720));
 }
 
@@ -128,7 +128,7 @@ void TestSmallWindow::circlesAreWhole()
     QFETCH(Mode, mode);
     open(language, mode, QStringLiteral("L42T14"));
     m_open->simulation().goTo(20); // the note on the start takes a line
-    for (QDockWidget *dock : m_open->window.panes()) {
+    for (QDockWidget *dock : m_open->window.panes().docks) {
         if (dock->widget() == &m_open->window.inspector())
             dock->raise();
     }

@@ -54,12 +54,12 @@ void TestSoundOutput::windowSaysItOnceAndGoesOn()
 {
     QTemporaryDir folder;
     OpenWindow open(folder);
-    QVERIFY(!open.window.hitSounds().isOn());
-    open.window.soundHits(true);
-    emit open.window.hitSounds().struck({Tone{440.0, 0.5}});
+    QVERIFY(!open.window.sounds().hits().isOn());
+    open.window.choices().soundHits(true);
+    emit open.window.sounds().hits().struck({Tone{440.0, 0.5}});
     QTRY_VERIFY(open.window.notice().text().contains(QStringLiteral("no sound")));
     open.window.notice().retract(open.window.notice().text());
-    emit open.window.hitSounds().struck({Tone{440.0, 0.5}});
+    emit open.window.sounds().hits().struck({Tone{440.0, 0.5}});
     QTest::qWait(50);
     QVERIFY(!open.window.notice().text().contains(QStringLiteral("no sound")));
 }

@@ -1,56 +1,69 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/main_window.h"
+#include "app/run_desk.h"
 
 #include "app/notice_bar.h"
+#include "app/panes.h"
+#include "app/sounds.h"
+#include "app/workbench.h"
 #include "views/charts/chart_pane.h"
 #include "views/charts/phase_chart.h"
 #include "views/charts/speed_histogram.h"
 #include "views/scene/scene_view.h"
 #include "views/sound/tone.h"
+#include "views/values_table.h"
 
 #include <QFileDialog>
 
 namespace cradle {
 
-// Runs that are kept, compared and written.
+RunDesk::RunDesk(Workbench &workbench, Panes &panes, const RunCurves &curves, Sounds &sounds)
+    : m_workbench(workbench)
+    , m_panes(panes)
+    , m_curves(curves)
+    , m_sounds(sounds)
+{
+    wireCharts();
+}
 
-void MainWindow::wireCharts()
+void RunDesk::wireCharts()
 {
     Simulation *simulation = &m_workbench.simulation();
-    for (PlotPane *pane : findChildren<PlotPane *>()) {
+    for (PlotPane *pane : m_panes.plotPanes()) {
         pane->share(m_timeWindow, m_pins);
         connect(pane, &PlotPane::seekRequested, simulation, [simulation](double time) {
             simulation->seek(simulation->recording().indexAt(time));
         });
-        connect(pane, &PlotPane::curvePlayed, this,
-                [this](const std::vector<double> &values) { play(samplesOfCurve(values)); });
+        connect(pane, &PlotPane::curvePlayed, this, [this](const std::vector<double> &values) {
+            m_sounds.play(samplesOfCurve(values));
+        });
         connect(pane, &PlotPane::runRequested, simulation, &Simulation::start);
-        connect(pane, &PlotPane::pinRequested, this, &MainWindow::pinRun);
-        connect(pane, &PlotPane::failed, this, &MainWindow::report);
+        connect(pane, &PlotPane::pinRequested, this, &RunDesk::pinRun);
+        connect(pane, &PlotPane::failed, this,
+                [this](const Error &error) { m_panes.notice->showNotice(error.toString()); });
     }
-    connect(m_speeds, &SpeedHistogram::curvePlayed, this,
-            [this](const std::vector<double> &shares) { play(samplesOfCurve(shares)); });
+    connect(m_panes.speeds, &SpeedHistogram::curvePlayed, this,
+            [this](const std::vector<double> &shares) { m_sounds.play(samplesOfCurve(shares)); });
     connect(simulation, &Simulation::restarted, this, [this] { m_pins.setNow(runSource()); });
     connect(&m_workbench, &Workbench::taskChanged, this, [this] { m_pins.clear(); });
-    connect(m_scene, &SceneView::newRunRequested, this, &MainWindow::startNewRunHere);
+    connect(m_panes.scene, &SceneView::newRunRequested, this, &RunDesk::startNewRunHere);
     m_pins.setNow(runSource());
 }
 
-RunSource MainWindow::runSource()
+RunSource RunDesk::runSource()
 {
     return {m_workbench.simulation().preset(), m_workbench.code().runningText()};
 }
 
-void MainWindow::pinRun()
+void RunDesk::pinRun()
 {
     if (m_pins.isFull()) {
-        m_notice->showNotice(tr("%n runs are pinned; remove one of them first.", nullptr,
-                                static_cast<int>(PinnedRuns::most)));
+        m_panes.notice->showNotice(tr("%n runs are pinned; remove one of them first.", nullptr,
+                                      static_cast<int>(PinnedRuns::most)));
         return;
     }
     if (m_workbench.simulation().recording().last() == 0) {
-        m_notice->showNotice(tr("There is no run yet: press Run, then pin it."));
+        m_panes.notice->showNotice(tr("There is no run yet: press Run, then pin it."));
         return;
     }
     m_pins.add(PinnedRuns::keep(m_curves.whole(PinnedRuns::curveBytes),
@@ -58,7 +71,7 @@ void MainWindow::pinRun()
 }
 
 /// What came after the moment shown is kept, so that the new run can be compared with it.
-void MainWindow::startNewRunHere()
+void RunDesk::startNewRunHere()
 {
     const Simulation &simulation = m_workbench.simulation();
     if (simulation.atStart())
@@ -75,29 +88,30 @@ void MainWindow::startNewRunHere()
     for (std::size_t i = 0; i < circles.size(); ++i) {
         if (circles[i].body == wanted[i])
             continue;
-        m_notice->showNotice(
+        m_panes.notice->showNotice(
             tr("Your program sets values of circles when it is loaded: the new run "
                "starts with those."));
         return;
     }
 }
 
-void MainWindow::exportRun(RunTable table)
+void RunDesk::exportRun(RunTable table)
 {
     const QString names[] = {QStringLiteral("states.csv"), QStringLiteral("totals.csv"),
                              QStringLiteral("events.csv")};
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the data of the run"), names[static_cast<int>(table)], tr("Tables (*.csv)"));
+    const QString path =
+        QFileDialog::getSaveFileName(m_panes.values->window(), tr("Save the data of the run"),
+                                     names[static_cast<int>(table)], tr("Tables (*.csv)"));
     if (path.isEmpty())
         return;
     const Simulation &simulation = m_workbench.simulation();
     if (const auto error = saveRunTable(table, simulation.recording(), simulation.preset(), path))
-        report(*error);
+        m_panes.notice->showNotice(error->toString());
 }
 
-void MainWindow::resetCharts()
+void RunDesk::resetCharts()
 {
-    for (PlotPane *pane : findChildren<PlotPane *>())
+    for (PlotPane *pane : m_panes.plotPanes())
         pane->resetZoom();
 }
 
