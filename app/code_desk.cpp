@@ -91,7 +91,6 @@ void CodeDesk::wireEditor()
             m_pane.showSolution(m_workbench.task()->solution);
     });
     connect(&m_workbench, &Workbench::progressChanged, this, &CodeDesk::showSolutionButton);
-    connect(&m_workbench, &Workbench::taskChanged, this, &CodeDesk::showSolutionButton);
     connect(&m_workbench, &Workbench::hintsChanged, this, &CodeDesk::showSolutionButton);
 }
 
@@ -121,6 +120,8 @@ void CodeDesk::wireSimulation()
             clearError();
     });
     connect(&m_workbench, &Workbench::modeChanged, this, &CodeDesk::showState);
+    // A step that opens becomes active last.
+    connect(&m_workbench, &Workbench::taskChanged, this, &CodeDesk::showState);
 }
 
 void CodeDesk::showState()

@@ -28,10 +28,12 @@ StepDesk::StepDesk(Workbench &workbench, Panes &panes, Room &room, QSettings &se
             [this] { m_panes.task->setLab(m_workbench.lab()); });
     connect(bench, &Workbench::taskChanged, this, &StepDesk::showTask);
     connect(bench, &Workbench::modeChanged, this, &StepDesk::showMode);
+    // Who has passed is shown what was to be predicted.
     connect(bench, &Workbench::progressChanged, this, &StepDesk::showProgress);
+    connect(bench, &Workbench::progressChanged, this, &StepDesk::showGuess);
     connect(bench, &Workbench::reportChanged, this, &StepDesk::showProgress);
-    connect(bench, &Workbench::guessChanged, this,
-            [this] { m_panes.task->setGuess(m_workbench.guess()); });
+    connect(bench, &Workbench::reportChanged, this, &StepDesk::showGuess);
+    connect(bench, &Workbench::guessChanged, this, &StepDesk::showGuess);
     connect(&bench->document(), &PresetDocument::edited, this, &StepDesk::showProgress);
     connect(panes.transport, &TransportBar::modeChosen, this, &StepDesk::chooseMode);
     wireTaskPane();
@@ -53,6 +55,7 @@ void StepDesk::showTask()
 {
     const Task *task = m_workbench.task();
     m_panes.transport->checkAction()->setEnabled(task != nullptr);
+    showRoom();
     showProgress();
     if (task) {
         showInstructions();
@@ -69,8 +72,13 @@ void StepDesk::showInstructions()
 {
     m_panes.task->showTask(taskFor(m_workbench.mode(), *m_workbench.task()),
                            m_workbench.hintsOpened());
-    m_panes.task->setGuess(m_workbench.guess());
+    showGuess();
     m_panes.task->setAnswers(m_workbench.answers());
+}
+
+void StepDesk::showGuess()
+{
+    m_panes.task->setGuess(m_workbench.guess());
 }
 
 void StepDesk::showProgress()
@@ -101,16 +109,23 @@ void StepDesk::showLooseScene()
     m_panes.task->showTask(scene, 0);
 }
 
-/// The pane that the student works with comes to the front; the texts follow.
+/// The pane that the student works with comes to the front.
+void StepDesk::showRoom()
+{
+    const Mode mode = m_workbench.mode();
+    m_panes.transport->setModes(m_workbench.task() ? QStringList{tr("Explore"), tr("Code")}
+                                                   : QStringList(),
+                                mode == Mode::Code ? 1 : 0);
+    m_room.showMode(mode);
+    m_panes.workplace(mode)->raise();
+}
+
+/// The texts follow.
 void StepDesk::showMode()
 {
-    const bool code = m_workbench.mode() == Mode::Code;
-    const bool hasStep = m_workbench.task() != nullptr;
-    m_panes.transport->setModes(hasStep ? QStringList{tr("Explore"), tr("Code")} : QStringList(),
-                                code ? 1 : 0);
-    m_room.showMode(m_workbench.mode());
-    m_panes.workplace(m_workbench.mode())->raise();
-    if (hasStep)
+    showRoom();
+    showProgress();
+    if (m_workbench.task())
         showInstructions();
 }
 

@@ -31,6 +31,8 @@ private:
     void showProgress();
     void showLooseScene();
     void showMode();
+    void showRoom();
+    void showGuess();
 
     Workbench &m_workbench;
     Panes &m_panes;

@@ -31,11 +31,17 @@ VerdictDesk::VerdictDesk(Workbench &workbench, Panes &panes, CodeDesk &code)
         m_panes.transport->setCheckProgress(total > 0 ? double(done) / total : 0.0);
         m_panes.task->setChecking(true, done, total);
     });
-    connect(bench, &Workbench::checkEnded, this, [this] {
+    connect(bench, &Workbench::checkCancelled, this, [this] {
         m_panes.transport->setChecking(false);
         m_panes.task->setReport(m_workbench.report());
     });
-    connect(bench, &Workbench::reportChanged, this, &VerdictDesk::showReport);
+    connect(bench, &Workbench::reportChanged, this, [this] {
+        m_panes.transport->setChecking(false);
+        showReport();
+        announce();
+    });
+    connect(bench, &Workbench::taskChanged, this, &VerdictDesk::showReport);
+    connect(bench, &Workbench::modeChanged, this, &VerdictDesk::showReport);
     connect(bench, &Workbench::reportStale, panes.task, &TaskPane::setStale);
     connect(panes.task, &TaskPane::showMoment, bench, &Workbench::showMoment);
     connect(panes.task, &TaskPane::lineRequested, this,
@@ -57,7 +63,6 @@ void VerdictDesk::showReport()
         }
     }
     m_panes.timeline->setMarks(marks);
-    announce();
 }
 
 /// In the words of the result's first line.

@@ -68,7 +68,7 @@ Workbench::Workbench(const QString &progressFile, QObject *parent)
     connect(&m_code, &CodeSession::failed, this, &Workbench::failed);
     connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
     connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
-    connect(&m_checker, &Checker::cancelled, this, &Workbench::checkEnded);
+    connect(&m_checker, &Checker::cancelled, this, &Workbench::checkCancelled);
     connect(&m_reference, &ReferenceRun::finished, this, &Workbench::setGhost);
 }
 
@@ -201,8 +201,6 @@ void Workbench::openScene(const Preset &preset, std::optional<Example> example)
     m_document.setLocked({});
     m_document.open(preset);
     emit taskChanged();
-    emit modeChanged();
-    emit reportChanged();
 }
 
 bool Workbench::openTask(const QString &id)
@@ -233,7 +231,6 @@ void Workbench::setMode(Mode mode)
     dropReport();
     setGhost(nullptr);
     emit modeChanged();
-    emit reportChanged();
 }
 
 void Workbench::openTaskAt(int index)
@@ -255,10 +252,7 @@ void Workbench::openTaskAt(int index)
         m_document.setLocked(task()->locked);
     });
     m_saveSoon.start();
-    emit modeChanged();
     emit taskChanged();
-    emit reportChanged();
-    emit progressChanged();
 }
 
 void Workbench::openNextTask()

@@ -122,16 +122,16 @@ signals:
     void numberWanted();  ///< see wantsNumber()
     void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
-    void taskChanged();
-    void progressChanged();
-    void checkStarted();
-    void checkProgressed(int done, int total);
-    void modeChanged();
-    void ghostChanged();
+    void taskChanged();     ///< another step or scene, with its mode, report and progress
+    void modeChanged();     ///< of the open step, which has no report in it yet
+    void progressChanged(); ///< the open step was passed without another check
     void hintsChanged();
     void guessChanged();
-    void checkEnded(); ///< with a report or cancelled
-    void reportChanged();
+    void ghostChanged();
+    void checkStarted();
+    void checkProgressed(int done, int total);
+    void checkCancelled();
+    void reportChanged();         ///< a check ended, and with it the progress changed
     void reportStale(bool stale); ///< whether the work is no longer what the report is about
     void failed(const cradle::Error &error); ///< something could not be saved or read
 

@@ -72,7 +72,6 @@ void Workbench::finishCheck(const CheckReport &report)
     else if (report.passed)
         awaitRun();
     showFirstFailure();
-    emit checkEnded();
     emit reportChanged();
     if (m_judged != submission())
         emit reportStale(true);
@@ -96,8 +95,6 @@ void Workbench::countPass()
     progress().pass = {.when = now(), .commit = m_report->commit};
     m_saveSoon.start();
     commitChecked();
-    emit progressChanged();
-    emit guessChanged();
     if (finished)
         emit labFinished();
 }

@@ -35,7 +35,6 @@ void Workbench::takeOver()
     if (const auto error = m_store.load())
         emit failed(*error);
     m_code.takeOver(m_lab, m_current);
-    emit progressChanged();
     emit taskChanged();
 }
 

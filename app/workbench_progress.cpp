@@ -91,6 +91,7 @@ void Workbench::noteSeen()
         return;
     m_awaitsRun = false;
     countPass();
+    emit progressChanged();
 }
 
 /// A question that waits until the scene has moved says so.

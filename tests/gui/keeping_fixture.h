@@ -50,7 +50,7 @@ inline void inCode(OpenWindow &open)
 /// Judges the program that is open and waits for the verdict.
 inline void check(OpenWindow &open)
 {
-    QSignalSpy ended(&open.bench, &Workbench::checkEnded);
+    QSignalSpy ended(&open.bench, &Workbench::reportChanged);
     open.bench.check();
     QVERIFY(ended.wait(patience));
     QTRY_VERIFY(!open.bench.awaitsRun());

@@ -54,7 +54,7 @@ private:
     }
     void check()
     {
-        QSignalSpy ended(&m_open->bench, &Workbench::checkEnded);
+        QSignalSpy ended(&m_open->bench, &Workbench::reportChanged);
         m_open->bench.check();
         QVERIFY(!ended.isEmpty() || ended.wait(30'000));
         QTRY_VERIFY(!m_open->bench.awaitsRun());

@@ -63,7 +63,7 @@ void TestCodeLab::type(const QString &program)
 
 void TestCodeLab::check()
 {
-    QSignalSpy ended(&m_open->bench, &Workbench::checkEnded);
+    QSignalSpy ended(&m_open->bench, &Workbench::reportChanged);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return, Qt::ControlModifier);
     QVERIFY2(!ended.isEmpty() || ended.wait(30'000), qPrintable(m_open->bench.code().text()));
     QTRY_VERIFY(!m_open->bench.awaitsRun());
