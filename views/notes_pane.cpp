@@ -3,8 +3,8 @@
 #include "views/notes_pane.h"
 
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 
-#include <QEvent>
 #include <QPlainTextEdit>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -40,7 +40,7 @@ NotesPane::NotesPane(QWidget *parent)
         if (!m_loading)
             emit edited();
     });
-    retranslate();
+    keepTranslated(this, &NotesPane::retranslate);
 }
 
 void NotesPane::setText(const QString &text, bool editable)
@@ -56,13 +56,6 @@ void NotesPane::setText(const QString &text, bool editable)
 QString NotesPane::text() const
 {
     return m_editor->toPlainText();
-}
-
-void NotesPane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void NotesPane::retranslate()

@@ -28,9 +28,6 @@ public:
 signals:
     void edited(); ///< by the student
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void retranslate();
 

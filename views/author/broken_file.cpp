@@ -5,9 +5,9 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QTextBlock>
@@ -41,6 +41,10 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     column->addWidget(m_text, 1);
     retranslate();
     connect(m_text, &QPlainTextEdit::textChanged, this, &BrokenFile::takeText);
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        follow();
+    });
 }
 
 bool BrokenFile::follow()
@@ -87,15 +91,6 @@ void BrokenFile::takeText()
 void BrokenFile::retranslate()
 {
     m_text->setAccessibleName(tr("Text of the file that cannot be read"));
-}
-
-void BrokenFile::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        follow();
-    }
 }
 
 } // namespace cradle

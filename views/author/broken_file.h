@@ -24,9 +24,6 @@ public:
     /// Shows the file of the open step that cannot be read. \return whether there is one
     bool follow();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void takeText();
     void retranslate();

@@ -9,9 +9,9 @@
 #include "views/author/parameter_form.h"
 #include "views/author/rows_list.h"
 #include "views/author/scene_form.h"
+#include "views/on_change.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -32,6 +32,10 @@ CheckEditor::CheckEditor(QWidget *parent)
     makeLayout();
     retranslate();
     wire();
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        showKind();
+    });
 }
 
 void CheckEditor::makeLayout()
@@ -236,15 +240,6 @@ void CheckEditor::retranslate()
     m_kind->setAccessibleName(tr("Kind of the check"));
     fillKindList(m_kind, checkKinds());
     m_circles->retranslate();
-}
-
-void CheckEditor::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showKind();
-    }
 }
 
 } // namespace cradle

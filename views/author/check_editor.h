@@ -37,9 +37,6 @@ signals:
     void edited(const cradle::CheckForm &check, const QString &field);
     void refusalsChanged();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void wire();

@@ -7,8 +7,8 @@
 #include "tasks/checks/check_kinds.h"
 #include "tasks/script/student_script.h"
 #include "views/code/code_editor.h"
+#include "views/on_change.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 
 namespace cradle {
@@ -30,7 +30,7 @@ CheckScript::CheckScript(AuthorDocument &document, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_editor);
-    retranslate();
+    keepTranslated(this, &CheckScript::retranslate);
     connect(m_editor, &CodeEditor::textEdited, this, &CheckScript::takeText);
 }
 
@@ -107,13 +107,6 @@ void CheckScript::takeText()
 void CheckScript::retranslate()
 {
     m_editor->setAccessibleName(tr("Program of the check"));
-}
-
-void CheckScript::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -33,9 +33,6 @@ public:
     [[nodiscard]] static LabFiles copied(const LabFiles &files, const QString &step,
                                          CheckForm &check);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void takeText();
     void retranslate();

@@ -4,10 +4,10 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/program_files.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -52,6 +52,10 @@ CheckTrial::CheckTrial(AuthorDocument &document, QWidget *parent)
     retranslate();
     wire();
     reload();
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        forget();
+    });
 }
 
 void CheckTrial::wire()
@@ -164,15 +168,6 @@ void CheckTrial::retranslate()
     m_try->setToolTip(tr("On that program, with the first seed"));
     m_program->setAccessibleName(tr("Program to try the check on"));
     m_result->setAccessibleName(tr("How the check went"));
-}
-
-void CheckTrial::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        forget();
-    }
 }
 
 } // namespace cradle

@@ -28,9 +28,6 @@ public:
     void setRefused(bool refused);
     void setProgram(const QString &file); ///< "mistakes/NAME.lua", if the step has it
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void wire();
     void retranslate();

@@ -9,10 +9,10 @@
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/icons.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QBoxLayout>
-#include <QEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QScrollArea>
@@ -34,7 +34,7 @@ ChecksTab::ChecksTab(AuthorDocument &document, QWidget *parent)
     , m_document(document)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &ChecksTab::retranslate);
     wire();
     reload();
 }
@@ -201,13 +201,6 @@ void ChecksTab::retranslate()
     nameButton(m_remove, tr("Remove the check"), tr("Delete"));
     nameButton(m_up, tr("Move the check up"), tr("Alt+Up"));
     nameButton(m_down, tr("Move the check down"), tr("Alt+Down"));
-}
-
-void ChecksTab::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -44,9 +44,6 @@ public slots:
     void duplicateCheck();
     void removeCheck();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void wire();

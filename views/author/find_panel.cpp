@@ -5,11 +5,11 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -69,7 +69,7 @@ FindPanel::FindPanel(AuthorDocument &document, QWidget *parent)
     m_soon.setSingleShot(true);
     m_soon.setInterval(soon);
     makeLayout();
-    retranslate();
+    keepTranslated(this, &FindPanel::retranslate);
     wire();
     hide();
 }
@@ -230,13 +230,6 @@ void FindPanel::retranslate()
     nameButton(m_close, tr("Close the search"), tr("Esc"));
     m_list->setAccessibleName(tr("Places that were found"));
     showCount();
-}
-
-void FindPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void FindPanel::keyPressEvent(QKeyEvent *event)

@@ -36,7 +36,6 @@ signals:
     void said(const QString &text);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:

@@ -3,9 +3,9 @@
 #include "views/author/findings_list.h"
 
 #include "views/author/rows_list.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QVBoxLayout>
@@ -51,6 +51,8 @@ FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
     connect(m_list, &QListWidget::itemClicked, this, choose);
     connect(m_list, &QListWidget::itemActivated, this, choose);
     reload();
+    onChange(this, {QEvent::LanguageChange}, [this] { retranslate(); });
+    onChange(this, {QEvent::PaletteChange}, [this] { reload(); });
 }
 
 void FindingsList::reload()
@@ -83,15 +85,6 @@ void FindingsList::retranslate()
     const auto count = static_cast<int>(m_findings.size());
     m_heading->setText(count == 0 ? tr("All files can be read") : tr("Findings · %1").arg(count));
     m_list->setAccessibleName(tr("Findings in the lab's files"));
-}
-
-void FindingsList::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange)
-        reload();
 }
 
 } // namespace cradle

@@ -27,9 +27,6 @@ signals:
     void chosen(const cradle::Error &finding); ///< its file below the lab's folder
     void shown();                              ///< others than before, perhaps
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void reload();
     void retranslate();

@@ -4,8 +4,8 @@
 
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/on_change.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QToolButton>
@@ -59,7 +59,7 @@ HintsList::HintsList(QWidget *parent)
     connect(m_remove, &QToolButton::clicked, this, &HintsList::remove);
     connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
     connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
-    retranslate();
+    keepTranslated(this, &HintsList::retranslate);
 }
 
 void HintsList::showHints(const QStringList &hints)
@@ -135,13 +135,6 @@ void HintsList::retranslate()
     nameButton(m_remove, tr("Remove the hint"), tr("Delete"));
     nameButton(m_up, tr("Move the hint up"), tr("Alt+Up"));
     nameButton(m_down, tr("Move the hint down"), tr("Alt+Down"));
-}
-
-void HintsList::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -28,9 +28,6 @@ signals:
     void currentChanged(int hint);
     void edited(const QStringList &hints, int current); ///< added, removed or moved
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void add();
     void remove();

@@ -3,8 +3,7 @@
 #include "views/author/language_box.h"
 
 #include "views/author/text_languages.h"
-
-#include <QEvent>
+#include "views/on_change.h"
 
 namespace cradle {
 
@@ -14,7 +13,7 @@ LanguageBox::LanguageBox(AuthorDocument &document, QWidget *parent)
 {
     setObjectName(QStringLiteral("textLanguage"));
     setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    retranslate();
+    keepTranslated(this, &LanguageBox::retranslate);
     showLanguages();
     connect(&document, &AuthorDocument::changed, this, &LanguageBox::showLanguages);
     connect(&document, &AuthorDocument::languageChanged, this, &LanguageBox::showLanguages);
@@ -43,13 +42,6 @@ void LanguageBox::retranslate()
                   "language"));
     for (int i = 0; i < count(); ++i)
         setItemText(i, tr("Texts in %1").arg(languageWithCode(itemData(i).toString())));
-}
-
-void LanguageBox::changeEvent(QEvent *event)
-{
-    QComboBox::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -16,9 +16,6 @@ class LanguageBox final : public QComboBox
 public:
     explicit LanguageBox(AuthorDocument &document, QWidget *parent = nullptr);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void showLanguages();
     void retranslate();

@@ -4,10 +4,10 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
+#include "views/on_change.h"
 #include "views/task_pane/prediction_card.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -34,7 +34,7 @@ PredictionEditor::PredictionEditor(FormulaRenderer *renderer, QWidget *parent)
     : QWidget(parent)
 {
     makeLayout(renderer);
-    retranslate();
+    keepTranslated(this, &PredictionEditor::retranslate);
     wire();
     showPrediction({});
 }
@@ -215,13 +215,6 @@ void PredictionEditor::retranslate()
     m_removeAll->setText(tr("Remove the prediction"));
     m_beforeCaption->setText(tr("What the student sees before"));
     m_afterCaption->setText(tr("And after"));
-}
-
-void PredictionEditor::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -39,9 +39,6 @@ signals:
     /// \param field  that was typed into; empty if answers, or the whole, came or went
     void edited(const std::optional<cradle::Prediction> &prediction, const QString &field);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     static constexpr int mostAnswers = 4;
     struct AnswerRow {

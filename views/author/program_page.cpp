@@ -13,8 +13,8 @@
 #include "views/code/code_editor.h"
 #include "views/fitted_tabs.h"
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -34,7 +34,7 @@ ProgramPage::ProgramPage(AuthorDocument &document, QWidget *parent)
     , m_document(document)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &ProgramPage::retranslate);
     connect(m_editor, &CodeEditor::textEdited, this, &ProgramPage::takeSource);
     connect(m_translation, &MarkdownEditor::edited, this, &ProgramPage::takeTranslation);
     connect(m_remark, &RemarkEditor::edited, this, &ProgramPage::takeRemark);
@@ -286,13 +286,6 @@ void ProgramPage::retranslate()
     m_translation->setAccessibleName(tr("What the student reads, translated"));
     m_message->setAccessibleName(tr("What the student reads"));
     showNote();
-}
-
-void ProgramPage::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

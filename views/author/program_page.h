@@ -33,9 +33,6 @@ public:
     void showProgram(const QString &program);
     void showRecognition(); ///< of a remark
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     QWidget *makeMessage();

@@ -12,9 +12,9 @@
 #include "views/code/code_editor.h"
 #include "views/icons.h"
 #include "views/menu.h"
+#include "views/on_change.h"
 
 #include <QBoxLayout>
-#include <QEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QToolButton>
@@ -35,7 +35,7 @@ ProgramsTab::ProgramsTab(AuthorDocument &document, QWidget *parent)
     , m_document(document)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &ProgramsTab::retranslate);
     wire();
     reload();
 }
@@ -259,13 +259,6 @@ void ProgramsTab::retranslate()
     m_otherMenu->retranslate();
     m_addMenu->setToolTipsVisible(true);
     m_addMenu->addMenu(m_otherMenu);
-}
-
-void ProgramsTab::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -42,9 +42,6 @@ public slots:
     void removeProgram();
     void renameProgram(); ///< begins to edit its name in the list
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void wire();

@@ -3,9 +3,9 @@
 #include "views/author/proof_matrix.h"
 
 #include "tasks/proof/verified_text.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QStyledItemDelegate>
 
@@ -78,6 +78,7 @@ ProofMatrix::ProofMatrix(QWidget *parent)
             emit checkChosen(m_task.checks[column - 1]);
     });
     fill();
+    onChange(this, {QEvent::LanguageChange, QEvent::PaletteChange}, [this] { fill(); });
 }
 
 void ProofMatrix::show(const VerifiedTask &task)
@@ -209,13 +210,6 @@ void ProofMatrix::resizeEvent(QResizeEvent *event)
 {
     QTableWidget::resizeEvent(event);
     fitColumns();
-}
-
-void ProofMatrix::changeEvent(QEvent *event)
-{
-    QTableWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
-        fill();
 }
 
 } // namespace cradle

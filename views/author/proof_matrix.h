@@ -23,7 +23,6 @@ signals:
     void checkChosen(const QString &id);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:

@@ -4,6 +4,7 @@
 
 #include "views/author/proof_matrix.h"
 #include "views/author/proof_rows.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QEvent>
@@ -22,7 +23,7 @@ ProofTab::ProofTab(AuthorDocument &document, QWidget *parent)
     , m_document(document)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &ProofTab::retranslate);
     wire();
     setRunning(false);
     showStep();

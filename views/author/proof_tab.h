@@ -46,9 +46,6 @@ signals:
     /// \param finding  why it is worth a look
     void runRequested(const cradle::SceneVisit &run, const QString &finding);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void wire();

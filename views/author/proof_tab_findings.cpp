@@ -6,7 +6,6 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/proof_rows.h"
 
-#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
@@ -203,13 +202,6 @@ void ProofTab::retranslate()
     m_progress->setAccessibleName(tr("Progress of the proof"));
     m_stale->setText(tr("The lab was edited since."));
     showStep();
-}
-
-void ProofTab::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -13,7 +13,6 @@
 #include "views/task_pane/questions_card.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -236,15 +235,6 @@ void QuestionsEditor::tell(const QString &field)
     const std::vector<Question> questions = m_questions;
     emit edited(questions,
                 field.isEmpty() ? QString() : QStringLiteral("%1:%2").arg(at()).arg(field));
-}
-
-void QuestionsEditor::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showCurrent();
-    }
 }
 
 } // namespace cradle

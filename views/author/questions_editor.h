@@ -44,9 +44,6 @@ signals:
     /// \param field  that was typed into; empty if a question or an answer came, went or moved
     void edited(const std::vector<cradle::Question> &questions, const QString &field);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     enum Line { Title, Id, Points, Number, Tolerance, Unit, LineCount };
 

@@ -7,6 +7,7 @@
 #include "views/author/question_bounds.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/on_change.h"
 #include "views/task_pane/questions_card.h"
 #include "views/theme.h"
 
@@ -36,6 +37,10 @@ QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
     retranslate();
     wire();
     showQuestions({}, {}, {});
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        showCurrent();
+    });
 }
 
 QWidget *QuestionsEditor::makeList()

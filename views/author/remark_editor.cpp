@@ -5,9 +5,9 @@
 #include "views/author/circles_line.h"
 #include "views/author/form_rows.h"
 #include "views/author/scene_form.h"
+#include "views/on_change.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 
@@ -25,6 +25,10 @@ RemarkEditor::RemarkEditor(QWidget *parent)
     makeLayout();
     retranslate();
     wire();
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        show(m_remark, m_step);
+    });
 }
 
 void RemarkEditor::makeLayout()
@@ -113,15 +117,6 @@ void RemarkEditor::retranslate()
     m_compare->addItem(tr("Fields: numbers that the program keeps with the circles, as mass"),
                        QStringLiteral("fields"));
     m_circles->retranslate();
-}
-
-void RemarkEditor::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        show(m_remark, m_step);
-    }
 }
 
 } // namespace cradle

@@ -31,9 +31,6 @@ public:
 signals:
     void edited(const cradle::RemarkForm &remark, const QString &field);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void wire();

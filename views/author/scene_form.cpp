@@ -5,9 +5,9 @@
 #include "tasks/checks/check_kinds.h"
 #include "views/author/form_rows.h"
 #include "views/author/parameter_form.h"
+#include "views/on_change.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 
@@ -46,6 +46,10 @@ SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
         emit valuesEdited(m_scene);
     });
     connect(m_values, &ParameterForm::refusalsChanged, this, &SceneForm::refusalsChanged);
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        showScene(m_scene);
+    });
 }
 
 void SceneForm::showScene(const QJsonObject &scene)
@@ -76,15 +80,6 @@ void SceneForm::retranslate()
     m_caption->setText(tr("Kind"));
     m_kind->setAccessibleName(tr("Kind of the scenes"));
     fillKindList(m_kind, sceneKinds());
-}
-
-void SceneForm::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showScene(m_scene);
-    }
 }
 
 } // namespace cradle

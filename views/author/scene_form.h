@@ -34,9 +34,6 @@ signals:
     void valuesEdited(const QJsonObject &scene);
     void refusalsChanged();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void retranslate();
 

@@ -9,13 +9,13 @@
 #include "views/flow_layout.h"
 #include "views/inspector/inspector.h"
 #include "views/menu.h"
+#include "views/on_change.h"
 #include "views/scene/scene_view.h"
 #include "views/theme.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -30,7 +30,7 @@ SceneTab::SceneTab(AuthorDocument &document, QWidget *parent)
     , m_preset(m_simulation)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &SceneTab::retranslate);
     connect(&document, &AuthorDocument::changed, this, &SceneTab::reload);
     connect(&document, &AuthorDocument::stepChanged, this, &SceneTab::reload);
     connect(&m_preset, &PresetDocument::edited, this, &SceneTab::takePreset);
@@ -284,13 +284,6 @@ void SceneTab::retranslate()
     showLocks();
     m_preset.setReadOnly(m_document.whyReadOnly());
     showError();
-}
-
-void SceneTab::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

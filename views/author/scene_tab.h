@@ -62,9 +62,6 @@ signals:
     /// The program that stopped, at the line where it did.
     void programRequested(const QString &file, int line);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeLayout();
     void retranslate();

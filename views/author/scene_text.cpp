@@ -3,9 +3,9 @@
 #include "views/author/scene_text.h"
 
 #include "views/author/form_rows.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
@@ -43,7 +43,7 @@ SceneText::SceneText(AuthorDocument &document, QWidget *parent)
     column->addWidget(m_note);
     column->addWidget(m_text, 1);
     column->addWidget(m_reason);
-    retranslate();
+    keepTranslated(this, &SceneText::retranslate);
     connect(m_text, &QPlainTextEdit::textChanged, this, &SceneText::takeText);
 }
 
@@ -96,13 +96,6 @@ void SceneText::retranslate()
                        "or with the lab's values, \"-e*v\". What cannot be read stays here and is "
                        "not in the lab yet."));
     m_text->setAccessibleName(tr("The scene as text"));
-}
-
-void SceneText::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -29,9 +29,6 @@ public:
     /// The files of which something is typed that cannot be read.
     [[nodiscard]] QStringList refused() const { return m_texts.subjects(); }
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void takeText();
     void showReason();

@@ -3,10 +3,10 @@
 #include "views/author/step_fields.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/on_change.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -55,7 +55,7 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     row->addWidget(m_commit, 3);
     row->addWidget(m_moves);
     row->addWidget(m_extra);
-    retranslate();
+    keepTranslated(this, &StepFields::retranslate);
     connect(m_id, &QLineEdit::editingFinished, this, &StepFields::takeId);
     connect(m_title, &QLineEdit::textEdited, this, [this] { takeFields(QStringLiteral("title")); });
     connect(m_commit, &QLineEdit::textEdited, this,
@@ -135,13 +135,6 @@ void StepFields::retranslate()
                            "or either"));
     m_extra->setText(tr("Extra step"));
     m_extra->setToolTip(tr("Outside the lab's own count"));
-}
-
-void StepFields::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -25,9 +25,6 @@ public:
 
     void reload(); ///< shows the open step
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void takeId();
     void takeFields(const QString &field); ///< that was typed into

@@ -9,9 +9,9 @@
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/icons.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -40,7 +40,8 @@ StepsPanel::StepsPanel(AuthorDocument &document, QWidget *parent)
     , m_document(document)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &StepsPanel::retranslate);
+    onChange(this, {QEvent::PaletteChange}, [this] { markFindings(); });
     connect(&document, &AuthorDocument::changed, this, &StepsPanel::reloadIfNew);
     connect(&document, &AuthorDocument::stepChanged, this, &StepsPanel::showCurrent);
     connect(&document, &AuthorDocument::languageChanged, this, &StepsPanel::reload);
@@ -193,15 +194,6 @@ void StepsPanel::retranslate()
     nameButton(m_remove, tr("Remove the step"), tr("Delete"));
     nameButton(m_up, tr("Move the step up"), tr("Alt+Up"));
     nameButton(m_down, tr("Move the step down"), tr("Alt+Down"));
-}
-
-void StepsPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange)
-        markFindings();
 }
 
 } // namespace cradle

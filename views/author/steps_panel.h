@@ -41,9 +41,6 @@ signals:
     void findingChosen(const cradle::Error &finding);
     void propertiesRequested(); ///< of the lab
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     enum Role { FolderRole = Qt::UserRole, TitleRole }; ///< of a row: the step's folder and title
 

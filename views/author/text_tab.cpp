@@ -11,11 +11,11 @@
 #include "views/author/values_editor.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 #include "views/task_pane/instructions_pane.h"
 #include "views/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSplitter>
@@ -36,7 +36,7 @@ TextTab::TextTab(AuthorDocument &document, QWidget *parent)
     m_previewTimer.setSingleShot(true);
     m_previewTimer.setInterval(previewDelay);
     makeLayout();
-    retranslate();
+    keepTranslated(this, &TextTab::retranslate);
     wire();
     reload();
 }
@@ -252,13 +252,6 @@ void TextTab::retranslate()
     m_preview->setAccessibleName(tr("Preview"));
     m_unknown->setToolTip(tr("Names in backticks that neither the scene nor the programs have"));
     showUnknown();
-}
-
-void TextTab::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -53,9 +53,6 @@ public:
 signals:
     void figureRequested(); ///< the author wants the scene as a figure
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     /// Which text is written.
     enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart, ValuesPart };

@@ -32,9 +32,6 @@ public:
     /// The values of which a field holds what is none, as "NAME" or "STEP/NAME".
     [[nodiscard]] QStringList refused() const;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     enum Line { Name, Expression, From, To, Step, LineCount };
     /// A value and where it stands.

@@ -5,9 +5,9 @@
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/on_change.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,6 +35,10 @@ ValuesEditor::ValuesEditor(AuthorDocument &document, QWidget *parent)
     retranslate();
     wire();
     reload();
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        reload();
+    });
 }
 
 QWidget *ValuesEditor::makeList()
@@ -164,15 +168,6 @@ void ValuesEditor::retranslate()
     m_drawCaption->setText(tr("Draw"));
     m_draw->setAccessibleName(tr("Draw of the lab"));
     m_draw->setToolTip(tr("Another text draws other values: change it every year"));
-}
-
-void ValuesEditor::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        reload();
-    }
 }
 
 } // namespace cradle

@@ -4,6 +4,7 @@
 
 #include "views/code/api_words.h"
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -49,7 +50,7 @@ ApiPage::ApiPage(QWidget *parent, FormulaRenderer *renderer)
     , m_view(new MarkdownView(nullptr, renderer))
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &ApiPage::retranslate);
     m_search->installEventFilter(this);
     m_headings->installEventFilter(this);
     connect(m_search, &QLineEdit::textEdited, this, &ApiPage::filter);
@@ -212,13 +213,6 @@ void ApiPage::searchOn(bool forward)
     end.movePosition(forward ? QTextCursor::Start : QTextCursor::End);
     m_view->setTextCursor(end);
     m_view->find(text, flags);
-}
-
-void ApiPage::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void ApiPage::resizeEvent(QResizeEvent *event)

@@ -8,9 +8,9 @@
 #include "views/code/find_bar.h"
 #include "views/code/locals_table.h"
 #include "views/code/solution_view.h"
+#include "views/on_change.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -51,7 +51,7 @@ CodePane::CodePane(QWidget *parent)
     m_header->setTitle(QStringLiteral("lab.lua"));
     m_header->atOnce().setChecked(true);
     wire();
-    retranslate();
+    keepTranslated(this, &CodePane::retranslate);
 }
 
 void CodePane::wire()
@@ -207,13 +207,6 @@ void CodePane::find()
 void CodePane::replace()
 {
     m_findBar->open(true);
-}
-
-void CodePane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void CodePane::retranslate()

@@ -76,9 +76,6 @@ signals:
     void solutionRequested(); ///< answer with showSolution()
     void helpRequested(const QString &word);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void wire();
     void retranslate();

@@ -4,6 +4,7 @@
 
 #include "views/code/code_editor.h"
 #include "views/icons.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QEvent>
@@ -52,7 +53,7 @@ FindBar::FindBar(CodeEditor &editor, QWidget *parent)
     , m_replaceRow(new QWidget)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &FindBar::retranslate);
     hide();
     connect(m_find, &QLineEdit::textChanged, this, &FindBar::search);
     for (QToolButton *option : {m_matchCase, m_wholeWord})
@@ -218,13 +219,6 @@ void FindBar::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setPen(theme().border);
     painter.drawLine(0, 0, width(), 0);
-}
-
-void FindBar::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 bool FindBar::eventFilter(QObject *watched, QEvent *event)

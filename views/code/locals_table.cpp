@@ -3,9 +3,9 @@
 #include "views/code/locals_table.h"
 
 #include "views/code/code_colours.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
@@ -61,7 +61,11 @@ LocalsTable::LocalsTable(QWidget *parent)
     column->addWidget(m_table, 1);
     column->addStretch(0);
     setLocals({});
-    retranslate();
+    keepTranslated(this, &LocalsTable::retranslate);
+    onChange(this, {QEvent::PaletteChange}, [this] {
+        for (int row = 0; row < m_table->rowCount(); ++row)
+            m_table->item(row, 0)->setForeground(theme().mutedText);
+    });
 }
 
 void LocalsTable::setLocals(const std::vector<ProgramValue> &locals)
@@ -91,17 +95,6 @@ QSize LocalsTable::sizeHint() const
         }
     }
     return {std::clamp(columns[0] + columns[1] + cellRoom, narrowest, widest), 160};
-}
-
-void LocalsTable::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange) {
-        for (int row = 0; row < m_table->rowCount(); ++row)
-            m_table->item(row, 0)->setForeground(theme().mutedText);
-    }
 }
 
 void LocalsTable::retranslate()

@@ -23,9 +23,6 @@ public:
     void setLocals(const std::vector<ProgramValue> &locals);
     [[nodiscard]] QSize sizeHint() const override; ///< as wide as its names and values
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void retranslate();
 

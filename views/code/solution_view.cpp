@@ -4,9 +4,9 @@
 
 #include "views/code/code_editor.h"
 #include "views/icons.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -40,19 +40,12 @@ SolutionView::SolutionView(QWidget *parent)
     setFocusProxy(m_editor);
     connect(m_close, &QToolButton::clicked, this, &SolutionView::closeRequested);
     connect(m_editor, &CodeEditor::escapePressed, this, &SolutionView::closeRequested);
-    retranslate();
+    keepTranslated(this, &SolutionView::retranslate);
 }
 
 void SolutionView::setText(const QString &text)
 {
     m_editor->setText(text);
-}
-
-void SolutionView::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void SolutionView::retranslate()

@@ -26,9 +26,6 @@ public:
 signals:
     void closeRequested();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void retranslate();
 

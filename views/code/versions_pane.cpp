@@ -4,9 +4,9 @@
 
 #include "tasks/text/line_diff.h"
 #include "views/code/code_editor.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -91,6 +91,10 @@ VersionsPane::VersionsPane(QWidget *parent)
             emit goBackRequested(version->text);
     });
     retranslate();
+    onChange(this, {QEvent::LanguageChange}, [this] {
+        retranslate();
+        setVersions(m_versions);
+    });
 }
 
 void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
@@ -176,15 +180,6 @@ void VersionsPane::resizeEvent(QResizeEvent *event)
     m_parts->setOrientation(orientation);
     m_choice->setDirection(stacks ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_parts->setSizes(stacks ? QList{height() / 4, 3 * height() / 4} : QList{420, 720});
-}
-
-void VersionsPane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        setVersions(m_versions);
-    }
 }
 
 void VersionsPane::retranslate()

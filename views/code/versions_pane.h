@@ -39,7 +39,6 @@ signals:
     void goBackRequested(const QString &text); ///< to this program
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:

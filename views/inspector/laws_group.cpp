@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/laws_group.h"
 
+#include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QComboBox>
@@ -62,7 +63,7 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
         ++row;
     }
     arrange(Column);
-    retranslate();
+    keepTranslated(this, &LawsGroup::retranslate);
     connect(m_walls, &QComboBox::activated, this, [this](int index) {
         Laws laws = m_document.preset().laws;
         laws.walls = static_cast<WallLaw>(index);
@@ -203,13 +204,6 @@ bool LawsGroup::eventFilter(QObject *watched, QEvent *event)
         return true;
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void LawsGroup::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

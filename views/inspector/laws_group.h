@@ -33,7 +33,6 @@ public:
     [[nodiscard]] int rowWidth() const;          ///< px that a row of them needs
 
 protected:
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:

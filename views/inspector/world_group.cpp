@@ -4,9 +4,9 @@
 
 #include "model/world/shortest_number.h"
 #include "views/inspector/number_field.h"
+#include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -81,7 +81,7 @@ WorldGroup::WorldGroup(PresetDocument &document, QWidget *parent)
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(4);
     arrange(TwoColumns);
-    retranslate();
+    keepTranslated(this, &WorldGroup::retranslate);
     reload();
     connect(&document.simulation(), &Simulation::presetChanged, this, &WorldGroup::reload);
     connect(&document, &PresetDocument::lockedChanged, this, &WorldGroup::reload);
@@ -177,13 +177,6 @@ void WorldGroup::propose(Field field, double value, bool spinning)
         at(field)->setValue(numberOf(m_document.preset(), field));
     else
         at(field)->setRefused(true);
-}
-
-void WorldGroup::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

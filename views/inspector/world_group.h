@@ -37,9 +37,6 @@ signals:
     void notANumber(const QString &text);
     void reverted();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     enum Field { GravityX, GravityY, Restitution, Timestep, HalfWidth, FieldCount };
 

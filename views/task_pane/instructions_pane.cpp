@@ -5,6 +5,7 @@
 #include "views/formula_renderer.h"
 #include "views/icons.h"
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/prediction_card.h"
 #include "views/task_pane/questions_card.h"
@@ -63,7 +64,7 @@ InstructionsPane::InstructionsPane(QWidget *parent, FormulaRenderer *renderer)
     , m_renderer(renderer ? renderer : new FormulaRenderer(this))
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &InstructionsPane::retranslate);
 }
 
 InstructionsPane::~InstructionsPane()
@@ -234,13 +235,6 @@ bool InstructionsPane::eventFilter(QObject *watched, QEvent *event)
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void InstructionsPane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

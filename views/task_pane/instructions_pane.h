@@ -47,7 +47,6 @@ signals:
     void answered(const QString &question, const QJsonValue &answer); ///< see Answers
 
 protected:
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:

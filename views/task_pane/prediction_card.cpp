@@ -3,6 +3,7 @@
 #include "views/task_pane/prediction_card.h"
 
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 #include "views/task_pane/answer_row.h"
 #include "views/task_pane/card_label.h"
 #include "views/task_pane/growing_text.h"
@@ -10,7 +11,6 @@
 #include "views/theme.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
@@ -55,7 +55,7 @@ PredictionCard::PredictionCard(FormulaRenderer *renderer, QWidget *parent)
     column->addWidget(m_own);
     column->addWidget(m_outcome);
     connect(m_reveal, &QPushButton::clicked, this, &PredictionCard::outcomeRequested);
-    retranslate();
+    keepTranslated(this, &PredictionCard::retranslate);
 }
 
 void PredictionCard::setPrediction(const std::optional<Prediction> &prediction)
@@ -176,13 +176,6 @@ void PredictionCard::retranslate()
         return;
     makeAnswers();
     showGuess();
-}
-
-void PredictionCard::changeEvent(QEvent *event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace cradle

@@ -35,9 +35,6 @@ signals:
     void answered(int answer); ///< from 0, or Guess::notSure
     void outcomeRequested();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeAnswers();
     QRadioButton *addAnswer(QVBoxLayout *column, int answer);

@@ -4,13 +4,13 @@
 
 #include "model/world/shortest_number.h"
 #include "views/markdown_view.h"
+#include "views/on_change.h"
 #include "views/task_pane/card_label.h"
 #include "views/task_pane/growing_text.h"
 #include "views/task_pane/message_text.h"
 #include "views/task_pane/question_field.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 
 namespace cradle {
@@ -29,7 +29,7 @@ QuestionsCard::QuestionsCard(FormulaRenderer *renderer, QWidget *parent)
     column->addWidget(m_title);
     column->addWidget(m_status);
     column->addWidget(m_body);
-    makeFields();
+    keepTranslated(this, &QuestionsCard::makeFields);
 }
 
 void QuestionsCard::setQuestions(const std::vector<Question> &questions, const QUrl &folder)
@@ -92,13 +92,6 @@ void QuestionsCard::addQuestion(QVBoxLayout *column, const Question &question)
     column->addWidget(field);
     column->addSpacing(6);
     m_fields.push_back(field);
-}
-
-void QuestionsCard::changeEvent(QEvent *event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        makeFields();
 }
 
 } // namespace cradle

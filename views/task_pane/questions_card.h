@@ -34,9 +34,6 @@ signals:
     /// \param answer  see Answers; empty: taken back
     void answered(const QString &question, const QJsonValue &answer);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void makeFields();
     void addQuestion(QVBoxLayout *column, const Question &question);

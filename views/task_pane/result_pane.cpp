@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/result_pane.h"
 
+#include "views/on_change.h"
 #include "views/task_pane/check_row.h"
 #include "views/task_pane/finding_card.h"
 #include "views/task_pane/message_text.h"
 #include "views/task_pane/result_cards.h"
 #include "views/theme.h"
 
-#include <QEvent>
 #include <QGraphicsOpacityEffect>
 #include <QLabel>
 #include <QPushButton>
@@ -46,7 +46,7 @@ ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     column->addWidget(m_heading);
     column->addWidget(m_progress, 1, Qt::AlignTop);
     column->addWidget(m_scroll, 1);
-    rebuild();
+    keepTranslated(this, &ResultPane::rebuild);
 }
 
 void ResultPane::setReport(const std::optional<CheckReport> &report)
@@ -275,13 +275,6 @@ void ResultPane::addChecks(QVBoxLayout *column)
         column->addWidget(row);
         connect(row, &CheckRow::showMoment, this, &ResultPane::showMoment);
     }
-}
-
-void ResultPane::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        rebuild();
 }
 
 } // namespace cradle

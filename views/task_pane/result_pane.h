@@ -51,9 +51,6 @@ signals:
     void showMoment(const cradle::CheckOutcome &outcome);
     void nextStepRequested();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void rebuild();
     void showChecking();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/steps_list.h"
 
+#include "views/on_change.h"
 #include "views/task_pane/step_delegate.h"
 #include "views/task_pane/step_dots.h"
 #include "views/theme.h"
@@ -29,7 +30,7 @@ StepsList::StepsList(QWidget *parent)
     : QWidget(parent)
 {
     makeLayout();
-    retranslate();
+    keepTranslated(this, &StepsList::retranslate);
 }
 
 void StepsList::makeLayout()
@@ -255,8 +256,6 @@ void StepsList::retranslate()
 void StepsList::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
         fitTitle();
 }
