@@ -62,7 +62,6 @@ public:
     void setPinned(bool pinned);
     [[nodiscard]] bool appliesAtOnce() const { return m_atOnce; }
     void setAppliesAtOnce(bool atOnce);
-    [[nodiscard]] bool isStepping() const { return m_stepping; }
 
 public slots:
     void edit(const QString &text); ///< the student typed

@@ -18,8 +18,6 @@ private slots:
     void everyFieldTellsItsOwnChange_data();
     void everyFieldTellsItsOwnChange();
     void namesAreThoseOfTheFields();
-    void otherNamesAreNoFields_data();
-    void otherNamesAreNoFields();
     void checkRefusesAChangedLock();
     void readerRefusesAFieldThatThereIsNot();
 };
@@ -97,7 +95,6 @@ void TestLocks::everyFieldTellsItsOwnChange()
     Preset changed = original;
     change(changed);
     for (const QString &field : lockableFields(original)) {
-        QVERIFY(isLockableField(field));
         QCOMPARE(firstChangedLock(original, changed, {field}).has_value(), fields.contains(field));
     }
     QCOMPARE(firstChangedLock(original, original, lockableFields(original)), std::nullopt);
@@ -112,20 +109,6 @@ void TestLocks::namesAreThoseOfTheFields()
     QCOMPARE(lockedName(QStringLiteral("circles/2/velocity"), preset),
              QStringLiteral("velocity of circle 2")); // it has no name of its own
     QVERIFY(lockReason(QStringLiteral("laws/timing"), preset).contains(QStringLiteral("timing")));
-}
-
-void TestLocks::otherNamesAreNoFields_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const char *name : {"", "gravity/x", "laws", "circles/0/mass", "circles/1",
-                             "circles/1/name", "circles/01/mass", "Gravity"})
-        QTest::newRow(name) << QString::fromLatin1(name);
-}
-
-void TestLocks::otherNamesAreNoFields()
-{
-    QFETCH(const QString, name);
-    QVERIFY(!isLockableField(name));
 }
 
 void TestLocks::checkRefusesAChangedLock()

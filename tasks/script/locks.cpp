@@ -137,16 +137,6 @@ QString lockedName(const QString &field, const Preset &preset)
         name.isEmpty() ? LockText::tr("circle %1").arg(own->circle + 1) : name);
 }
 
-bool isLockableField(const QString &field)
-{
-    const auto isField = [](const QString &name) {
-        return [name](const char *each) { return name == QLatin1String(each); };
-    };
-    if (const auto own = circleFieldFrom(field))
-        return std::any_of(std::begin(circleFields), std::end(circleFields), isField(own->name));
-    return std::any_of(std::begin(worldFields), std::end(worldFields), isField(field));
-}
-
 std::optional<QString> firstChangedLock(const Preset &original, const Preset &changed,
                                         const QStringList &locked)
 {

@@ -20,9 +20,6 @@ namespace cradle {
 /// What the field is called for people: "gravity", "velocity of circle 1".
 [[nodiscard]] QString lockedName(const QString &field, const Preset &preset);
 
-/// Whether \p field is the name of a field at all.
-[[nodiscard]] bool isLockableField(const QString &field);
-
 /// The first of \p locked in which \p changed differs from \p original.
 [[nodiscard]] std::optional<QString> firstChangedLock(const Preset &original, const Preset &changed,
                                                       const QStringList &locked);
