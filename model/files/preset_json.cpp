@@ -48,6 +48,15 @@ QString nameIn(const Table &table, T value)
     return {};
 }
 
+template <typename Table>
+QStringList namesIn(const Table &table)
+{
+    QStringList names;
+    for (const auto &entry : table)
+        names.append(QString::fromLatin1(entry.name));
+    return names;
+}
+
 template <typename T, std::size_t N>
 std::optional<T> valueIn(const std::array<Named<T>, N> &table, const QString &name)
 {
@@ -236,6 +245,26 @@ std::optional<Timing> timingFromName(const QString &name)
 std::optional<Integrator> integratorFromName(const QString &name)
 {
     return valueIn(integratorNames, name);
+}
+
+QStringList allWallLawNames()
+{
+    return namesIn(wallNames);
+}
+
+QStringList allCircleLawNames()
+{
+    return namesIn(circleNames);
+}
+
+QStringList allTimingNames()
+{
+    return namesIn(timingNames);
+}
+
+QStringList allIntegratorNames()
+{
+    return namesIn(integratorNames);
 }
 
 } // namespace cradle

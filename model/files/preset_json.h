@@ -5,6 +5,7 @@
 #include "model/world/preset.h"
 
 #include <QByteArray>
+#include <QStringList>
 
 namespace cradle {
 
@@ -31,5 +32,11 @@ QString toName(Integrator integrator);
 std::optional<CircleLaw> circleLawFromName(const QString &name);
 std::optional<Timing> timingFromName(const QString &name);
 std::optional<Integrator> integratorFromName(const QString &name);
+
+/// All names of that kind in the file format, in the order of the enumeration.
+QStringList allWallLawNames();
+QStringList allCircleLawNames();
+QStringList allTimingNames();
+QStringList allIntegratorNames();
 
 } // namespace cradle

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
 
+#include "model/files/preset_json.h"
 #include "tasks/checks/parameter_makers.h"
 
 #include <QCoreApplication>
@@ -82,8 +83,7 @@ ParameterInfo contacts()
 
 ParameterInfo integrators()
 {
-    const QStringList names{QStringLiteral("euler"), QStringLiteral("symplectic_euler"),
-                            QStringLiteral("verlet"), QStringLiteral("rk4")};
+    const QStringList names = allIntegratorNames();
     return usually(outOf(make("integrators", Type::Choices, KindText::tr("Integrators"),
                               KindText::tr("Any of these is right")),
                          names),
@@ -98,9 +98,8 @@ ParameterInfo laws()
                  KindText::tr("Any of these is right: both stop; they swap their velocities; they "
                               "swap the parts along the line of centres; the impulse of masses "
                               "and e")),
-            {QStringLiteral("stop"), QStringLiteral("swap_velocities"),
-             QStringLiteral("swap_normal"), QStringLiteral("impulse")}),
-        QJsonArray{QStringLiteral("impulse")});
+            allCircleLawNames().mid(1)), // no law is none that answers a hit
+        QJsonArray{toName(CircleLaw::Impulse)});
 }
 
 ParameterInfo tolerance(double standard, const char *unit)

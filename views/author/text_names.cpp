@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/text_names.h"
 
+#include "model/files/preset_json.h"
 #include "tasks/script/lua_tokens.h"
 #include "views/code/api_words.h"
 
@@ -24,41 +25,14 @@ void addNames(const QString &program, QSet<QString> &words)
 QSet<QString> presetWords()
 {
     QSet<QString> words;
-    for (const char *word : {"half_width",
-                             "gravity",
-                             "restitution",
-                             "timestep",
-                             "laws",
-                             "walls",
-                             "circles",
-                             "timing",
-                             "name",
-                             "position",
-                             "velocity",
-                             "radius",
-                             "density",
-                             "colour",
-                             "integrator",
-                             "none",
-                             "reflect",
-                             "stop",
-                             "swap_velocities",
-                             "swap_normal",
-                             "impulse",
-                             "discrete",
-                             "continuous",
-                             "exact",
-                             "euler",
-                             "symplectic_euler",
-                             "verlet",
-                             "rk4",
-                             "x",
-                             "y",
-                             "lab",
-                             "lua",
-                             "preset",
-                             "json"})
+    for (const char *word :
+         {"half_width", "gravity", "restitution", "timestep", "laws",   "walls",   "circles",
+          "timing",     "name",    "position",    "velocity", "radius", "density", "colour",
+          "integrator", "x",       "y",           "lab",      "lua",    "preset",  "json"})
         words.insert(QLatin1String(word));
+    for (const QStringList &names :
+         {allWallLawNames(), allCircleLawNames(), allTimingNames(), allIntegratorNames()})
+        words.unite({names.begin(), names.end()});
     return words;
 }
 
