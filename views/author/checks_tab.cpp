@@ -10,12 +10,10 @@
 #include "views/author/tool_buttons.h"
 #include "views/icons.h"
 #include "views/on_change.h"
-#include "views/theme.h"
 
 #include <QBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -54,19 +52,13 @@ void ChecksTab::makeLayout()
         makeRowsColumn(m_heading, {m_up, m_down, m_add, m_duplicate, m_remove}, m_list));
     setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
 
-    m_empty = new QLabel(this);
-    m_empty->setWordWrap(true);
+    m_empty = makeMutedText(this);
     m_empty->setAlignment(Qt::AlignCenter);
-    setKind(m_empty, "muted");
     m_editor = new CheckEditor(this);
-    auto *scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(m_editor);
-    scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
     m_script = new CheckScript(m_document, this);
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_splitter->addWidget(m_empty);
-    m_splitter->addWidget(scroll);
+    m_splitter->addWidget(scrolled(m_editor));
     m_splitter->addWidget(m_script);
     m_splitter->setChildrenCollapsible(false);
     m_trial = new CheckTrial(m_document, this);
@@ -108,18 +100,14 @@ void ChecksTab::reload()
     const int before = m_shownStep == m_document.step() ? m_list->currentRow() : 0;
     m_shownStep = m_document.step();
     m_loading = true;
-    while (m_list->count() > static_cast<int>(m_checks.size()))
-        delete m_list->takeItem(m_list->count() - 1);
-    for (int i = 0; i < static_cast<int>(m_checks.size()); ++i) {
-        if (i >= m_list->count())
-            m_list->addItem(QString());
+    setRowCount(m_list, static_cast<int>(m_checks.size()));
+    for (int i = 0; i < m_list->count(); ++i) {
         const CheckForm &check = m_checks[static_cast<std::size_t>(i)];
         m_list->item(i)->setText(check.title.isEmpty() ? check.id : check.title);
         m_list->item(i)->setToolTip(check.id);
     }
     m_list->doItemsLayout(); // a title may take another number of lines now
-    const int last = m_list->count() - 1;
-    m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
+    chooseRow(m_list, before);
     m_loading = false;
     m_heading->setText(tr("Checks · %1").arg(m_list->count()));
     showCurrent();

@@ -139,4 +139,14 @@ void MarkdownEditor::changeEvent(QEvent *event)
     }
 }
 
+MarkdownEditor *makeTextField(const QString &name, int height, QWidget *parent)
+{
+    auto *text = new MarkdownEditor(parent);
+    text->setObjectName(name);
+    text->document()->setDocumentMargin(6);
+    text->setFixedHeight(height);
+    setKind(text, "field");
+    return text;
+}
+
 } // namespace cradle

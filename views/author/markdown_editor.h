@@ -46,4 +46,7 @@ private:
     bool m_showing = false;
 };
 
+/// Such an editor as a field of a form, \p height px high. \param name  of the object
+[[nodiscard]] MarkdownEditor *makeTextField(const QString &name, int height, QWidget *parent);
+
 } // namespace cradle

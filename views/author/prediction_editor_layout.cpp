@@ -24,16 +24,6 @@ constexpr int questionHeight = 72; ///< px
 constexpr int outcomeHeight = 104; ///< px
 constexpr int longestAnswer = 100; ///< characters, as in task.schema.json
 
-MarkdownEditor *makeText(const char *name, int height, QWidget *parent)
-{
-    auto *text = new MarkdownEditor(parent);
-    text->setObjectName(QLatin1String(name));
-    text->document()->setDocumentMargin(6);
-    text->setFixedHeight(height);
-    setKind(text, "field");
-    return text;
-}
-
 } // namespace
 
 void PredictionEditor::makeLayout(FormulaRenderer *renderer)
@@ -65,7 +55,7 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
 {
     m_form = new QWidget(parent);
     m_questionCaption = new QLabel(m_form);
-    m_question = makeText("predictionQuestion", questionHeight, m_form);
+    m_question = makeTextField(QStringLiteral("predictionQuestion"), questionHeight, m_form);
     m_questionCaption->setBuddy(m_question);
     m_answersCaption = new QLabel(m_form);
     m_answersCaption->setWordWrap(true);
@@ -77,7 +67,7 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
     setKind(m_add, "link");
     m_outcomeCaption = new QLabel(m_form);
     m_outcomeCaption->setWordWrap(true);
-    m_outcome = makeText("predictionOutcome", outcomeHeight, m_form);
+    m_outcome = makeTextField(QStringLiteral("predictionOutcome"), outcomeHeight, m_form);
     m_outcomeCaption->setBuddy(m_outcome);
     m_refusal = makeRefusal(m_form);
     m_removeAll = new QPushButton(m_form);

@@ -10,6 +10,7 @@
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/question_bounds.h"
+#include "views/author/rows_list.h"
 #include "views/task_pane/questions_card.h"
 
 #include <QComboBox>
@@ -88,16 +89,11 @@ void QuestionsEditor::showQuestions(const std::vector<Question> &questions, cons
     m_questions = questions;
     m_step = step;
     m_loading = true;
-    while (m_list->count() > static_cast<int>(questions.size()))
-        delete m_list->takeItem(m_list->count() - 1);
-    for (int i = 0; i < static_cast<int>(questions.size()); ++i) {
-        if (i >= m_list->count())
-            m_list->addItem(QString());
+    setRowCount(m_list, static_cast<int>(questions.size()));
+    for (int i = 0; i < m_list->count(); ++i)
         m_list->item(i)->setText(questions[static_cast<std::size_t>(i)].title);
-    }
     m_list->doItemsLayout();
-    const int last = m_list->count() - 1;
-    m_list->setCurrentRow(std::clamp(before, std::min(0, last), last));
+    chooseRow(m_list, before);
     m_loading = false;
     m_heading->setText(tr("Questions · %1").arg(m_list->count()));
     std::vector<Question> shown;
@@ -182,12 +178,8 @@ void QuestionsEditor::showAnswers()
                                   ? tr("Answers; mark the right one")
                                   : tr("Answers; mark all that are right"));
     const int row = m_answers->currentRow();
-    const auto count = static_cast<int>(question.answers.size());
-    while (m_answers->count() > count)
-        delete m_answers->takeItem(m_answers->count() - 1);
-    while (m_answers->count() < count)
-        m_answers->addItem(QString());
-    for (int i = 0; i < count; ++i) {
+    setRowCount(m_answers, static_cast<int>(question.answers.size()));
+    for (int i = 0; i < m_answers->count(); ++i) {
         QListWidgetItem *item = m_answers->item(i);
         Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
         if (!m_readOnly)
@@ -201,7 +193,7 @@ void QuestionsEditor::showAnswers()
         else
             item->setCheckState(isChosen(question, i) ? Qt::Checked : Qt::Unchecked);
     }
-    m_answers->setCurrentRow(std::clamp(row, std::min(0, count - 1), count - 1));
+    chooseRow(m_answers, row);
 }
 
 void QuestionsEditor::enableButtons()

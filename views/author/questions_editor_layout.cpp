@@ -9,7 +9,6 @@
 #include "views/author/tool_buttons.h"
 #include "views/on_change.h"
 #include "views/task_pane/questions_card.h"
-#include "views/theme.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -75,11 +74,7 @@ QWidget *QuestionsEditor::makeForm()
     }
     m_lines[Title]->setMaxLength(200); // as in task.schema.json
     m_textCaption = new QLabel(m_form);
-    m_text = new MarkdownEditor(m_form);
-    m_text->setObjectName(QStringLiteral("questionText"));
-    m_text->document()->setDocumentMargin(6);
-    m_text->setFixedHeight(textHeight);
-    setKind(m_text, "field");
+    m_text = makeTextField(QStringLiteral("questionText"), textHeight, m_form);
     m_textCaption->setBuddy(m_text);
     m_kindCaption = new QLabel(m_form);
     m_kindCaption->setBuddy(m_kind);

@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -86,6 +88,20 @@ QListWidget *makeRowsList(const QString &name, QWidget *parent)
     list->setTextElideMode(Qt::ElideNone); // it scrolls
     list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     return list;
+}
+
+void setRowCount(QListWidget *list, int count)
+{
+    while (list->count() > count)
+        delete list->takeItem(list->count() - 1);
+    while (list->count() < count)
+        list->addItem(QString());
+}
+
+void chooseRow(QListWidget *list, int row)
+{
+    const int last = list->count() - 1;
+    list->setCurrentRow(std::clamp(row, std::min(0, last), last));
 }
 
 void wrapRows(QListWidget *list)

@@ -27,6 +27,13 @@ namespace cradle {
 /// \param name  of the object
 [[nodiscard]] QListWidget *makeRowsList(const QString &name, QWidget *parent);
 
+/// Gives \p list so many rows: new ones without text at its end, or fewer; its items stay.
+void setRowCount(QListWidget *list, int count);
+
+/// Makes the row that was current, or the last one there is, current again; none where there is
+/// none.
+void chooseRow(QListWidget *list, int row);
+
 /// Lets long texts of \p list take several lines.
 void wrapRows(QListWidget *list);
 

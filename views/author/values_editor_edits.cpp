@@ -4,6 +4,7 @@
 
 #include "model/files/expression.h"
 #include "model/world/shortest_number.h"
+#include "tasks/authoring/free_name.h"
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
 
@@ -174,9 +175,7 @@ void ValuesEditor::add()
         return std::any_of(values.begin(), values.end(),
                            [&](const ValueForm &value) { return value.name == name; });
     };
-    QString name = QStringLiteral("value");
-    for (int number = 2; isTaken(name); ++number)
-        name = QStringLiteral("value%1").arg(number);
+    const QString name = freeName(QStringLiteral("value"), isTaken, {});
     values.push_back({.name = name, .expression = QStringLiteral("1")});
     m_chosen = m_document.step() + QLatin1Char('/') + name;
     ++m_typing;
