@@ -8172,7 +8172,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
-    <name>cradle::CheckScript</name>
+    <name>cradle::CheckProgram</name>
     <message>
         <source>-- Returns true, or false and what is wrong.
 </source>

@@ -8124,7 +8124,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
-    <name>cradle::CheckScript</name>
+    <name>cradle::CheckProgram</name>
     <message>
         <source>-- Returns true, or false and what is wrong.
 </source>

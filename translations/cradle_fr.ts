@@ -8124,7 +8124,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
-    <name>cradle::CheckScript</name>
+    <name>cradle::CheckProgram</name>
     <message>
         <source>-- Returns true, or false and what is wrong.
 </source>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_inspector.h"
 #include "views/inspector/laws_group.h"
-#include "views/inspector/number_text.h"
+#include "views/inspector/typed_number.h"
 
 #include <QLayout>
 

@@ -3,7 +3,7 @@
 #include "views/author/checks_tab.h"
 
 #include "views/author/check_editor.h"
-#include "views/author/check_script.h"
+#include "views/author/check_program.h"
 #include "views/author/check_trial.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
@@ -55,7 +55,7 @@ void ChecksTab::makeLayout()
     m_empty = makeMutedText(this);
     m_empty->setAlignment(Qt::AlignCenter);
     m_editor = new CheckEditor(this);
-    m_script = new CheckScript(m_document, this);
+    m_script = new CheckProgram(m_document, this);
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_splitter->addWidget(m_empty);
     m_splitter->addWidget(scrolled(m_editor));
@@ -174,7 +174,7 @@ void ChecksTab::setProgram(const QString &file)
 void ChecksTab::showScript(const QString &file)
 {
     for (const CheckForm &check : m_checks) {
-        if (CheckScript::fileOf(check) == file)
+        if (CheckProgram::fileOf(check) == file)
             showCheck(check.id);
     }
 }

@@ -19,7 +19,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class CheckEditor;
-class CheckScript;
+class CheckProgram;
 class CheckTrial;
 class CodeEditor;
 
@@ -69,7 +69,7 @@ private:
     QLabel *m_empty = nullptr;
     QSplitter *m_splitter = nullptr;
     CheckEditor *m_editor = nullptr;
-    CheckScript *m_script = nullptr;
+    CheckProgram *m_script = nullptr;
     CheckTrial *m_trial = nullptr;
     QString m_shownStep;
     bool m_loading = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/authoring/free_name.h"
-#include "views/author/check_script.h"
+#include "views/author/check_program.h"
 #include "views/author/checks_tab.h"
 
 #include <QListWidget>
@@ -56,8 +56,8 @@ void ChecksTab::takeCheck(const CheckForm &check, const QString &field)
 
 void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
 {
-    const LabFiles files = CheckScript::begin(m_document.files(), m_document.step(),
-                                              checks[static_cast<std::size_t>(at)]);
+    const LabFiles files = CheckProgram::begin(m_document.files(), m_document.step(),
+                                               checks[static_cast<std::size_t>(at)]);
     store(tr("Edit a check"), checks, at, {}, files);
 }
 
@@ -83,7 +83,7 @@ void ChecksTab::duplicateCheck()
     CheckForm copy = checks[static_cast<std::size_t>(at)];
     copy.id = freeId(checks, copy.id);
     // A program of its own, too: else an edit of the copy would change the other check.
-    const LabFiles files = CheckScript::copied(m_document.files(), m_document.step(), copy);
+    const LabFiles files = CheckProgram::copied(m_document.files(), m_document.step(), copy);
     checks.insert(checks.begin() + at + 1, copy);
     store(tr("Duplicate a check"), checks, at + 1, {}, files);
 }

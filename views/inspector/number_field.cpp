@@ -3,7 +3,7 @@
 #include "views/inspector/number_field.h"
 
 #include "model/world/shortest_number.h"
-#include "views/inspector/number_text.h"
+#include "views/inspector/typed_number.h"
 #include "views/theme.h"
 
 #include <QKeyEvent>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/inspector/number_text.h"
+#include "views/inspector/typed_number.h"
 
 #include "model/files/expression.h"
 

@@ -12,11 +12,11 @@ namespace cradle {
 class CodeEditor;
 
 /// The program of a check that is written in Lua, below the form of the check.
-class CheckScript final : public QWidget
+class CheckProgram final : public QWidget
 {
     Q_OBJECT
 public:
-    explicit CheckScript(AuthorDocument &document, QWidget *parent = nullptr);
+    explicit CheckProgram(AuthorDocument &document, QWidget *parent = nullptr);
 
     [[nodiscard]] CodeEditor &editor() { return *m_editor; }
     /// Shows the program of \p check, a check of the open step; hides if it has none.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/author/check_script.h"
+#include "views/author/check_program.h"
 
 #include "tasks/authoring/free_name.h"
 #include "tasks/authoring/lab_edits.h"
@@ -22,7 +22,7 @@ QString pathIn(const QString &step, const QString &file)
 
 } // namespace
 
-CheckScript::CheckScript(AuthorDocument &document, QWidget *parent)
+CheckProgram::CheckProgram(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_editor(new CodeEditor(this))
@@ -30,11 +30,11 @@ CheckScript::CheckScript(AuthorDocument &document, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_editor);
-    keepTranslated(this, &CheckScript::retranslate);
-    connect(m_editor, &CodeEditor::textEdited, this, &CheckScript::takeText);
+    keepTranslated(this, &CheckProgram::retranslate);
+    connect(m_editor, &CodeEditor::textEdited, this, &CheckProgram::takeText);
 }
 
-QString CheckScript::fileOf(const CheckForm &check)
+QString CheckProgram::fileOf(const CheckForm &check)
 {
     const std::vector<KindInfo> kinds = checkKinds();
     const KindInfo *kind = findKind(kinds, check.kind);
@@ -48,7 +48,7 @@ QString CheckScript::fileOf(const CheckForm &check)
     return {};
 }
 
-void CheckScript::showCheck(const CheckForm &check)
+void CheckProgram::showCheck(const CheckForm &check)
 {
     const QString file = fileOf(check);
     setVisible(!file.isEmpty());
@@ -70,7 +70,7 @@ void CheckScript::showCheck(const CheckForm &check)
         m_editor->clearError();
 }
 
-LabFiles CheckScript::begin(const LabFiles &files, const QString &step, CheckForm &check)
+LabFiles CheckProgram::begin(const LabFiles &files, const QString &step, CheckForm &check)
 {
     const QString name = check.id + QStringLiteral(".lua");
     check.parameters = {{QStringLiteral("script"), name}};
@@ -82,7 +82,7 @@ LabFiles CheckScript::begin(const LabFiles &files, const QString &step, CheckFor
                         + QStringLiteral("function check(run)\n  return true\nend\n"));
 }
 
-LabFiles CheckScript::copied(const LabFiles &files, const QString &step, CheckForm &check)
+LabFiles CheckProgram::copied(const LabFiles &files, const QString &step, CheckForm &check)
 {
     const QString from = fileOf(check);
     if (from.isEmpty() || !files.contents.contains(pathIn(step, from)))
@@ -97,14 +97,14 @@ LabFiles CheckScript::copied(const LabFiles &files, const QString &step, CheckFo
     return withFile(files, pathIn(step, name), files.contents.value(pathIn(step, from)));
 }
 
-void CheckScript::takeText()
+void CheckProgram::takeText()
 {
     m_document.edit(tr("Edit the program of a check"),
                     withText(m_document.files(), m_path, m_editor->text()),
                     QStringLiteral("script:") + m_path);
 }
 
-void CheckScript::retranslate()
+void CheckProgram::retranslate()
 {
     m_editor->setAccessibleName(tr("Program of the check"));
 }
