@@ -13,8 +13,6 @@
 #include <QJsonObject>
 #include <QTextStream>
 
-#include <utility>
-
 namespace cradle::cli {
 
 namespace {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/recording.h"
 
-#include <algorithm>
-
 namespace cradle {
 
 namespace {

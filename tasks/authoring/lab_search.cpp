@@ -10,7 +10,6 @@
 #include <QJsonDocument>
 #include <QRegularExpression>
 
-#include <algorithm>
 #include <functional>
 
 namespace cradle {

@@ -6,8 +6,6 @@
 #include "tasks/judging/pair_range.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 
 namespace cradle {
 

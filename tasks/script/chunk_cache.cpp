@@ -7,8 +7,6 @@
 #include <QCache>
 #include <QMutex>
 
-#include <utility>
-
 namespace cradle {
 
 namespace {

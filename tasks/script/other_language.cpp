@@ -9,8 +9,6 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
-#include <vector>
-
 namespace cradle {
 
 namespace {

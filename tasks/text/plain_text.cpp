@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <utility>
 
 namespace cradle {
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/workspace/history.h"
 
-#include "tasks/script/script_limits.h"
 #include "tasks/workspace/history_parts.h"
 
 #include <QTimeZone>

@@ -17,8 +17,6 @@
 #include <QSplitter>
 #include <QToolButton>
 
-#include <algorithm>
-
 namespace cradle {
 
 namespace {

@@ -19,8 +19,6 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include <algorithm>
-
 namespace cradle {
 
 using namespace questions;

@@ -5,7 +5,6 @@
 #include "views/theme.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace cradle {

@@ -10,8 +10,6 @@
 #include <QGuiApplication>
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cradle {
